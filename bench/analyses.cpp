@@ -29,9 +29,10 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
   prior.bound(theta);
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
   process.polish(mode, 20, 10, 0.3);
-  const Looks looks = process.looks_of(mode);
-  return {mode.merit, FrictionProcess::mean_friction +
-                          Chain(looks, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
+  const Observations observations = process.observations_of(mode);
+  return {mode.merit,
+          FrictionProcess::mean_friction +
+              Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
 }
 
 int run(int count, char** arguments) {

@@ -77,8 +77,8 @@ Friction friction_of(const RigInput& rig, const Scales& scales, double S_max) {
 
 // As bending_test_of of a case.
 void require_covered(const Friction& friction, const Fibre& fibre, double S_max) {
-  if (friction.most_up_to(S_max) > fibre.most_friction())
-    throw std::invalid_argument("friction of up to " + std::to_string(friction.most_up_to(S_max)) + ", where at most " +
+  if (friction.max_up_to(S_max) > fibre.most_friction())
+    throw std::invalid_argument("friction of up to " + std::to_string(friction.max_up_to(S_max)) + ", where at most " +
                                 std::to_string(fibre.most_friction()) + " is computed");
 }
 

@@ -76,7 +76,7 @@ void add_surfaces(py::module_& module) {
       return std::make_shared<SurfaceStudy>(study_surface(read_trace(path, trace_options_of(trace)), options));
     });
   });
-  module.attr("most_degree") = most_degree;
+  module.attr("most_degree") = max_degree;
   module.attr("least_tapers") = min_tapers;
   module.attr("most_tapers") = max_tapers;
 }

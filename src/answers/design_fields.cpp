@@ -38,7 +38,7 @@ Fields<PhaseStudy> phase_fields() {
       .count("count", "number of phases of the waves of friction that were tried", &PhaseStudy::phases)
       .count("snapping", "number of phases with which the specimen snaps", &PhaseStudy::snapping)
       .number("least_largest_drop", kind::force, "smallest of the largest drops, one for each phase",
-              &PhaseStudy::least_drop)
+              &PhaseStudy::min_drop)
       .number("greatest_largest_drop", kind::force, "greatest of the largest drops, one for each phase",
               &PhaseStudy::largest_drop)
       .number("critical_stiffness", kind::stiffness,

@@ -188,7 +188,7 @@ Fields<FittedTest> teeth_fields() {
   return Fields<FittedTest>()
       .number("confidence", "one-sided confidence of each verdict", [](T) { return tooth_confidence; })
       .number("least_share", "share of the stage's motion that is pulled in, below which the specimen is called stuck",
-              [](T test) { return test.provenance.options.teeth.least_share; })
+              [](T test) { return test.provenance.options.teeth.min_share; })
       .group(
           "compliance", "compliance of the supports that would explain the slopes of a stuck specimen",
           compliance_fields(), [](T test) -> const auto& { return test.analysis.teeth->compliance; })

@@ -14,7 +14,9 @@
 #include "bending_test/snap.h"
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -24,54 +26,12 @@ struct Stretch {
 };
 
 // Follows a fold from a stretch on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
-// Method: parabolas through the best three points, golden sections where they lead nowhere (Brent): friction may have kinks.
 double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Stretch& stretch) {
-  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
-  constexpr double golden = 0.3819660112501051;
   constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
-  double low = stretch.from;
-  double high = stretch.to;
-  double x = low + golden * (high - low);
-  double second = x;
-  double third = x;
-  double k = k_at(x);
-  double k_second = k;
-  double k_third = k;
-  double step = 0;
-  double step_before = 0;
-  const double tolerance = std::max(flat * (high - low), 0x1p-50 * high);  // and no finer than lengths are
-  while (std::max(high - x, x - low) > 2 * tolerance) {
-    const double middle = 0.5 * (low + high);
-    const double r = (x - second) * (k - k_third);
-    const double t = (x - third) * (k - k_second);
-    const double parabola = -((x - third) * t - (x - second) * r) / (2 * (t - r));
-    const bool is_good = std::abs(parabola) < 0.5 * std::abs(step_before) && x + parabola > low && x + parabola < high;
-    step_before = is_good ? step : (x < middle ? high : low) - x;
-    step = is_good ? parabola : golden * step_before;
-    const double next = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
-    const double k_next = k_at(next);
-    if (k_next >= k) {
-      (next >= x ? low : high) = x;
-      third = second;
-      k_third = k_second;
-      second = x;
-      k_second = k;
-      x = next;
-      k = k_next;
-    } else {
-      (next < x ? low : high) = next;
-      if (k_next >= k_second || second == x) {
-        third = second;
-        k_third = k_second;
-        second = next;
-        k_second = k_next;
-      } else if (k_next >= k_third || third == x || third == second) {
-        third = next;
-        k_third = k_next;
-      }
-    }
-  }
-  return std::max(k, k_at(stretch.to));
+  const double tolerance =
+      std::max(flat * (stretch.to - stretch.from), 0x1p-50 * stretch.to);  // and no finer than lengths are
+  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
+  return std::max(greatest_within(k_at, stretch.from, stretch.to, tolerance).value, k_at(stretch.to));
 }
 
 // The pair of folds whose cusp is likely to be the stiffest.
@@ -297,12 +257,10 @@ class Loading {
     const auto breaks_at = [&](double S) { return sees(fibre().state(S, curve_.friction.at(S).mu)); };
     double low = S_from;
     for (int i = 1; i <= parts; ++i) {
-      double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
+      const double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
       if (breaks_at(high)) {
         breaks_ = true;
-        for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-          (breaks_at(middle) ? high : low) = middle;
-        return high;
+        return first_where(low, high, breaks_at);
       }
       low = high;
     }
@@ -332,10 +290,10 @@ class Loading {
   // Reads the forces along a stretch. Are there states all the way?
   bool read_along(double S_from, double S_to, int halvings) {
     constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
-    constexpr int most_halvings = 12;  // only a friction that begins or ends to be held at zero needs them
+    constexpr int max_halvings = 12;   // only a friction that begins or ends to be held at zero needs them
     const SlidingPiece piece(curve_.friction, design_.rig, S_from, S_to);
     const double middle = 0.5 * (S_from + S_to);
-    const bool can_halve = halvings < most_halvings && S_from < middle && middle < S_to;
+    const bool can_halve = halvings < max_halvings && S_from < middle && middle < S_to;
     if (can_halve && (!piece.exists() || piece.error() > accuracy))
       return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
     if (!piece.exists()) return false;
@@ -453,31 +411,29 @@ double breaking_deflection(const Design& design, const Rig& rig) {
   const Fibre& fibre = rig.fibre;
   const Friction friction = met(design.friction, fibre, 1, S_max);
   const auto state_at = [&](double S) { return fibre.state(S, friction.at(S).mu); };
-  const auto breaks = [&](const FibreState& state) {
+  const auto breaks = [&](double S) {
+    const FibreState state = state_at(S);
     return state.status == FibreStatus::ok && fibre.curvature_at_midspan(state) >= design.breaking_curvature;
   };
   for (double S = 1; S < S_max;) {
-    double low = S, high = end_of_stretch(friction, fibre, S, S_max, scales);
-    S = high;
-    if (!breaks(state_at(high))) continue;
-    for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-      (breaks(state_at(middle)) ? high : low) = middle;
-    return state_at(high).w;
+    const double next = end_of_stretch(friction, fibre, S, S_max, scales);
+    if (breaks(next)) return state_at(first_where(S, next, breaks)).w;
+    S = next;
   }
   return infinity;
 }
 
 void require_loading(const Design& design) {
-  constexpr double least_deflection = 1e-6;                                   // below it S - 1 has lost its digits
+  constexpr double min_deflection = 1e-6;                                     // below it S - 1 has lost its digits
   const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
-  if (!(deflection >= least_deflection))
+  if (!(deflection >= min_deflection))
     throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
                                 std::to_string(1e6 * deflection) + "e-6");
-  constexpr double most_readings = 1e9;  // the counts of readings are doubles
+  constexpr double max_readings = 1e9;  // the counts of readings are doubles
   if (!(design.step >= 0 && std::isfinite(design.step)))
     throw std::invalid_argument("the step of the stage must be finite and not negative, not " +
                                 std::to_string(design.step));
-  if (design.step > 0 && design.travel / design.step > most_readings)
+  if (design.step > 0 && design.travel / design.step > max_readings)
     throw std::invalid_argument("a loading has at most 1e9 readings, not " +
                                 std::to_string(design.travel / design.step));
 }
@@ -529,9 +485,9 @@ double critical_stiffness(const Design& design) {
 
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   constexpr double most = 3;
-  constexpr double least_deflection = 1e-6;
+  constexpr double min_deflection = 1e-6;
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
-  const double critical = critical_stiffness(design.friction, std::max(w, least_deflection), design.rig.fibre);
+  const double critical = critical_stiffness(design.friction, std::max(w, min_deflection), design.rig.fibre);
   if (std::isinf(critical)) return -most;
   return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
 }

@@ -142,7 +142,7 @@ class Recorder {
   void record(const PathPoint& point) {
     history_.path.push_back(point);
     history_.energy_at.push_back(history_.energy);
-    if (const Walk* walk = fibre_.friction().kinetic.walk())
+    if (const TwoSupportPath* walk = fibre_.friction().kinetic.two_supports())
       history_.contacts.push_back(walk->points_at(std::max(point.S, 1.0)));
   }
 
@@ -187,7 +187,7 @@ History follow_continuously(const BendingTest& test, std::span<const double> tur
 }
 
 std::vector<double> stage_steps(std::span<const double> turns, double step) {
-  constexpr double most_steps = 1e8;  // a gigabyte
+  constexpr double max_steps = 1e8;  // a gigabyte
   if (turns.empty()) throw std::invalid_argument("a programme of the stage without positions");
   if (!(step > 0)) throw std::invalid_argument("a step of the stage must be > 0, not " + std::to_string(step));
   std::vector<double> stages{turns.front()};
@@ -196,7 +196,7 @@ std::vector<double> stage_steps(std::span<const double> turns, double step) {
     const double way = turns[i] - from;
     // A remainder of 1e-9 of a step is rounding.
     const double steps = std::ceil(std::abs(way) / step - 1e-9);
-    if (!(static_cast<double>(stages.size()) + steps < most_steps))
+    if (!(static_cast<double>(stages.size()) + steps < max_steps))
       throw std::invalid_argument("a programme of the stage with 1e8 steps or more");
     for (double n = 1; n < steps; ++n) stages.push_back(from + std::copysign(n * step, way));
     stages.push_back(turns[i]);

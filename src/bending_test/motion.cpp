@@ -13,6 +13,7 @@
 #include "contact/two_supports.h"
 #include "numerics/elementary.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -79,12 +80,12 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
   if (test_.friction.kinetic.depends_on_way() &&
-      (test_.rest == SnapRest::overshoot || test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0))
+      (test_.rest == SnapRest::overshoot || test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0))
     throw std::invalid_argument(
         "on two supports that are not alike, or where friction builds up, there is neither static excess nor "
         "overshoot");
   const Fibre& fibre = test_.rig.fibre;
-  if (fibre.supports().radius > 0 && test_.friction.static_excess.most_up_to(longest_at_stage(farthest)) > 0)
+  if (fibre.supports().radius > 0 && test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0)
     throw std::invalid_argument("on rollers there is no static excess");
   state_ = fibre.begins_straight() ? path_point(in_.begin, Motion::stick) : shallow().straight();
 }
@@ -147,7 +148,7 @@ void MovingFibre::lead_on(Sliding sliding) {
 
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   const Friction& friction = test_.friction.kinetic;
-  if (!friction.leads(S, direction_of(sliding))) lead_on(sliding);
+  if (!friction.continues(S, direction_of(sliding))) lead_on(sliding);
   if (sliding == Sliding::in) {
     if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only an overshoot leads there
       in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
@@ -263,7 +264,7 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
       landing ? snap_work(test_.friction.kinetic, test_.rig, state_.stage, S, landing->S) : std::optional<SnapWork>();
   if (!work) return lose(sliding);
   landing->stage = state_.stage;
-  const double next_stop = std::max(S + direction * least_slip, 1.0);
+  const double next_stop = std::max(S + direction * min_slip, 1.0);
   const bool runs_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
   if (runs_on) glide_ = Glide{sliding, next_stop};
   if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
@@ -272,17 +273,17 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
 }
 
 std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work) {
-  constexpr int most_swings = 1000;  // more there are only where friction is all but nothing
+  constexpr int max_swings = 1000;  // more there are only where friction is all but nothing
   const Friction& kinetic = test_.friction.kinetic;
   SnapWork work{0, 0};
   double S = state_.S;
   double S_landing = nearest.S;
-  for (int i = 0; i < most_swings; ++i) {
+  for (int i = 0; i < max_swings; ++i) {
     const Swing swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
     if (swung.end == Holding::no_contact) return lose(sliding);
     if (swung.end == Holding::beyond_friction) break;
     // The energy falls as the square of a swing, what a swing costs as the swing: half of its swings would cost as much as the first.
-    if (i == 0 && nearest_work.released > 0.5 * most_swings * swung.friction) break;
+    if (i == 0 && nearest_work.released > 0.5 * max_swings * swung.friction) break;
     S = swung.S;
     work.friction += swung.friction;
     const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
@@ -343,11 +344,10 @@ PathPoint MovingFibre::point_within(const Stretch& stretch, double along) const 
 }
 
 double MovingFibre::stage_at_deflection(const Stretch& stretch, double w) const {
-  auto [low, high] = extent_of(test_.rig.fibre, stretch);
+  const auto [from, to] = extent_of(test_.rig.fibre, stretch);
   const auto at = [&](double along) { return point_within(stretch, along); };
-  double middle = 0.5 * (low + high);
-  for (; low < middle && middle < high; middle = 0.5 * (low + high)) (at(middle).w < w ? low : high) = middle;
-  return std::clamp(at(high).stage, stretch.from.stage, stretch.to.stage);
+  const double reached = first_where(from, to, [&](double along) { return !(at(along).w < w); });
+  return std::clamp(at(reached).stage, stretch.from.stage, stretch.to.stage);
 }
 
 std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {

@@ -51,7 +51,7 @@ enum class HistoryStatus {
 
 // A slip shorter than this [L] runs on into the next: a nanometre for a span of a millimetre. Without it, static friction on a
 // straight fibre would mean infinitely many slips, for their length goes as w^3.
-inline constexpr double least_slip = 1e-6;
+inline constexpr double min_slip = 1e-6;
 
 class MovingFibre {
  public:

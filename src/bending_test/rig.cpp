@@ -16,12 +16,13 @@
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
 
 // Periods of the roughness in one trace, beyond which it would take seconds.
-constexpr double most_periods = 1e6;
+constexpr double max_periods = 1e6;
 
 CurveSample sample_on(const SlidingCurve& curve, double x) {
   return sample_at(curve.friction, curve.rig, curve.sliding, x);
@@ -68,16 +69,16 @@ RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const Ri
                                                           : chord;
   const double rounding = 0x1p-50 * stage;  // of w and F, elastica.h
   RigPoint nearest = from;
-  double least_error = infinity;
+  double min_error = infinity;
   for (int iteration = 0; iteration < 100; ++iteration) {
     const CurveSample sample = sample_on(curve, x);
     const Miss miss{x, sample.point.stage - stage, sample.slope};
-    if (std::abs(miss.error) < least_error) {
+    if (std::abs(miss.error) < min_error) {
       nearest = sample.point;
-      least_error = std::abs(miss.error);
+      min_error = std::abs(miss.error);
     }
     const double newton = x - miss.error / miss.slope;
-    if (least_error <= rounding || std::abs(x * (newton - x)) <= 0x1p-54) break;  // or less than S = 1 + x^2 can tell
+    if (min_error <= rounding || std::abs(x * (newton - x)) <= 0x1p-54) break;  // or less than S = 1 + x^2 can tell
     ((miss.error < 0) == rising ? low : high) = x;
     double next = crossing(last, miss);
     if (!(next > low && next < high)) next = newton;
@@ -99,7 +100,7 @@ void require_traceable(const Friction& friction, const Rig& rig, double S_max) {
     throw std::invalid_argument("a period of the roughness of " + std::to_string(4e9 * friction.smooth_scale()) +
                                 "e-9 spans is finer than 1e-9 spans, the finest that is traced");
   const double periods = (S_max - 1) / (4 * friction.smooth_scale());
-  if (periods > most_periods)
+  if (periods > max_periods)
     throw std::invalid_argument("the roughness has " + std::to_string(periods) +
                                 " periods on this length; at most 1e6 are traced");
 }
@@ -221,17 +222,13 @@ double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
   constexpr double close = 0.99;  // more halvings would cost what the shorter trace saves
   const double S_most = longest_at_stage(stage);
   const Friction friction = met(along, rig.fibre, 1, S_most);
-  double low = rig.fibre.way(1);
-  double high = rig.fibre.way(S_most);
-  while (low < close * high) {
-    const double middle = 0.5 * (low + high);
-    const double S = rig.fibre.length_at(middle);
-    const double mu = friction.at(S).mu;
-    const auto state = rig.fibre.state(S, mu);
-    const bool is_within = state.status == FibreStatus::ok && state.w + state.F / rig.stiffness < stage;
-    (is_within ? low : high) = middle;
-  }
-  return rig.fibre.length_at(high);
+  const auto is_beyond = [&](double way) {
+    const double S = rig.fibre.length_at(way);
+    const auto state = rig.fibre.state(S, friction.at(S).mu);
+    return !(state.status == FibreStatus::ok && state.w + state.F / rig.stiffness < stage);
+  };
+  const auto enough = [](const Bracket& ways) { return !(ways.low < close * ways.high); };
+  return rig.fibre.length_at(halved_until(enough, {rig.fibre.way(1), rig.fibre.way(S_most)}, is_beyond).high);
 }
 
 namespace {
@@ -241,7 +238,7 @@ using Polynomial = Interpolant<degree>;
 using Values = Polynomial::Values;
 
 // Halvings of a cell, after which two folds in one piece are taken for none: 1e-6 of the roughness's period.
-constexpr int most_halvings = 20;
+constexpr int max_halvings = 20;
 // How well G' is known, relative to its terms: what interpolation cannot better, and within which no fold is to be found.
 constexpr double exact_error = 64 * std::numeric_limits<double>::epsilon();
 
@@ -407,13 +404,13 @@ class FoldSearch {
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double least_error = (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale;
-    const double error = std::max(4 * tail, least_error);
+    const double min_error = (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale;
+    const double error = std::max(4 * tail, min_error);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
     // Along a load line G is level: no halving would tell more than that G' is within its error.
-    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= least_error;
-    const bool smallest = halvings == most_halvings || level;
+    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= min_error;
+    const bool smallest = halvings == max_halvings || level;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
     } else if (resolved && source.finer) {
@@ -441,7 +438,7 @@ class FoldSearch {
   void add_bracket(const Cell& cell, bool rising, const Values& bernstein) {
     constexpr double close = 1e-7;  // below what the interpolant is worth
     const auto slope_at = [&](double t) { return bernstein_at(bernstein, t); };
-    const double t = zero_between(slope_at, 0.0, 1.0, 0.5, rising, close);
+    const double t = zero_between(slope_at, rising ? 0.0 : 1.0, rising ? 1.0 : 0.0, 0.5, close);
     const double length = cell.b - cell.a;
     brackets_.push_back({cell.a, cell.b, cell.a + t * length, bernstein_at(bernstein, t).slope / length, rising});
   }

@@ -6,25 +6,13 @@
 
 #include "bending_test/sliding_table.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
 
-// Where something that is false at one end becomes true, towards the other; there if it never does.
-template <class Predicate>
-double first_where(double is_false, double end, const Predicate& is_true) {
-  if (!is_true(end)) return end;
-  double is_so = end;
-  for (int i = 0; i < 200; ++i) {
-    const double middle = 0.5 * (is_false + is_so);
-    if (middle == is_false || middle == is_so) break;
-    (is_true(middle) ? is_so : is_false) = middle;
-  }
-  return is_so;
-}
-
 // Wherever it is, what is sought has a bracket. What a fit tells may be somewhat more than friction may be.
-constexpr double most_friction_sought = 2 * largest_q_on_supports;
+constexpr double max_friction_sought = 2 * largest_q_on_supports;
 
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
 
@@ -43,7 +31,7 @@ PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, M
 Shallow::Place Shallow::place(const Way& way, double w, double q) const {
   const double rolled = 2 * rig_.fibre.supports().radius;
   Place found{};
-  double low = -most_friction_sought, high = most_friction_sought;
+  double low = -max_friction_sought, high = max_friction_sought;
   for (int i = 0; i < 100; ++i) {
     found.at = rig_.fibre.bent(w, q);
     const Fibre::BentState& at = found.at;

@@ -11,6 +11,7 @@
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -129,13 +130,13 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   scale = std::max({scale, greatest(stage), greatest(friction)});
   stage = Interpolant<degree>::chebyshev(stage);
   friction = Interpolant<degree>::chebyshev(friction);
-  constexpr double accuracy = 1e-12;        // what the integral loses is a tenth of that, and less
-  constexpr int most_halvings = 30;         // at a kink: a piece 1e-9 of the whole
-  constexpr std::size_t most_pieces = 200;  // enough for a few kinks
+  constexpr double accuracy = 1e-12;       // what the integral loses is a tenth of that, and less
+  constexpr int max_halvings = 30;         // at a kink: a piece 1e-9 of the whole
+  constexpr std::size_t max_pieces = 200;  // enough for a few kinks
   const auto is_resolved = [&](const Series& c) {
     return std::abs(c[degree]) + std::abs(c[degree - 1]) <= accuracy * scale + noise;
   };
-  if (halvings < most_halvings && cell.size() < most_pieces && !(is_resolved(stage) && is_resolved(friction))) {
+  if (halvings < max_halvings && cell.size() < max_pieces && !(is_resolved(stage) && is_resolved(friction))) {
     const double middle = 0.5 * (from + to);
     fill(cell, from, middle, scale, halvings + 1);
     fill(cell, middle, to, scale, halvings + 1);
@@ -208,7 +209,7 @@ double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
     return ValueAndSlope{G - stage, 2 * slope / (piece.to - piece.from)};
   };
   const double close = 1e-11 * (high - low);
-  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), true, close);
+  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), close);
   return rig_.fibre.length_at(sigma);
 }
 
@@ -247,10 +248,10 @@ Polynomial::Matrix map_of_work() {
 using Slope = std::array<double, degree>;
 
 void add_roots(const Slope& b, double low, double high, int halvings, std::vector<double>& roots) {
-  constexpr int most_halvings = 24;  // beyond it two roots are one point
+  constexpr int max_halvings = 24;  // beyond it two roots are one point
   const int changes = sign_changes(b);
   if (changes == 0) return;
-  if (halvings == most_halvings) {
+  if (halvings == max_halvings) {
     if (changes % 2 == 1) roots.push_back(0.5 * (low + high));
     return;
   }
@@ -258,7 +259,8 @@ void add_roots(const Slope& b, double low, double high, int halvings, std::vecto
   Slope right = b;
   if (changes == 1) {
     const auto value_at = [&](double t) { return bernstein_at(b, t); };
-    roots.push_back(low + (high - low) * zero_between(value_at, 0.0, 1.0, 0.5, b.front() < 0, close));
+    const bool rises = b.front() < 0;
+    roots.push_back(low + (high - low) * zero_between(value_at, rises ? 0.0 : 1.0, rises ? 1.0 : 0.0, 0.5, close));
     return;
   }
   for (std::size_t n = degree; n > 0; --n) {
@@ -315,7 +317,7 @@ double SlidingPiece::force_at(double stage) const {
     const auto [value, slope] = series_slope_at(stage_, x);
     return ValueAndSlope{value - stage, slope};
   };
-  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, true, close));
+  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, close));
 }
 
 std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {

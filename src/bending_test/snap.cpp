@@ -6,7 +6,9 @@
 #include <string>
 
 #include "contact/over_rollers.h"
+#include "numerics/polynomial.h"
 #include "numerics/quadrature.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -104,20 +106,14 @@ class Slide {
   Holding holding_ = Holding::held;
 };
 
-// Where, between two lengths, the energy left is spent: by Newton's iteration guarded by bisection.
+// Where, between two lengths, the energy left is spent.
 Swing end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
-  double holds = S;
-  double spent = next;
-  double end = 0.5 * (S + next);
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    const double released = left.released + slide.work(S, end).released;
-    (released > 0 ? holds : spent) = end;
+  const auto energy_left = [&](double end) {
     const double sigma = rig.fibre.way(end);
-    double better = end - released / slide.power_at(sigma).released * 2 * sigma;
-    if (!((better > holds && better < spent) || (better < holds && better > spent))) better = 0.5 * (holds + spent);
-    if (std::abs(better - end) <= 0x1p-50 * end) break;
-    end = better;
-  }
+    return ValueAndSlope{left.released + slide.work(S, end).released, slide.power_at(sigma).released / (2 * sigma)};
+  };
+  constexpr double rounding = 0x1p-50;
+  const double end = zero_between(energy_left, next, S, 0.5 * (S + next), 0, rounding);
   const SnapWork last = slide.work(S, end);
   return {Holding::held, end, left.friction + last.friction + left.released + last.released};
 }

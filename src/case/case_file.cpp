@@ -157,8 +157,8 @@ void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<
     if (!is_to_fit && name.back() != '?') keys.need(name);
   if (friction.model == FrictionModel::surface && !(friction.mu0.value_or(1) > 0))
     keys.refuse("mu0", "a friction of the flat surface above 0", fmt::format("{:g}", *friction.mu0));
-  if (friction.level > most_degree)
-    keys.refuse("level", fmt::format("a degree of at most {}", most_degree), fmt::format("{}", friction.level));
+  if (friction.level > max_degree)
+    keys.refuse("level", fmt::format("a degree of at most {}", max_degree), fmt::format("{}", friction.level));
   double sum = 0;
   for (const WaveInput& wave : friction.waves) sum += wave.amplitude;
   if (sum > 1)

@@ -21,6 +21,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 #include "surface/slope_friction.h"
 
 namespace flexslip {
@@ -276,7 +277,7 @@ struct Asked {
   double S_max;
 
   // [1/L] How steep it may be.
-  double limit_of(const Fibre& on) const { return steepest_followed(on, kinetic.most_up_to(S_max), S_max); }
+  double limit_of(const Fibre& on) const { return steepest_followed(on, kinetic.max_up_to(S_max), S_max); }
   std::string length(double reduced) const { return readable_length(side.test, scales.physical_length(reduced)); }
 };
 
@@ -287,12 +288,7 @@ std::optional<double> widest_that_follows(const Asked& asked) {
     return asked.kinetic.steepest() < asked.limit_of(Fibre({radius, supports.half_depth}));
   };
   if (!follows(0)) return std::nullopt;
-  double good = 0, bad = supports.radius;
-  for (int i = 0; i < 30; ++i) {
-    const double middle = 0.5 * (good + bad);
-    (follows(middle) ? good : bad) = middle;
-  }
-  return good;
+  return halved(30, {0, supports.radius}, [&](double radius) { return !follows(radius); }).low;
 }
 
 // What would be followed instead of a profile that is so many times too steep.
@@ -339,7 +335,7 @@ void require_followed(const Asked& asked) {
 // Refuses what the mechanics of a fibre does not cover: more than its most_friction, or steeper than steepest_followed.
 void require_covered(const Asked& asked) {
   const auto& [side, kinetic, fibre, scales, S_max] = asked;
-  const double most = kinetic.most_up_to(S_max);
+  const double most = kinetic.max_up_to(S_max);
   const double limit = fibre.most_friction();
   if (most <= limit) return require_followed(asked);
   const std::string expected = friction_limit(fibre), found = fmt::format("{:g}", most);
@@ -387,7 +383,7 @@ Friction built_up(const Test& test, Friction friction, const Fibre& fibre, const
     throw wrong_value(test, "friction.build_up_length", "none on rollers", readable_length(test, build_up_length),
                       "delete it, or roller_radius");
   try {
-    return Friction::on_a_way(
+    return Friction::path_dependent(
         std::make_shared<const BuildUp>(std::move(friction), scales.reduced_length(build_up_length), S_max));
   } catch (const std::invalid_argument& error) {
     throw wrong_value(test, "friction.build_up_length",
@@ -424,7 +420,7 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
         fmt::format("a steeper one at the length {}", readable_length(test, scales.physical_length(out.S[i]))),
         "write a cutoff or an edge_radius, or let the stage only load");
   }
-  return Friction::on_a_way(std::make_shared<const OnSlopes>(inwards, Friction::table(std::move(out))));
+  return Friction::path_dependent(std::make_shared<const OnSlopes>(inwards, Friction::table(std::move(out))));
 }
 
 }  // namespace
@@ -556,7 +552,7 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   const bool climbs_surface = test.friction->trace || (test.other && test.other->trace);
   if (climbs_surface && turns_back(test)) kinetic = on_both_ways(test, kinetic, rig.fibre, scales);
   const double excess = test.friction->static_excess.value_or(0);
-  const double most = kinetic.most_up_to(S_max) + excess;
+  const double most = kinetic.max_up_to(S_max) + excess;
   const auto refuse = [&](std::string_view key, std::string expected, std::string found, std::string remedy) {
     throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
   };
@@ -567,7 +563,7 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
     refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
            fmt::format("{:g}", excess), "delete it, or roller_radius");
   const SnapRest snaps = test.stage ? test.stage->snaps : SnapRest::nearest_stable;
-  if (kinetic.walk() && snaps == SnapRest::overshoot)
+  if (kinetic.two_supports() && snaps == SnapRest::overshoot)
     refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
            "delete it, or [friction.other]");
   if (!kinetic.lets_stick() && snaps == SnapRest::overshoot)

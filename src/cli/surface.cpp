@@ -50,7 +50,7 @@ void add_surface_command(CLI::App& app) {
       ->required();
   add_option(command, "--level DEGREE", request.choice.level,
              "Degree of the polynomial to subtract: 0 removes the mean, 1 the tilt, 2 the bow")
-      ->check(count_between(0, most_degree))
+      ->check(count_between(0, max_degree))
       ->capture_default_str();
   add_option(command, "--cutoff LENGTH", request.choice.cutoff,
              "Remove shorter waves with the Gaussian filter of ISO 16610-21");

@@ -9,18 +9,19 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/quadrature.h"
 
 namespace flexslip {
 namespace {
 
 // Friction that has followed another one, sliding on and on: p, dp/dS and d²p/dS² at nodes.
-class Trail final : public FrictionOnAWay {
+class Trail final : public PathDependentFriction {
  public:
   Trail(Friction followed, double direction, double length, double S_most) : followed_(std::move(followed)) {
-    constexpr double least_nodes = 1e6;
+    constexpr double min_nodes = 1e6;
     constexpr double nodes_per_length = 16, nodes_per_scale = 25;
     const double step = std::min(length / nodes_per_length, followed_.smooth_scale() / nodes_per_scale);
-    if (!((S_most - 1) / step < least_nodes))
+    if (!((S_most - 1) / step < min_nodes))
       throw std::invalid_argument(
           "friction builds up over too short a length, or is too fine, beside how far it is slid");
     const auto among = followed_.knots();
@@ -54,7 +55,7 @@ class Trail final : public FrictionOnAWay {
             (c1 + t * (2 * c2 + t * (3 * c3 + t * (4 * c4 + t * 5 * c5)))) / h};
   }
   double smooth_scale() const override { return followed_.smooth_scale(); }
-  double most_up_to(double S_max) const override { return followed_.most_up_to(S_max); }
+  double max_up_to(double S_max) const override { return followed_.max_up_to(S_max); }
   std::span<const double> knots() const override { return followed_.knots(); }
 
  private:
@@ -78,13 +79,10 @@ class Trail final : public FrictionOnAWay {
 
   // p' = (μ - p)/σ from one node to the next, by Gauss' three points.
   double after(double p, double from, double to, double length) const {
-    static constexpr double point = 0.7745966692414834;  // √(3/5)
-    static constexpr std::array<std::pair<double, double>, 3> rule{
-        {{0.5 - 0.5 * point, 5.0 / 18}, {0.5, 4.0 / 9}, {0.5 + 0.5 * point, 5.0 / 18}}};
     const double h = std::abs(to - from) / length;
-    double gained = 0;
-    for (const auto& [t, weight] : rule)
-      gained += weight * followed_.at(from + t * (to - from)).mu * elementary::exp(-(1 - t) * h);
+    const double gained = integral(gauss_3, 0, 1, [&](double t) {
+      return followed_.at(from + t * (to - from)).mu * elementary::exp(-(1 - t) * h);
+    });
     return p * elementary::exp(-h) + h * gained;
   }
 
@@ -105,7 +103,7 @@ bool stays_above_zero(const Friction& friction, const FrictionWaves& waves, doub
 Friction trailing(const Friction& friction, double direction, double length, double S_most) {
   const auto* waves = std::get_if<FrictionWaves>(&friction.form());
   if (!waves || !stays_above_zero(friction, *waves, S_most))
-    return Friction::on_a_way(std::make_shared<const Trail>(friction, direction, length, S_most));
+    return Friction::path_dependent(std::make_shared<const Trail>(friction, direction, length, S_most));
   FrictionWaves smoothed = *waves;
   smoothed.S_reference += direction * length;
   for (Sinusoid& term : smoothed.terms) {
@@ -164,9 +162,9 @@ FrictionPoint BuildUp::at(double S) const {
   return {mu + left, slope - direction_ * left / trails_->length};
 }
 
-double BuildUp::most_up_to(double S_max) const { return std::max(std::abs(p_), trails_->specimen.most_up_to(S_max)); }
+double BuildUp::max_up_to(double S_max) const { return std::max(std::abs(p_), trails_->specimen.max_up_to(S_max)); }
 
-std::shared_ptr<const FrictionOnAWay> BuildUp::from(double S, double q, double direction) const {
+std::shared_ptr<const PathDependentFriction> BuildUp::from(double S, double q, double direction) const {
   return std::shared_ptr<const BuildUp>(new BuildUp(trails_, S, direction * q, direction));
 }
 

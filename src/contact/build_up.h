@@ -19,7 +19,7 @@ namespace flexslip {
 double share_after_build_up(double length, double wavelength);
 
 // The way on from where a fibre turned.
-class BuildUp final : public FrictionOnAWay {
+class BuildUp final : public PathDependentFriction {
  public:
   // The first way in of a fibre on which friction is mobilised from the beginning, to a length S_most, towards the friction of the points of the
   // specimen.
@@ -32,11 +32,13 @@ class BuildUp final : public FrictionOnAWay {
   FrictionPoint at(double S) const override;
 
   double smooth_scale() const override { return trail().smooth_scale(); }
-  double most_up_to(double S_max) const override;
+  double max_up_to(double S_max) const override;
   std::span<const double> knots() const override { return knots_; }
 
-  bool leads(double S, double direction) const override { return direction == direction_ && direction * (S - S_) >= 0; }
-  std::shared_ptr<const FrictionOnAWay> from(double S, double q, double direction) const override;
+  bool continues(double S, double direction) const override {
+    return direction == direction_ && direction * (S - S_) >= 0;
+  }
+  std::shared_ptr<const PathDependentFriction> from(double S, double q, double direction) const override;
   bool depends_on_way() const override { return true; }
   bool lets_stick() const override { return false; }
 

@@ -87,8 +87,8 @@ Friction::Friction(FrictionWaves waves) {
     if (!(term.amplitude >= 0)) refuse("an amplitude of friction must be >= 0", term.amplitude);
     if (!(term.wavelength > 0 && term.wavelength < infinity))
       refuse("a wavelength of friction must be > 0", term.wavelength);
-    constexpr double least_wavelength = 1e-12;  // shorter waves are lost in the rounding of S
-    if (term.wavelength < least_wavelength)
+    constexpr double min_wavelength = 1e-12;  // shorter waves are lost in the rounding of S
+    if (term.wavelength < min_wavelength)
       throw std::invalid_argument("a wavelength of friction of " + std::to_string(1e12 * term.wavelength) +
                                   "e-12 spans is shorter than 1e-12 spans, the rounding of lengths");
     if (!std::isfinite(term.phase)) refuse("a phase of friction must be finite", term.phase);
@@ -137,8 +137,8 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   constexpr std::size_t reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths
   const double step =
       2 * correlation_length / static_cast<double>(per_length);  // S advances by twice the length along the fibre
-  constexpr double most_knots = 1e6;
-  if (!((S_max - 1) / step < most_knots))
+  constexpr double max_knots = 1e6;
+  if (!((S_max - 1) / step < max_knots))
     refuse("a rough profile has at most 1e6 knots: the correlation length is too short", correlation_length);
   const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
 
@@ -170,7 +170,8 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
 }
 
 Friction Friction::on_two_supports(Friction left, Friction right, double S_most) {
-  return Friction(std::make_shared<const Walk>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));
+  return Friction(
+      std::make_shared<const TwoSupportPath>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));
 }
 
 Friction Friction::as_met(FrictionTable table) {
@@ -184,12 +185,12 @@ Friction Friction::from(double S, double q, double direction) const {
   return onward ? Friction(std::move(onward)) : *this;
 }
 
-const FrictionOnAWay* Friction::way() const {
-  const auto* way = std::get_if<std::shared_ptr<const FrictionOnAWay>>(&form_);
+const PathDependentFriction* Friction::way() const {
+  const auto* way = std::get_if<std::shared_ptr<const PathDependentFriction>>(&form_);
   return way ? way->get() : nullptr;
 }
 
-const Walk* Friction::walk() const { return dynamic_cast<const Walk*>(way()); }
+const TwoSupportPath* Friction::two_supports() const { return dynamic_cast<const TwoSupportPath*>(way()); }
 
 FrictionPoint Friction::at(double S) const {
   if (way()) return way()->at(S);
@@ -241,8 +242,8 @@ double Friction::drift() const {
 
 bool Friction::may_be_held() const { return drift() != 0; }
 
-double Friction::most_up_to(double S_max) const {
-  if (way()) return way()->most_up_to(S_max);
+double Friction::max_up_to(double S_max) const {
+  if (way()) return way()->max_up_to(S_max);
   if (const auto* table = std::get_if<FrictionTable>(&form_)) {
     double most = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
     for (std::size_t i = 0; i < table->S.size(); ++i)

@@ -62,30 +62,30 @@ struct WaveTerm {
 // Friction that is more than a profile: it depends on the way on which the fibre gets to a length.
 
 // Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h, build_up.h).
-class FrictionOnAWay {
+class PathDependentFriction {
  public:
-  virtual ~FrictionOnAWay() = default;
+  virtual ~PathDependentFriction() = default;
   virtual FrictionPoint at(double S) const = 0;
   virtual double smooth_scale() const = 0;
   virtual double end_of(double S, double scales, bool inwards) const {
     const double step = scales * smooth_scale();
     return inwards ? S + step : S - step;
   }
-  virtual double most_up_to(double S_max) const = 0;
+  virtual double max_up_to(double S_max) const = 0;
   virtual std::span<const double> knots() const = 0;
   // As the fibre meets it, at what has been drawn in: else of the points of the specimen.
   virtual bool is_met() const { return false; }
 
   // May a fibre that is at a length slide on in a direction, in (1) or out (-1)? If not it takes the way from there, and from its q.
-  virtual bool leads(double /*S*/, double /*direction*/) const { return true; }
-  virtual std::shared_ptr<const FrictionOnAWay> from(double /*S*/, double /*q*/, double /*direction*/) const {
+  virtual bool continues(double /*S*/, double /*direction*/) const { return true; }
+  virtual std::shared_ptr<const PathDependentFriction> from(double /*S*/, double /*q*/, double /*direction*/) const {
     return nullptr;
   }
   virtual bool depends_on_way() const { return false; }
   virtual bool lets_stick() const { return true; }
 };
 
-class Walk;
+class TwoSupportPath;
 
 class Friction {
  public:
@@ -108,17 +108,17 @@ class Friction {
   static Friction as_met(FrictionTable table);
   bool is_met() const { return met_ || (way() && way()->is_met()); }
 
-  static Friction on_a_way(std::shared_ptr<const FrictionOnAWay> way) { return Friction(std::move(way)); }
+  static Friction path_dependent(std::shared_ptr<const PathDependentFriction> way) { return Friction(std::move(way)); }
 
   // The friction on a way that leads on from a length and a mobilised friction, in (1) or out (-1): of one profile, the same.
   Friction from(double S, double q, double direction) const;
-  bool leads(double S, double direction) const { return !way() || way()->leads(S, direction); }
+  bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
   // Does the fibre stick where it turns back, until friction is exhausted? Else it creeps.
   bool lets_stick() const { return !way() || way()->lets_stick(); }
   // Of the beginning of a test of a thick specimen: what builds up stays as it is at the length 1.
   Friction at_the_beginning() const { return lets_stick() ? *this : constant(std::abs(at(1).mu)); }
-  const Walk* walk() const;  // none of one profile
+  const TwoSupportPath* two_supports() const;  // none of one profile
 
   // Domain: S > 0; a table is constant before its first knot.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
@@ -134,7 +134,7 @@ class Friction {
 
   // The greatest μ at lengths from 1 to S_max: of a table to rounding; of waves a bound, their crests on the greatest mean.
   // Domain: S_max >= 1.
-  double most_up_to(double S_max) const;
+  double max_up_to(double S_max) const;
 
   // [1/L] A bound on how steep the profile is, |dμ/dS|.
   // Domain: waves or a table; std::invalid_argument otherwise.
@@ -149,15 +149,15 @@ class Friction {
   // The end of a stretch of so many smooth scales, on the way in or out: infinite as these are.
   double end_of(double S, double scales, bool inwards) const;
 
-  using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const FrictionOnAWay>>;
+  using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const PathDependentFriction>>;
   const Form& form() const { return form_; }
 
  private:
   explicit Friction(FrictionWaves waves);
   explicit Friction(FrictionTable table);
-  explicit Friction(std::shared_ptr<const FrictionOnAWay> way) : form_(std::move(way)) {}
+  explicit Friction(std::shared_ptr<const PathDependentFriction> way) : form_(std::move(way)) {}
 
-  const FrictionOnAWay* way() const;
+  const PathDependentFriction* way() const;
   FrictionPoint in_table(double S) const;
 
   Form form_;

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -20,33 +22,29 @@ constexpr double slope_by_way = 1.94;
 
 OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S_most)
     : along_(std::move(along)), fibre_(std::move(fibre)), direction_(direction) {
-  if (along_.walk()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
+  if (along_.two_supports()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
   if (S_most > 1 && !along_.knots().empty()) add_knots(S_most);
 }
 
 // What lies between the contacts may be shorter than the span, where a drift may have brought more friction.
-double OverRollers::most_at_contacts(double S_max) const {
+double OverRollers::max_at_contacts(double S_max) const {
   const double least = 1 - std::numbers::pi * fibre_.supports().radius;
-  return along_.most_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
+  return along_.max_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
 }
 
 FrictionPoint OverRollers::at(double S) const {
-  double low = 0, high = most_at_contacts(S + 1);  // of the friction sought
-  double mu = std::clamp(along_.at(S).mu, low, high);
-  FrictionPoint met{mu, 0};
-  for (int i = 0; i < 60; ++i) {
+  const double most = max_at_contacts(S + 1);
+  FrictionPoint met{std::clamp(along_.at(S).mu, 0.0, most), 0};
+  const auto miss_at = [&](double mu) {
     const auto [length, length_S, length_q] = fibre_.contact(S, direction_ * mu);
-    if (!std::isfinite(length_S)) return met;
+    if (!std::isfinite(length_S)) return ValueAndSlope{0, 1};  // no state there: what was met last
     const FrictionPoint there = along_.at(length);
     const double slope_in_mu = 1 - direction_ * there.slope * length_q;
     met = {mu, there.slope * length_S / slope_in_mu};
-    const double miss = mu - there.mu;
-    (miss < 0 ? low : high) = mu;
-    const double newton = mu - miss / slope_in_mu;
-    constexpr double small = 1e-13;
-    if (std::abs(newton - mu) <= small * (1 + mu) || !(low < high)) return met;
-    mu = newton > low && newton < high ? newton : 0.5 * (low + high);
-  }
+    return ValueAndSlope{mu - there.mu, slope_in_mu};
+  };
+  constexpr double small = 1e-13;
+  zero_between(miss_at, 0, most, met.mu, small, small);
   return met;
 }
 
@@ -76,25 +74,24 @@ void OverRollers::add_knots(double S_most) {
     double begin = turns;
     for (const double knot : knots) {
       const double mu = along_.at(knot).mu;
-      double low = begin, high = begin;
+      const double low = begin;
+      double high = begin;
       double reach = 0.01;
       while (place(high, mu).length < knot && high > 0 && high < 1) {
         high = std::clamp(high + side * reach, 0.0, 1.0);
         reach *= 1.5;
       }
       if (!(place(low, mu).length < knot) || !(place(high, mu).length >= knot)) continue;
-      double w = 0.5 * (low + high);
-      for (int step = 0; step < 60 && std::abs(high - low) > 1e-14; ++step) {
-        const auto [length, slope, S] = place(w, mu);
-        (length < knot ? low : high) = w;
-        const double newton = w - (length - knot) / slope;
-        if (std::abs(newton - w) <= 1e-14) break;
-        w = (newton - low) * (newton - high) < 0 ? newton : 0.5 * (low + high);
-      }
+      const auto beyond_knot = [&](double w) {
+        const Place at = place(w, mu);
+        return ValueAndSlope{at.length - knot, at.slope};
+      };
+      constexpr double close = 1e-14;
+      const double w = zero_between(beyond_knot, low, high, 0.5 * (low + high), close);
       const double S = place(w, mu).S;
       if (S > S_most) break;
       if (S > 1) knots_.push_back(S);
-      begin = low;
+      begin = w;
     }
   }
   std::sort(knots_.begin(), knots_.end());
@@ -123,7 +120,7 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
 
 Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {
   if (fibre.supports().radius == 0 || along.is_met()) return along;
-  return Friction::on_a_way(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
+  return Friction::path_dependent(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
 }
 
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction) {
@@ -137,13 +134,13 @@ OnSlopes::OnSlopes(Friction in, Friction out) : direction_(1) {
   ways_ = std::make_shared<const Ways>(Ways{std::move(in), std::move(out)});
 }
 
-std::shared_ptr<const FrictionOnAWay> OnSlopes::from(double /*S*/, double /*q*/, double direction) const {
+std::shared_ptr<const PathDependentFriction> OnSlopes::from(double /*S*/, double /*q*/, double direction) const {
   return std::shared_ptr<const OnSlopes>(new OnSlopes(ways_, direction));
 }
 
 namespace {
 
-class Capped final : public FrictionOnAWay {
+class Capped final : public PathDependentFriction {
  public:
   Capped(Friction friction, double cap, double S_most) : friction_(std::move(friction)), cap_(cap) {
     if (friction_.depends_on_way() || friction_.is_met() || !(cap >= 0))
@@ -165,24 +162,21 @@ class Capped final : public FrictionOnAWay {
     return own.mu <= cap_ ? own : FrictionPoint{cap_, 0};
   }
   double smooth_scale() const override { return friction_.smooth_scale(); }
-  double most_up_to(double S_max) const override { return std::min(friction_.most_up_to(S_max), cap_); }
+  double max_up_to(double S_max) const override { return std::min(friction_.max_up_to(S_max), cap_); }
   std::span<const double> knots() const override { return knots_; }
 
  private:
   bool is_capped(double S) const { return friction_.at(S).mu > cap_; }
 
   void add_crossings(double from, double to) {
-    constexpr double samples_a_scale = 4, least_samples = 8;
-    const double samples = std::max(least_samples, std::ceil(samples_a_scale * (to - from) / friction_.smooth_scale()));
+    constexpr double samples_a_scale = 4, min_samples = 8;
+    const double samples = std::max(min_samples, std::ceil(samples_a_scale * (to - from) / friction_.smooth_scale()));
     double low = from;
     for (double i = 1; i <= samples; ++i) {
       const double high = i < samples ? from + (to - from) * i / samples : to;
-      if (is_capped(low) != is_capped(high)) {
-        double a = low, b = high;
-        for (double middle = 0.5 * (a + b); a < middle && middle < b; middle = 0.5 * (a + b))
-          (is_capped(middle) == is_capped(low) ? a : b) = middle;
-        knots_.push_back(b);
-      }
+      const bool at_first = is_capped(low);
+      if (is_capped(high) != at_first)
+        knots_.push_back(first_where(low, high, [&](double S) { return is_capped(S) != at_first; }));
       low = high;
     }
   }
@@ -195,7 +189,7 @@ class Capped final : public FrictionOnAWay {
 }  // namespace
 
 Friction capped(const Friction& friction, double cap, double S_most) {
-  return Friction::on_a_way(std::make_shared<const Capped>(friction, cap, S_most));
+  return Friction::path_dependent(std::make_shared<const Capped>(friction, cap, S_most));
 }
 
 double friction_of_pins(double pin_friction, double pin_radius, double radius) {

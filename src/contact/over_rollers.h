@@ -16,7 +16,7 @@
 
 namespace flexslip {
 
-class OverRollers final : public FrictionOnAWay {
+class OverRollers final : public PathDependentFriction {
  public:
   // Drawn in, direction = 1, or let out, -1; with the knots met up to S_most.
   // Domain: a friction of the specimen's points, on rollers (std::invalid_argument otherwise).
@@ -26,13 +26,13 @@ class OverRollers final : public FrictionOnAWay {
   FrictionPoint at(double S) const override;
   double smooth_scale() const override { return along_.smooth_scale(); }
   double end_of(double S, double scales, bool inwards) const override;
-  double most_up_to(double S_max) const override { return most_at_contacts(S_max); }
+  double max_up_to(double S_max) const override { return max_at_contacts(S_max); }
   std::span<const double> knots() const override { return knots_; }
   bool is_met() const override { return true; }
 
  private:
   void add_knots(double S_most);
-  double most_at_contacts(double S_max) const;
+  double max_at_contacts(double S_max) const;
 
   Friction along_;
   Fibre fibre_;
@@ -56,7 +56,7 @@ std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fi
 //
 // On a slope tan α it is tan(atan μ + α) on the way in and tan(atan μ - α) on the way out (theory.md, "A surface and its friction").
 
-class OnSlopes final : public FrictionOnAWay {
+class OnSlopes final : public PathDependentFriction {
  public:
   // Begins on the way in.
   // Domain:     profiles that depend on no way; std::invalid_argument otherwise.
@@ -64,10 +64,10 @@ class OnSlopes final : public FrictionOnAWay {
 
   FrictionPoint at(double S) const override { return way().at(S); }
   double smooth_scale() const override { return way().smooth_scale(); }
-  double most_up_to(double S_max) const override { return way().most_up_to(S_max); }
+  double max_up_to(double S_max) const override { return way().max_up_to(S_max); }
   std::span<const double> knots() const override { return way().knots(); }
-  bool leads(double /*S*/, double direction) const override { return direction == direction_; }
-  std::shared_ptr<const FrictionOnAWay> from(double S, double q, double direction) const override;
+  bool continues(double /*S*/, double direction) const override { return direction == direction_; }
+  std::shared_ptr<const PathDependentFriction> from(double S, double q, double direction) const override;
   bool depends_on_way() const override { return true; }
 
  private:

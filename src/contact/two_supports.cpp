@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -20,18 +21,10 @@ FrictionPoint at_point(const Friction& side, double x) {
   return {mu, 2 * slope};
 }
 
-// Where something that is false at `low` and true at `high` becomes true.
-template <class Predicate>
-double first_where(double low, double high, const Predicate& is_true) {
-  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
-    (is_true(middle) ? high : low) = middle;
-  return high;
-}
-
 }  // namespace
 
 // One way, in or out: y is what a side has gone of it.
-class Walk::Tracer {
+class TwoSupportPath::Tracer {
  public:
   Tracer(const std::array<Friction, 2>& sides, ContactPoints from, double direction, double most)
       : sides_(sides), from_{from.left, from.right}, direction_(direction), most_(most) {}
@@ -182,13 +175,13 @@ class Walk::Tracer {
   bool arrived_ = false;
 };
 
-Walk::Walk(Friction left, Friction right, ContactPoints from, double S_most)
-    : Walk({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
+TwoSupportPath::TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most)
+    : TwoSupportPath({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
 
-Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
+TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
     : sides_(std::move(sides)), origin_(origin) {
   for (const Friction& side : sides_)
-    if (side.walk()) throw std::invalid_argument("the friction of a side is that of a walk over two");
+    if (side.two_supports()) throw std::invalid_argument("the friction of a side is that of a walk over two");
   if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
     throw std::invalid_argument("a walk from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
@@ -206,7 +199,7 @@ Walk::Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, dou
 }
 
 // Where it begins, and where a side that slides meets a knot of its own, or begins or ends to be held at zero.
-void Walk::add_knots(const Piece& piece) {
+void TwoSupportPath::add_knots(const Piece& piece) {
   knots_.push_back(piece.from);
   for (const bool of_left : {true, false}) {
     if (piece.slides == (of_left ? Slides::right : Slides::left)) continue;
@@ -235,42 +228,35 @@ void Walk::add_knots(const Piece& piece) {
   }
 }
 
-const Walk::Piece& Walk::piece_at(double S) const {
+const TwoSupportPath::Piece& TwoSupportPath::piece_at(double S) const {
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), S,
                                       [](double length, const Piece& piece) { return length < piece.from; });
   return after == pieces_.begin() ? pieces_.front() : *(after - 1);
 }
 
-ContactPoints Walk::points_in(const Piece& piece, double S) const {
+ContactPoints TwoSupportPath::points_in(const Piece& piece, double S) const {
   const double from_begin = std::clamp(S, piece.from, piece.to) - piece.from;
   const auto [left, right] = piece.begin;
   if (piece.slides == Slides::left) return {left + from_begin, right};
   if (piece.slides == Slides::right) return {left, right + from_begin};
   const double both = left + right + from_begin;
-  double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
+  const double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
   if (!(low < high)) return {high, both - high};
-  // f(left) - g(both - left) rises or falls from one end to the other: Newton's iteration within.
+  // f(left) - g(both - left) rises or falls from one end to the other.
   const auto difference = [&](double x) {
     const auto a = at_point(sides_[0], x), b = at_point(sides_[1], both - x);
     return FrictionPoint{a.mu - b.mu, a.slope + b.slope};
   };
-  const double sign = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu ? 1 : -1;
-  double x = 0.5 * (low + high);
-  for (int i = 0; i < 60; ++i) {
-    const auto [value, slope] = difference(x);
-    (sign * value < 0 ? low : high) = x;
-    double next = x - value / slope;
-    if (!(low < next && next < high)) next = 0.5 * (low + high);
-    const bool is_there = std::abs(next - x) <= 2e-16 * (1 + std::abs(x));
-    x = next;
-    if (is_there) break;
-  }
+  const bool rises = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu;
+  constexpr double rounding = 2e-16;  // of half a span and of x
+  const double x =
+      zero_between(difference, rises ? low : high, rises ? high : low, 0.5 * (low + high), rounding, rounding);
   return {x, both - x};
 }
 
-ContactPoints Walk::points_at(double S) const { return points_in(piece_at(S), S); }
+ContactPoints TwoSupportPath::points_at(double S) const { return points_in(piece_at(S), S); }
 
-FrictionPoint Walk::at(double S) const {
+FrictionPoint TwoSupportPath::at(double S) const {
   const Piece& piece = piece_at(S);
   const auto [left, right] = points_in(piece, S);
   const bool is_beyond = S < pieces_.front().from || S > pieces_.back().to;
@@ -282,11 +268,13 @@ FrictionPoint Walk::at(double S) const {
   return met({0.5 * (a.mu + b.mu), sum != 0 ? a.slope * b.slope / sum : 0});
 }
 
-double Walk::smooth_scale() const { return 0.5 * std::min(sides_[0].smooth_scale(), sides_[1].smooth_scale()); }
+double TwoSupportPath::smooth_scale() const {
+  return 0.5 * std::min(sides_[0].smooth_scale(), sides_[1].smooth_scale());
+}
 
-double Walk::most_up_to(double S_max) const {
+double TwoSupportPath::max_up_to(double S_max) const {
   const double one_side = 1 + 2 * (S_max - 1);
-  return std::max(sides_[0].most_up_to(one_side), sides_[1].most_up_to(one_side));
+  return std::max(sides_[0].max_up_to(one_side), sides_[1].max_up_to(one_side));
 }
 
 }  // namespace flexslip

@@ -21,7 +21,7 @@ struct ContactPoints {
 };
 
 // The way from a pair of contact points, inwards and outwards.
-class Walk final : public FrictionOnAWay {
+class TwoSupportPath final : public PathDependentFriction {
  public:
   // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
   // that of the point (S - 1)/2 from where the straight fibre touches.
@@ -30,7 +30,7 @@ class Walk final : public FrictionOnAWay {
   //             other side, the one that does.
   // Tolerance:  lengths at which sides change are bisected to rounding; between samples at a sixteenth of the shortest period, and the knots of
   //             tables, no crest is looked for.
-  Walk(Friction left, Friction right, ContactPoints from, double S_most);
+  TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most);
 
   // The friction met at a length: drawn in beyond that of `from`, let out below. Constant beyond the ends.
   FrictionPoint at(double S) const override;
@@ -39,15 +39,15 @@ class Walk final : public FrictionOnAWay {
 
   double origin() const { return origin_; }  // [L] the length from which it leads
   double end() const { return pieces_.back().to; }
-  Walk from(double S) const { return {sides_, points_at(S), S, end()}; }
-  bool leads(double S, double direction) const override { return direction * (S - origin_) >= 0; }
-  std::shared_ptr<const FrictionOnAWay> from(double S, double /*q*/, double /*direction*/) const override {
-    return std::make_shared<const Walk>(from(S));
+  TwoSupportPath from(double S) const { return {sides_, points_at(S), S, end()}; }
+  bool continues(double S, double direction) const override { return direction * (S - origin_) >= 0; }
+  std::shared_ptr<const PathDependentFriction> from(double S, double /*q*/, double /*direction*/) const override {
+    return std::make_shared<const TwoSupportPath>(from(S));
   }
   bool depends_on_way() const override { return true; }
 
   double smooth_scale() const override;
-  double most_up_to(double S_max) const override;
+  double max_up_to(double S_max) const override;
   std::span<const double> knots() const override { return knots_; }
 
  private:
@@ -61,7 +61,7 @@ class Walk final : public FrictionOnAWay {
   };
   class Tracer;
 
-  Walk(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most);
+  TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most);
   void add_knots(const Piece& piece);
   const Piece& piece_at(double S) const;
   ContactPoints points_in(const Piece& piece, double S) const;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -34,34 +33,28 @@ Contact line_between(const Record& record, double from, double up_to) {
   const auto stage = std::span(record.stage).subspan(first, n);
   const auto deflection = std::span(record.deflection).subspan(first, n);
   const auto force = std::span(record.force).subspan(first, n);
-  const Line force_line = line_through(stage, force);
-  const Line deflection_line = line_through(stage, deflection);
-  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return failed(ContactStatus::not_rising);
+  const CommonLine line = common_line(stage, force, deflection);
+  if (std::isnan(line.slope)) return failed(ContactStatus::not_rising);
 
-  constexpr double most_correlation = 0.95;  // beyond it the stretch is too short to tell
+  constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
   // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
   // the slope.
-  const double slope = force_line.slope / deflection_line.slope;
-  std::vector<double> off_stage(n), off_deflection(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    off_stage[i] = force[i] - force_line.mean_y - force_line.slope * (stage[i] - force_line.mean_x);
-    off_deflection[i] = force[i] - force_line.mean_y - slope * (deflection[i] - deflection_line.mean_y);
-  }
-  const double lever = force_line.mean_y / force_line.slope;  // [m] from the contact to the middle of the points
-  const double offset = force_line.mean_x - lever;
+  const Line& by_stage = line.y;
+  std::vector<double> off_stage(n);
+  for (std::size_t i = 0; i < n; ++i)
+    off_stage[i] = force[i] - by_stage.mean_y - by_stage.slope * (stage[i] - by_stage.mean_x);
+  const double lever = by_stage.mean_y / by_stage.slope;  // [m] from the contact to the middle of the points
+  const double offset = by_stage.mean_x - lever;
   const auto points_before =
       std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
                     [=](double ws) { return ws < offset; });
   const auto freedom = static_cast<double>(n - 2);
   return {.status = ContactStatus::found,
           .offset = student_estimate(offset,
-                                     effective_deviation(off_stage, 2, 0, most_correlation) / force_line.slope *
-                                         std::sqrt(1 / static_cast<double>(n) + lever * lever / force_line.sum_xx),
+                                     effective_deviation(off_stage, 2, 0, max_correlation) / by_stage.slope *
+                                         std::sqrt(1 / static_cast<double>(n) + lever * lever / by_stage.sum_xx),
                                      freedom),
-          .slope = student_estimate(slope,
-                                    effective_deviation(off_deflection, 2, 0, most_correlation) /
-                                        (deflection_line.slope * std::sqrt(force_line.sum_xx)),
-                                    freedom),
+          .slope = student_estimate(line.slope, slope_error(line, 0, max_correlation), freedom),
           .points_before = static_cast<std::size_t>(points_before),
           .first = first,
           .last = last,
@@ -96,9 +89,9 @@ Contact find_contact(const Record& record) {
 
 namespace {
 
-constexpr double band = 4;                 // [noise] one row in 16,000 of a level force leaves it
-constexpr std::size_t least_points = 10;   // before the contact: fewer tell neither an offset nor its error
-constexpr double most_correlation = 0.95;  // of neighbouring rows: beyond it a mean tells no error
+constexpr double band = 4;                // [noise] one row in 16,000 of a level force leaves it
+constexpr std::size_t min_points = 10;    // before the contact: fewer tell neither an offset nor its error
+constexpr double max_correlation = 0.95;  // of neighbouring rows: beyond it a mean tells no error
 
 // The rows from the first on whose force stays within the band about the mean of those before.
 std::size_t level_rows(std::span<const double> force, double noise) {
@@ -119,10 +112,10 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
                                 std::to_string(force.size()) + " points");
   if (!(noise >= 0)) throw std::invalid_argument("noise = " + std::to_string(noise) + " N is negative");
   const ForceZero none{ForceZeroStatus::no_free_rows, 0, 0, 0};
-  if (force.size() < least_points) return none;
+  if (force.size() < min_points) return none;
 
   const std::size_t level = level_rows(force, noise);
-  if (level < least_points || level == force.size()) return none;
+  if (level < min_points || level == force.size()) return none;
   // The force that the way through the level rows would have raised, at the mean slope from there to the greatest force.
   const auto greatest = static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
   const double free_way = displacement[level - 1] - displacement.front();
@@ -133,15 +126,15 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
 
   const double half = displacement.front() + 0.5 * free_way;
   const auto points = std::max<std::size_t>(
-      least_points / 2, static_cast<std::size_t>(
-                            std::find_if(displacement.begin(), displacement.end(), [=](double x) { return x > half; }) -
-                            displacement.begin()));
+      min_points / 2, static_cast<std::size_t>(
+                          std::find_if(displacement.begin(), displacement.end(), [=](double x) { return x > half; }) -
+                          displacement.begin()));
   const auto free = force.first(std::min(points, level));
   const auto n = static_cast<double>(free.size());
-  const double mean = std::accumulate(free.begin(), free.end(), 0.0) / n;
+  const double mean = mean_of(free);
   std::vector<double> residuals(free.begin(), free.end());
   for (double& residual : residuals) residual -= mean;
-  const double scatter = effective_deviation(residuals, 1, 1 / n, most_correlation);
+  const double scatter = effective_deviation(residuals, 1, 1 / n, max_correlation);
   return {ForceZeroStatus::found, mean, std::max(scatter, noise) / std::sqrt(n), free.size()};
 }
 

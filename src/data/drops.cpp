@@ -7,12 +7,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 30;
+constexpr std::size_t min_points = 30;
 constexpr std::size_t longest = 3;  // [steps] a drop may take that long
 
 void require(const DropOptions& options) {
@@ -44,18 +45,18 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   require_faultless(record);
   const auto& force = record.force;
   const std::size_t points = force.size();
-  if (points < least_points) return {DropStatus::too_short, {}, 0, 0};
+  if (points < min_points) return {DropStatus::too_short, {}, 0, 0};
 
   double stretches = 0;
   for (std::size_t length = 1; length <= longest; ++length) stretches += static_cast<double>(points - length);
   const auto false_alarms = [&](double x) { return stretches * student_tail(x, noise_freedom(points)); };
 
-  double needed = 0, enough = 1;  // the significance at which false_alarms falls to what is allowed
-  while (false_alarms(enough) > options.false_alarms_per_test) enough *= 2;
-  while (enough - needed > 1e-9 * enough) {  // far finer than the noise is known
-    const double middle = std::midpoint(needed, enough);
-    (false_alarms(middle) > options.false_alarms_per_test ? needed : enough) = middle;
-  }
+  const auto is_enough = [&](double x) { return !(false_alarms(x) > options.false_alarms_per_test); };
+  double beyond = 1;
+  while (!is_enough(beyond)) beyond *= 2;
+  // The significance at which false_alarms falls to what is allowed, far finer than the noise is known.
+  const auto fine = [](const Bracket& x) { return !(x.width() > 1e-9 * x.high); };
+  const double needed = halved_until(fine, {0, beyond}, is_enough).low;
 
   const std::vector<double> smooth = smooth_steps(record);
   std::vector<Stretch> found;

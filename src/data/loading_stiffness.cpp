@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -13,17 +12,13 @@
 namespace flexslip {
 namespace {
 
-constexpr double far_enough = 1.0 / 3;   // [greatest force of the first loading] where a reload must get
-constexpr double farthest_bent = 2;      // [first loading] where a reload may be at the same force
-constexpr std::size_t least_points = 6;  // twice what a line with a scatter needs, for the two halves
+constexpr double far_enough = 1.0 / 3;  // [greatest force of the first loading] where a reload must get
+constexpr double farthest_bent = 2;     // [first loading] where a reload may be at the same force
+constexpr std::size_t min_points = 6;   // twice what a line with a scatter needs, for the two halves
 
 void require(const Record& record, std::span<const LoadingRange> loadings) {
   const std::size_t rows = record.force.size();
-  if (record.stage.size() != rows || record.deflection.size() != rows)
-    throw std::invalid_argument("the columns of the record differ in length");
-  for (std::size_t i = 0; i < rows; ++i)
-    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
-      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+  require_readings(record);
   std::size_t reached = 0;
   for (const auto& [first, last] : loadings) {
     if (first < reached || last <= first || last > rows)
@@ -39,17 +34,10 @@ struct Slope {
 // dF/dw0 over the rows [first, last), by way of the stage.
 Slope slope_of(const Record& record, std::size_t first, std::size_t last) {
   const auto rows = [&](const std::vector<double>& values) { return std::span(values).subspan(first, last - first); };
-  const Line force = line_through(rows(record.stage), rows(record.force));
-  const Line deflection = line_through(rows(record.stage), rows(record.deflection));
-  if (!(deflection.slope > 0 && force.slope > 0))
-    return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-  const double slope = force.slope / deflection.slope;
-  std::vector<double> residuals(last - first);
-  for (std::size_t i = first; i < last; ++i)
-    residuals[i - first] = record.force[i] - force.mean_y - slope * (record.deflection[i] - deflection.mean_y);
-  constexpr double most_correlation = 0.9;
-  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation);
-  return {slope, scatter / (deflection.slope * std::sqrt(force.sum_xx))};
+  const CommonLine line = common_line(rows(record.stage), rows(record.force), rows(record.deflection));
+  if (std::isnan(line.slope)) return {not_a_number, not_a_number};
+  constexpr double max_correlation = 0.9;
+  return {line.slope, slope_error(line, correlation_lost_to_line(line.residuals), max_correlation)};
 }
 
 struct Window {
@@ -83,12 +71,9 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   std::size_t middle = first;
   while (middle < last && record.force[middle] <= window.middle) ++middle;
   result.status = LoadingStatus::too_few_points;
-  if (last - first < least_points || middle - first < least_points / 2 || last - middle < least_points / 2)
-    return result;
+  if (last - first < min_points || middle - first < min_points / 2 || last - middle < min_points / 2) return result;
 
-  result.deflection = std::accumulate(record.deflection.begin() + static_cast<std::ptrdiff_t>(first),
-                                      record.deflection.begin() + static_cast<std::ptrdiff_t>(last), 0.0) /
-                      static_cast<double>(last - first);
+  result.deflection = mean_of(std::span(record.deflection).subspan(first, last - first));
   result.whole = slope_of(record, first, last);
   result.lower = slope_of(record, first, middle);
   result.upper = slope_of(record, middle, last);

@@ -20,10 +20,10 @@ namespace {
 
 constexpr std::size_t half_window =
     10;  // steps either side: 21 hold a slope to 0.3 σ and are short against a curve's bend
-constexpr std::size_t noise_window = 30;  // steps: long enough for a scale to 15 %, short enough to fit between slips
-constexpr std::size_t noise_stride = 5;   // steps from window to window
-constexpr double quiet_fraction = 0.1;    // of the windows: what a test that slips half the time still leaves
-constexpr std::size_t least_residuals = 10;  // below that a scale is a guess
+constexpr std::size_t noise_window = 30;   // steps: long enough for a scale to 15 %, short enough to fit between slips
+constexpr std::size_t noise_stride = 5;    // steps from window to window
+constexpr double quiet_fraction = 0.1;     // of the windows: what a test that slips half the time still leaves
+constexpr std::size_t min_residuals = 10;  // below that a scale is a guess
 
 void require_one_length(std::span<const double> a, std::span<const double> b) {
   if (a.size() == b.size()) return;
@@ -118,6 +118,16 @@ double shown_by_quietest(std::size_t windows) {
 }
 
 }  // namespace
+
+void require_readings(std::span<const double> stage, std::span<const double> deflection,
+                      std::span<const double> force) {
+  if (stage.size() != force.size() || deflection.size() != force.size())
+    throw std::invalid_argument("the columns of the record are not of one length: " + std::to_string(stage.size()) +
+                                ", " + std::to_string(deflection.size()) + ", " + std::to_string(force.size()));
+  for (std::size_t i = 0; i < force.size(); ++i)
+    if (!(std::isfinite(stage[i]) && std::isfinite(deflection[i]) && std::isfinite(force[i])))
+      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+}
 
 ReducedRecord to_reduced(const Record& record, const Scales& scales) {
   const auto length = [&](double x) { return scales.reduced_length(x); };
@@ -239,7 +249,7 @@ std::vector<double> smooth_steps(const Record& record) {
 
 double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps) {
   const std::size_t points = record.force.size();
-  if (steps < 1 || points < steps + least_residuals)
+  if (steps < 1 || points < steps + min_residuals)
     throw std::invalid_argument("no noise over " + std::to_string(steps) + " steps of " + std::to_string(points) +
                                 " points");
 
@@ -261,16 +271,13 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
     const auto window = std::span(record.force).subspan(i, width + steps);
     if (std::all_of(window.begin(), window.end(), [&](double F) { return F == window.front(); })) continue;
     for (std::size_t j = 0; j < width; ++j) deviations[j] = std::abs(residual[i + j]);
-    scales.push_back(1.4826 * median_of(deviations));  // 1/0.6745: to the standard deviation of a Gaussian
+    scales.push_back(deviation_by_median * median_of(deviations));
   }
   if (scales.empty()) return 0;
 
   const std::size_t windows = scales.size();
-  const double rank = quiet_fraction * static_cast<double>(windows - 1);
   std::sort(scales.begin(), scales.end());
-  const auto lower = static_cast<std::size_t>(rank);
-  const std::size_t upper = std::min(lower + 1, windows - 1);
-  const double quietest = std::lerp(scales[lower], scales[upper], rank - static_cast<double>(lower));
+  const double quietest = quantile_in_order(scales, quiet_fraction);
 
   // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
   return std::max(quietest / shown_by_quietest(windows), resolution_of(record.force) / std::sqrt(6.0));
@@ -279,16 +286,16 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
 double force_noise(const Record& record) { return step_noise(record, smooth_steps(record), 1) / std::numbers::sqrt2; }
 
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options) {
-  if (!(options.least_travel > 0 && options.least_travel < 1))
+  if (!(options.min_travel > 0 && options.min_travel < 1))
     throw std::invalid_argument("the least travel of a leg must lie between 0 and 1 of the range of the stage: " +
-                                std::to_string(options.least_travel));
+                                std::to_string(options.min_travel));
   for (std::size_t i = 0; i < stage.size(); ++i)
     if (!std::isfinite(stage[i]))
       throw std::invalid_argument("stage position " + std::to_string(i) +
                                   " is not finite: " + std::to_string(stage[i]));
   if (stage.empty()) return {};
   const auto [least, greatest] = std::minmax_element(stage.begin(), stage.end());
-  const double travel = options.least_travel * (*greatest - *least);
+  const double travel = options.min_travel * (*greatest - *least);
   if (!(travel > 0)) return {};
 
   std::vector<Leg> legs;
@@ -404,9 +411,9 @@ std::vector<std::size_t> readings_of(std::span<const double> displacement, const
     readings.push_back(bends_next && !falls_then ? i + 1 : i);
     if (bends_next) ++i;
   }
-  constexpr std::size_t least_readings = 100;  // what bends more rarely may be straight by itself
-  constexpr std::size_t of_rows = 10;          // by chance far fewer lie straight
-  if (readings.size() < least_readings || of_rows * rows_straight < force.size() || !are_fine(bends)) return {};
+  constexpr std::size_t min_readings = 100;  // what bends more rarely may be straight by itself
+  constexpr std::size_t of_rows = 10;        // by chance far fewer lie straight
+  if (readings.size() < min_readings || of_rows * rows_straight < force.size() || !are_fine(bends)) return {};
   readings.push_back(force.size() - 1);
   return readings;
 }

@@ -24,6 +24,13 @@ struct ReducedRecord {
   std::vector<double> force;       // [EI/L^2]
 };
 
+// What a record has to be for whatever is asked of it: columns of one length, every reading finite; std::invalid_argument otherwise.
+void require_readings(std::span<const double> stage, std::span<const double> deflection, std::span<const double> force);
+inline void require_readings(const Record& record) { require_readings(record.stage, record.deflection, record.force); }
+inline void require_readings(const ReducedRecord& record) {
+  require_readings(record.stage, record.deflection, record.force);
+}
+
 ReducedRecord to_reduced(const Record& record, const Scales& scales);
 Record to_physical(const ReducedRecord& record, const Scales& scales);
 
@@ -103,14 +110,14 @@ struct Leg {
 };
 
 struct LegOptions {
-  double least_travel = 0.02;  // [range of the stage] a turn counts once the stage has gone back by more; shorter
-                               // excursions are noise, backlash or a hold, and belong to the leg they interrupt
+  double min_travel = 0.02;  // [range of the stage] a turn counts once the stage has gone back by more; shorter
+                             // excursions are noise, backlash or a hold, and belong to the leg they interrupt
 };
 
 // Legs in the order of time, loading and unloading in turn; together they are all points. None for a stage that stands still.
-// Domain: stage finite, in any unit; 0 < least_travel < 1. std::invalid_argument otherwise.
-// Method: a turning point is the farthest position before a return of more than least_travel; of equal ones the first. So noise
-//         of the stage shifts it by no more than its own size, and cannot make one if its range is below least_travel.
+// Domain: stage finite, in any unit; 0 < min_travel < 1. std::invalid_argument otherwise.
+// Method: a turning point is the farthest position before a return of more than min_travel; of equal ones the first. So noise
+//         of the stage shifts it by no more than its own size, and cannot make one if its range is below min_travel.
 // Cost:   one pass.
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options = {});
 

@@ -22,7 +22,6 @@ class Scales {
   double reduced_length(double length) const { return length / span_; }                      // [m] -> [1]
   double reduced_force(double force) const { return force / force_unit_; }                   // [N] -> [1]
   double reduced_stiffness(double stiffness) const { return stiffness / stiffness_unit(); }  // [N/m] -> [1]
-  double reduced_energy(double energy) const { return energy / energy_unit(); }              // [J] -> [1]
 
   double physical_length(double reduced) const { return reduced * span_; }                // [1] -> [m]
   double physical_force(double reduced) const { return reduced * force_unit_; }           // [1] -> [N]

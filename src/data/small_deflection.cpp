@@ -13,10 +13,10 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 5;                        // of a line that is to tell its own error
-constexpr double most_correlation = 0.95;                      // beyond it the stretch is too short to tell
+constexpr std::size_t min_points = 5;                          // of a line that is to tell its own error
+constexpr double max_correlation = 0.95;                       // beyond it the stretch is too short to tell
 constexpr double step = 0.05, width = 0.25, last_up_to = 0.9;  // [greatest force] of the windows tried
-constexpr double most_deflection = 0.1;  // [span] beyond it a deflection is not small, where the span is known
+constexpr double max_deflection = 0.1;  // [span] beyond it a deflection is not small, where the span is known
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
 
 void require(bool holds, const char* what, double value) {
@@ -43,21 +43,15 @@ std::optional<Straight> straight_in(const Record& record, std::size_t points, do
   while (first > 0 && force[first - 1] >= window.from * most) --first;
   const std::size_t n = last - first;
   // A window that the record does not leave above is not covered; the one up to the greatest force is left by none.
-  if (n < least_points || (last == points && window.up_to < 1)) return std::nullopt;
+  if (n < min_points || (last == points && window.up_to < 1)) return std::nullopt;
 
   const auto F = force.subspan(first, n);
   const auto w = std::span(record.deflection).subspan(first, n);
   const auto stage = std::span(record.stage).subspan(first, n);
-  const Line force_line = line_through(stage, F);
-  const Line deflection_line = line_through(stage, w);
-  if (!(force_line.slope > 0 && deflection_line.slope > 0)) return std::nullopt;
-  const double slope = force_line.slope / deflection_line.slope;
-  std::vector<double> residuals(n);
-  for (std::size_t i = 0; i < n; ++i) residuals[i] = F[i] - force_line.mean_y - slope * (w[i] - deflection_line.mean_y);
-  const double error = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation) /
-                       (deflection_line.slope * std::sqrt(force_line.sum_xx));
-  return Straight{window, first, last, normal_estimate(slope, error),
-                  deflection_line.mean_y - force_line.mean_y / slope};
+  const CommonLine line = common_line(stage, F, w);
+  if (std::isnan(line.slope)) return std::nullopt;
+  const double error = slope_error(line, correlation_lost_to_line(line.residuals), max_correlation);
+  return Straight{window, first, last, normal_estimate(line.slope, error), line.z.mean_y - line.y.mean_y / line.slope};
 }
 
 std::optional<Straight> steepest(const Record& record, std::size_t points, double most,
@@ -108,7 +102,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
 
   SmallDeflection result{};
   result.status = SmallDeflectionStatus::no_straight_part;
-  if (record.force.size() < least_points) return result;
+  if (record.force.size() < min_points) return result;
   const auto greatest =
       static_cast<std::size_t>(std::max_element(record.force.begin(), record.force.end()) - record.force.begin());
   const double most = record.force[greatest];
@@ -116,12 +110,12 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   const std::size_t points = greatest + 1;
   std::size_t small = points;  // of them, the ones before the deflection is large
   if (geometry.span) {
-    const double limit = most_deflection * *geometry.span;
+    const double limit = max_deflection * *geometry.span;
     const auto beyond = std::find_if(record.deflection.begin(), record.deflection.begin() + as_difference(points),
                                      [=](double w) { return w > limit; });
     small = static_cast<std::size_t>(beyond - record.deflection.begin());
   }
-  if (small < least_points) return result;
+  if (small < min_points) return result;
   const double reference = *std::max_element(record.force.begin(), record.force.begin() + as_difference(small));
   const auto straight = steepest(record, small, reference, options);
   if (!straight) return result;
@@ -137,7 +131,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   result.deflection = record.deflection[greatest] - straight->origin;
   if (!geometry.span) return result;
   const double L = *geometry.span;
-  result.deflection_large = result.deflection > most_deflection * L;
+  result.deflection_large = result.deflection > max_deflection * L;
   result.bending_stiffness = straight->slope.value * L * L * L / 48;
   if (!geometry.section) return result;
   const double I = second_moment(*geometry.section);

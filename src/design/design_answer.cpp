@@ -96,10 +96,10 @@ std::vector<double> stiffness_changes(const Test& input, double own, bool now, d
 
 // Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
 double as_printed(const Test& input, DesignParameter parameter, double to, bool now) {
-  constexpr int least_digits = 3;
-  constexpr int most_digits = 9;
+  constexpr int min_digits = 3;
+  constexpr int max_digits = 9;
   const bool more = to > value_of(input, parameter).value();
-  for (int digits = least_digits; digits <= most_digits; ++digits) {
+  for (int digits = min_digits; digits <= max_digits; ++digits) {
     const double step = std::pow(10, std::floor(std::log10(to)) - (digits - 1));
     const double rounded = step * (more ? std::ceil(to / step) : std::floor(to / step));
     const double decimal = std::stod(fmt::format("{:.{}e}", rounded, digits - 1));
@@ -122,7 +122,7 @@ std::optional<PhaseStudy> phases_of(Test input) {
   constexpr int phases = 24;
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
-  if (design_of(input).design.friction.walk()) return std::nullopt;
+  if (design_of(input).design.friction.two_supports()) return std::nullopt;
   if (!value_of(input, DesignParameter::phase) || value_of(input, DesignParameter::amplitude).value() == 0)
     return std::nullopt;
   if (design_of(input).units.scales.reduced_length(value_of(input, DesignParameter::wavelength).value()) < finest)
@@ -135,7 +135,7 @@ std::optional<PhaseStudy> phases_of(Test input) {
     if (!outcome) continue;
     ++study.phases;
     if (outcome->snaps > 0) ++study.snapping;
-    study.least_drop = std::min(study.least_drop, outcome->largest_drop);
+    study.min_drop = std::min(study.min_drop, outcome->largest_drop);
     study.largest_drop = std::max(study.largest_drop, outcome->largest_drop);
     study.critical = std::max(study.critical, critical_stiffness(design_of(input).design));
   }
@@ -185,7 +185,7 @@ DesignAnswer answer_of(const Test& input) {
   }
   std::vector<DesignParameter> others{DesignParameter::span};
   // Of supports that are not alike the case varies one.
-  if (!design.friction.walk())
+  if (!design.friction.two_supports())
     others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength,
                                  DesignParameter::pin_friction});
   if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});

@@ -23,7 +23,7 @@ struct DesignChange {
 struct PhaseStudy {
   std::size_t phases;    // of which a test can be computed
   std::size_t snapping;  // of them, those with which the specimen snaps
-  double least_drop;     // [EI/L^2] of the largest drops, one for each phase
+  double min_drop;       // [EI/L^2] of the largest drops, one for each phase
   double largest_drop;   // [EI/L^2]
   double critical;       // [EI/L^3] on no stiffer load train does the specimen snap, with any of these phases
 };

@@ -18,7 +18,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double most_readings = 1e9;  // what they can be counted for
+constexpr double max_readings = 1e9;  // what they can be counted for
 
 // Refuses what is more than one loading up to the farthest position of the programme.
 void require_one_loading(const Test& input) {
@@ -133,10 +133,10 @@ PlannedDesign design_of(const Test& loading) {
         fmt::format("{:g} to {:g} spans of {}", min_stage, max_stage, readable_length(loading, scales.span())),
         readable_length(loading, loading.stage->program.back()));
   const double step = scales.reduced_length(*loading.stage->step);
-  if (!std::isfinite(step) || (step > 0 && travel / step > most_readings))
+  if (!std::isfinite(step) || (step > 0 && travel / step > max_readings))
     throw wrong_value(
         loading, "stage.step",
-        fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / most_readings),
+        fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / max_readings),
         readable_length(loading, *loading.stage->step));
   BendingTest test = bending_test_of(loading, scales, travel);
   return {{std::move(test.friction.kinetic), std::move(test.rig), travel, step, breaking_curvature_of(loading, scales)},
@@ -176,7 +176,7 @@ const Fields<DesignResult>& outcome_fields() {
 
 namespace {
 
-constexpr std::uint64_t most_points = 10000;  // of an axis
+constexpr std::uint64_t max_points = 10000;  // of an axis
 
 std::vector<std::string> names_of(const Test& input) {
   std::vector<std::string> names;
@@ -197,8 +197,8 @@ const DesignParameterName& parameter_named(const Test& input, std::string_view n
 std::uint64_t points_from(std::string_view text) {
   std::uint64_t points = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
-  if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= most_points) return points;
-  throw InputError({.expected = fmt::format("2 to {} points", most_points), .found = in_quotes(text)});
+  if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= max_points) return points;
+  throw InputError({.expected = fmt::format("2 to {} points", max_points), .found = in_quotes(text)});
 }
 
 }  // namespace
@@ -237,7 +237,7 @@ DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usua
 std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::string>& texts) {
   constexpr std::uint64_t points_of_curve = 101;
   constexpr std::uint64_t points_of_map = 41;
-  constexpr std::uint64_t most_designs = 1'000'000;  // all are held in memory
+  constexpr std::uint64_t max_designs = 1'000'000;  // all are held in memory
   if (texts.size() > 2)
     throw InputError({.field = "--over",
                       .expected = "one parameter or two",
@@ -253,9 +253,9 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
     throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
   std::uint64_t designs = 1;
   for (const DesignAxis& axis : axes) designs *= points_of(axis);
-  if (designs > most_designs)
+  if (designs > max_designs)
     throw InputError({.field = "--over",
-                      .expected = fmt::format("at most {} designs", most_designs),
+                      .expected = fmt::format("at most {} designs", max_designs),
                       .found = std::to_string(designs),
                       .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
   return axes;

@@ -22,11 +22,11 @@
 namespace flexslip {
 namespace {
 
-constexpr std::uint64_t most_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
-constexpr std::uint64_t most_axis_points = 1'000'000;   // of an axis; all its values stand in the file
-constexpr std::uint64_t many_chunks = 512;              // enough for every core that a cluster gives one person
-constexpr std::uint64_t least_chunk = 64;               // [rows] 20 ms of a core: a file for less would cost as much
-constexpr std::uint64_t largest_chunk = 1 << 16;        // [rows] 20 s of a core: what a kill may lose
+constexpr std::uint64_t max_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
+constexpr std::uint64_t max_axis_points = 1'000'000;   // of an axis; all its values stand in the file
+constexpr std::uint64_t many_chunks = 512;             // enough for every core that a cluster gives one person
+constexpr std::uint64_t min_chunk = 64;                // [rows] 20 ms of a core: a file for less would cost as much
+constexpr std::uint64_t max_chunk = 1 << 16;           // [rows] 20 s of a core: what a kill may lose
 
 enum class Method { grid, latin_hypercube };
 
@@ -59,8 +59,8 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   AxisRange range{keys.quantity("from", parameter.kind, Range::any), keys.quantity("to", parameter.kind, Range::any),
                   keys.has("spacing") ? static_cast<Spacing>(keys.word("spacing", {"linear", "log"})) : Spacing::linear,
                   is_grid ? keys.whole_number("points", 2) : 0};
-  if (range.points > most_axis_points)
-    keys.refuse("points", fmt::format("at most {} points", most_axis_points), std::to_string(range.points));
+  if (range.points > max_axis_points)
+    keys.refuse("points", fmt::format("at most {} points", max_axis_points), std::to_string(range.points));
   if (range.from == range.to)
     keys.refuse("to", "a value other than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
   if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))
@@ -114,8 +114,8 @@ std::uint64_t rows_of(const Keys& sweep, const std::vector<DesignAxis>& axes,
       rows *= points_of(axis);
       product *= static_cast<double>(points_of(axis));
     }
-  if (product > static_cast<double>(most_rows))
-    sweep.refuse(hypercube ? "samples" : "axes", fmt::format("at most {:.0e} designs", static_cast<double>(most_rows)),
+  if (product > static_cast<double>(max_rows))
+    sweep.refuse(hypercube ? "samples" : "axes", fmt::format("at most {:.0e} designs", static_cast<double>(max_rows)),
                  fmt::format("{:.3g}", product), hypercube ? "" : "take fewer points on an axis");
   return rows;
 }
@@ -239,7 +239,7 @@ std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i) {
 }
 
 std::uint64_t rows_in_chunk(const SweepPlan& plan) {
-  return std::clamp(std::bit_ceil(plan.rows / many_chunks), least_chunk, largest_chunk);
+  return std::clamp(std::bit_ceil(plan.rows / many_chunks), min_chunk, max_chunk);
 }
 
 std::uint64_t chunks_of(const SweepPlan& plan) { return (plan.rows - 1) / rows_in_chunk(plan) + 1; }

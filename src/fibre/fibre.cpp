@@ -10,6 +10,8 @@
 
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
+#include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -296,13 +298,9 @@ ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, doubl
   if (knots_.size() < 2) knots_.clear();  // no states to follow the contacts along
   const auto grows = std::find_if(knots_.begin(), knots_.end(), [](const Value& knot) { return knot.slope > 0; });
   if (grows == knots_.begin()) return;
-  double high = std::min(first_ + step_ * static_cast<double>(grows - knots_.begin()), last_), low = high - step_;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    (value(middle).slope > 0 ? high : low) = middle;
-  }
-  turn_at_ = high;
-  turn_ = value(high).length;
+  const double growing = std::min(first_ + step_ * static_cast<double>(grows - knots_.begin()), last_);
+  turn_at_ = first_where(growing - step_, growing, [&](double sigma) { return value(sigma).slope > 0; });
+  turn_ = value(turn_at_).length;
 }
 
 // A cubic between two knots.
@@ -340,17 +338,14 @@ double ContactTravel::drawn_in_at(double travel) const {
     if ((end < turn_at_) == rolls_back && (end == first_ ? beyond <= 0 : beyond >= 0))
       return fibre_.length_at(std::max(end + beyond, 0.0));
   }
-  double low = rolls_back ? first_ : std::max(turn_at_, first_), high = rolls_back ? turn_at_ : last_;
-  double sigma = 0.5 * (low + high);
-  for (int i = 0; i < 60 && low < high; ++i) {
+  const double low = rolls_back ? first_ : std::max(turn_at_, first_), high = rolls_back ? turn_at_ : last_;
+  const auto beyond = [&](double sigma) {
     const Value here = value(sigma);
-    const bool is_before = (here.length < length) != rolls_back;
-    (is_before ? low : high) = sigma;
-    const double newton = sigma - (here.length - length) / here.slope;
-    constexpr double small = 1e-13;
-    if (std::abs(newton - sigma) <= small) break;
-    sigma = newton > low && newton < high ? newton : 0.5 * (low + high);
-  }
+    return ValueAndSlope{here.length - length, here.slope};
+  };
+  constexpr double small = 1e-13;
+  const double sigma =
+      zero_between(beyond, rolls_back ? high : low, rolls_back ? low : high, 0.5 * (low + high), small);
   return fibre_.length_at(sigma);
 }
 

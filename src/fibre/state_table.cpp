@@ -11,6 +11,7 @@
 
 #include "fibre/cell_table.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -280,13 +281,11 @@ SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
   const double q =
       table_q.least + (table_q.greatest - table_q.least) * static_cast<double>(index) / static_cast<double>(ends - 1);
   const auto there = [&](double w) { return state_on_supports(w, q, supports); };
-  double low = 1.25 * supports.half_depth + 1e-3, high = deepest_on_supports;
-  if (there(high).status == FibreStatus::ok) return {infinity, infinity};
+  if (there(deepest_on_supports).status == FibreStatus::ok) return {infinity, infinity};
   constexpr double close = 1e-6;  // [L] added to what exists
-  while (high - low > close) {
-    const double middle = 0.5 * (low + high);
-    (there(middle).status == FibreStatus::ok ? low : high) = middle;
-  }
+  const auto [low, high] = halved_until([](const Bracket& w) { return !(w.width() > close); },
+                                        {1.25 * supports.half_depth + 1e-3, deepest_on_supports},
+                                        [&](double w) { return there(w).status != FibreStatus::ok; });
   // Close to its end the length may rise without bound: by no more than this it does where it is known.
   const SupportedState last = there(low), before = there(low - close);
   return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};

@@ -351,7 +351,7 @@ Found misses_force(T test) {
   const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
   const std::string misses =
       fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
-                  100 * most_residual);
+                  100 * max_residual);
   return checked(*check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }
@@ -381,12 +381,12 @@ Found coloured_noise(T test) {
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
-  const std::string probability = p < least_p_of_noise ? fmt::format("p < {:g}", least_p_of_noise)
+  const std::string probability = p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise)
                                                        : fmt::format("p = {}", format_significant(p, 2));
   return checked(
       *check,
-      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, least_p_of_noise),
-      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, least_p_of_noise),
+      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
+      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise),
       "residuals are not noise", "Something is not in the model; a simulated record without noise fails here, too.");
 }
 
@@ -482,7 +482,7 @@ Found few_rows(T test) {
 }
 
 Found below_frictionless(T test) {
-  if (!(test.analysis.friction_read.median < least_friction)) return std::nullopt;
+  if (!(test.analysis.friction_read.median < min_friction)) return std::nullopt;
   return Finding{.severity = Severity::doubt,
                  .sentence = "The force lies below the frictionless curve." + late_beginning(test),
                  .short_form = "below the frictionless curve",
@@ -513,7 +513,7 @@ Found unexpected_stiffness(T test) {
       fmt::format("The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
                   signed_percent(number_of(*check, "fitted_over_nominal") - 1),
                   test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
-                  most_stiffness_errors);
+                  max_stiffness_errors);
   return checked(
       *check, sentence, sentence + late_beginning(test),
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "inference/judgement.h"
-#include "inference/slips.h"
+#include "inference/profile.h"
 #include "io/quantity.h"
 
 namespace flexslip {

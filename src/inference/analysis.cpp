@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,7 +21,7 @@ bool may_slide(const Record& record, const Scales& scales, const Rig& rig, doubl
     const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
     const FrictionProfile profile = measure_friction(reduced, rig.in_units_of(stiffening), {}, judged_from);
     const auto negative = static_cast<std::size_t>(std::count_if(
-        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < least_friction; }));
+        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < min_friction; }));
     const std::size_t impossible = negative + profile.unexplained.size();
     return 5 * impossible <= profile.points.size() + profile.unexplained.size();
   };
@@ -173,15 +174,6 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
   return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
 }
 
-// A quantile of values in order, interpolated.
-double quantile(const std::vector<double>& sorted, double probability) {
-  if (sorted.empty()) return not_a_number;
-  const double place = probability * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
   const AtFit at = at_fit(analysis);
   return measure_friction(at.record, at.rig, at.errors, friction_shows_from);
@@ -191,7 +183,8 @@ FrictionRead friction_read_of(const FrictionProfile& profile) {
   std::vector<double> mu;
   for (const auto& point : profile.points) mu.push_back(point.mu);
   std::sort(mu.begin(), mu.end());
-  return {.median = quantile(mu, 0.5), .low80 = quantile(mu, 0.1), .high80 = quantile(mu, 0.9)};
+  return {
+      .median = quantile_in_order(mu, 0.5), .low80 = quantile_in_order(mu, 0.1), .high80 = quantile_in_order(mu, 0.9)};
 }
 
 std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
@@ -220,10 +213,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double beside = EI / (contact.slope.value * L * L * L / 48);
   const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
-  constexpr double most_ratio =
+  constexpr double max_ratio =
       1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
   const double EI_error = description.bending_stiffness_error.value_or(usual_error);
-  const double farthest_ratio = std::max(most_ratio, elementary::exp(2 * EI_error));
+  const double farthest_ratio = std::max(max_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
@@ -239,8 +232,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
     analysis.status = AnalysisStatus::no_initial_slope;
     return analysis;
   }
-  constexpr std::size_t least_points = 30;
-  if (record.force.size() < least_points) {
+  constexpr std::size_t min_points = 30;
+  if (record.force.size() < min_points) {
     analysis.status = AnalysisStatus::too_few_points;
     return analysis;
   }
@@ -274,10 +267,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.friction_read = friction_read_of(analysis.profile_at_fit);
   const AtFit fitted = at_fit(analysis);
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
-  analysis.slips = told_by(analysis.profile_at_fit, analysis.slips, fitted.errors);
+  analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
   const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
-  analysis.model_implausible = analysis.fit.residual_rms > most_residual * greatest ||
+  analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
   analysis.energy = measured_energy(analysis);
@@ -294,6 +287,58 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
     snap.after.F *= stiffening;
   }
   return analysis;
+}
+
+namespace {
+
+double stiffening_of(const TestAnalysis& analysis) {
+  return analysis.status == AnalysisStatus::ok ? analysis.fit.bending_stiffness.value : 1;
+}
+
+}  // namespace
+
+std::vector<EquilibriumPoint> frictionless_curve(const TestAnalysis& analysis) {
+  constexpr int points = 200;
+  const auto& deflection = analysis.record.deflection;
+  const double deepest = analysis.scales.reduced_length(*std::max_element(deflection.begin(), deflection.end()));
+  std::vector<EquilibriumPoint> curve = frictionless_up_to(deepest, points, analysis.rig.fibre);
+  for (EquilibriumPoint& point : curve) point.F *= stiffening_of(analysis);
+  return curve;
+}
+
+double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
+  return 48 * stiffening_of(analysis) * deflection;
+}
+
+History mean_run_forward(const TestAnalysis& analysis) {
+  constexpr int points = 1000;  // on each stretch: a figure thins them out
+  const auto& stage = analysis.reduced.stage;
+  const double farthest = *std::max_element(stage.begin(), stage.end()), stiffening = stiffening_of(analysis);
+  History history = follow_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
+                                        {&farthest, 1}, points);
+  for (auto& point : history.path) point.F *= stiffening;
+  return history;
+}
+
+std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis) {
+  const FrictionFit& fit = analysis.fit;
+  std::vector<FittedFriction> waves;
+  if (!fit.wave_claimed) return waves;
+  constexpr double points_a_period = 24;
+  const double seen = fit.S_end - fit.S_begin;
+  double shortest = seen;
+  for (const auto& each : fit.waves) shortest = std::min(shortest, 2 * each.wavelength.value);  // a period in S
+  const int points = static_cast<int>(std::clamp(points_a_period * seen / shortest, 100.0, 20000.0));
+  for (int i = 0; i <= points; ++i) {
+    const double S = fit.S_begin + seen * i / points;
+    const double away = fit.between_contacts(S) - fit.S_middle;
+    double mu = fit.mu0.value + fit.drift.value * away;
+    for (const auto& each : fit.waves)
+      mu += fit.mu0.value * each.amplitude.value *
+            std::cos(std::numbers::pi * away / each.wavelength.value + each.phase_at_middle.value);
+    waves.push_back({S, mu});
+  }
+  return waves;
 }
 
 }  // namespace flexslip

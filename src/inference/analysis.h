@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
 #include "data/contact.h"
@@ -17,7 +18,6 @@
 #include "inference/fit.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
-#include "inference/slips.h"
 #include "inference/teeth.h"
 #include "numerics/elementary.h"
 
@@ -25,7 +25,7 @@ namespace flexslip {
 
 // Can a record be sliding with friction at all?
 
-// Do four fifths of the points past the deflection judged_from have a friction of least_friction or more (profile.h), at the bending stiffness of
+// Do four fifths of the points past the deflection judged_from have a friction of min_friction or more (profile.h), at the bending stiffness of
 // the scales or one that differs from it by twice its error?
 // Domain:     bending_stiffness_error >= 0 [1]; the stiffness of the rig is in units of the scales.
 bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error);
@@ -145,5 +145,27 @@ struct TestAnalysis {
 //             std::invalid_argument otherwise.
 // Cost:       that of the fit.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+
+// What a figure of an analysis shows beside the record: curves of the same specimen on the same rig. Reduced variables of the nominal bending
+// stiffness.
+
+// Without friction up to the greatest deflection of the record or beyond, from the straight specimen on; at the bending stiffness of the fit, or,
+// where there is no fit, that stated.
+// Domain:     analysis.status is ok or not_explained.
+std::vector<EquilibriumPoint> frictionless_curve(const TestAnalysis& analysis);
+
+// The straight line of small deflections at that bending stiffness, [EI/L^2] at a deflection [L].
+double euler_bernoulli_force(const TestAnalysis& analysis, double deflection);
+
+// The mean of the fit run forward over all stage positions, not only those of the record.
+// Domain:     analysis.status is ok.
+History mean_run_forward(const TestAnalysis& analysis);
+
+// The waves that the fit claims, about its mean and drift, over what has been drawn in.
+struct FittedFriction {
+  double S, mu;  // [L], [1]
+};
+// Domain:     analysis.status is ok. Empty if no wave is claimed.
+std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis);
 
 }  // namespace flexslip

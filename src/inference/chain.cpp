@@ -38,7 +38,7 @@ Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
           kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
 }
 
-// The filter's covariances: what it knows of the state before each look. G numbers of g, then e.
+// The filter's covariances: what it knows of the state before each observation. G numbers of g, then e.
 template <int M, class T>
 class Covariances {
  public:
@@ -57,7 +57,7 @@ class Covariances {
     P_ = limit_;
   }
 
-  // To a look from the one before.
+  // To a observation from the one before.
   void advance(double distance, double rows) {
     if constexpr (G > 0) {
       const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
@@ -88,8 +88,8 @@ class Covariances {
       }
   }
 
-  // The variance of what a look adds, and what it tells of the state.
-  T look(double D, double variance, std::array<T, M>& gain) {
+  // The variance of what a observation adds, and what it tells of the state.
+  T observe(double D, double variance, std::array<T, M>& gain) {
     std::array<T, M> PH;
     for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
     T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
@@ -129,7 +129,7 @@ class States {
     m_.swap(next_);
   }
 
-  // What a look differs from what was expected, for one series.
+  // What a observation differs from what was expected, for one series.
   T innovation(double value, double D, std::size_t c) const {
     if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
     return value - D * row(G)[c];
@@ -176,16 +176,16 @@ std::string_view name_of(Kernel kernel) {
   return name_in_order<Kernel::matern_5_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2"});
 }
 
-void require_domain(const Looks& looks, Kernel kernel, const Hyperparameters& at) {
+void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at) {
   require(at.noise >= 0, "noise", at.noise);
   require(at.correlation >= 0 && at.correlation < 1, "correlation", at.correlation);
   if (kernel != Kernel::none) {
     require(at.roughness > 0, "roughness", at.roughness);
     require(at.length > 0, "correlation length", at.length);
   }
-  require(looks.prior.size() <= most_columns, "columns", static_cast<double>(looks.prior.size()));
-  if (looks.values.size() != looks.looks.size() || looks.columns.size() != looks.looks.size())
-    throw std::invalid_argument("the columns of the looks differ in length");
+  require(observations.prior.size() <= max_columns, "columns", static_cast<double>(observations.prior.size()));
+  if (observations.values.size() != observations.all.size() || observations.columns.size() != observations.all.size())
+    throw std::invalid_argument("the columns of the observations differ in length");
 }
 
 Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
@@ -218,16 +218,16 @@ std::size_t counting(Kernel kernel) { return kernel == Kernel::none ? 2 : 4; }
 
 Hyperparameters hyperparameters_of(const Theta& theta) {
   return {.noise = elementary::exp(theta.values[0]),
-          .correlation = most_correlation / (1 + elementary::exp(-theta.values[1])),
+          .correlation = max_correlation / (1 + elementary::exp(-theta.values[1])),
           .roughness = elementary::exp(theta.values[2]),
           .length = elementary::exp(theta.values[3])};
 }
 
 ThetaPrior ThetaPrior::of(double range, double noise) {
   // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
-  constexpr double least_of_seen = 0.2;
-  const double least_noise = std::max(0.0005, least_of_seen * noise);
-  const double log_noise = elementary::log(least_noise), log_range = elementary::log(range);
+  constexpr double min_of_seen = 0.2;
+  const double min_noise = std::max(0.0005, min_of_seen * noise);
+  const double log_noise = elementary::log(min_noise), log_range = elementary::log(range);
   return {.mean = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)},
           .deviation = {1, 1.5, 1, 1.2},
           .least = {log_noise, -6, elementary::log(0.001), log_range - 6},
@@ -265,10 +265,10 @@ double ThetaPrior::slope(const Theta& theta, std::size_t i) const {
   return -(theta.values[i] - mean[i]) / (deviation[i] * deviation[i]);
 }
 
-Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : looks_(looks) {
-  require_domain(looks, kernel, at);
-  const std::size_t n = looks.looks.size();
-  const std::size_t columns = looks.prior.size();
+Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at) : observations_(observations) {
+  require_domain(observations, kernel, at);
+  const std::size_t n = observations.all.size();
+  const std::size_t columns = observations.prior.size();
   const std::size_t series = 1 + columns;
   white_ = Eigen::MatrixXd::Zero(static_cast<Index>(series), static_cast<Index>(n));
   elementary::LogProduct variances;
@@ -281,28 +281,28 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
     States<M, double> states(series);
     predicted_.resize(n * M * series);
     for (std::size_t k = 0; k < n; ++k) {
-      const Look& look = looks.looks[k];
+      const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
       if (k > 0) {
-        covariances.advance(look.place - looks.looks[k - 1].place, look.rows);
+        covariances.advance(observation.place - observations.all[k - 1].place, observation.rows);
         states.advance(covariances.transition());
         step.transition = covariances.transition().at_;
       }
       step.predicted = covariances.covariance().at_;
       std::copy(states.all().begin(), states.all().end(),
                 predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
-      if (!is_seen(look)) {
+      if (!is_seen(observation)) {
         step.innovation = infinity;
         step.gain = {};
         continue;
       }
-      step.innovation = covariances.look(look.noise_gain, look.variance, step.gain);
+      step.innovation = covariances.observe(observation.noise_gain, observation.variance, step.gain);
       const double scale = 1 / std::sqrt(step.innovation);
       variances.multiply(step.innovation);
       seen += 1;
       for (std::size_t c = 0; c < series; ++c) {
-        const double value = c == 0 ? looks.values[k] : looks.columns[k][static_cast<Index>(c - 1)];
-        const double v = states.innovation(value, look.noise_gain, c);
+        const double value = c == 0 ? observations.values[k] : observations.columns[k][static_cast<Index>(c - 1)];
+        const double v = states.innovation(value, observation.noise_gain, c);
         states.learn(step.gain, v, c);
         white_(static_cast<Index>(c), static_cast<Index>(k)) = v * scale;
       }
@@ -312,7 +312,7 @@ Chain::Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at) : loo
   const auto p = static_cast<Index>(columns);
   const Eigen::MatrixXd products = white_ * white_.transpose();
   const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
-                               variances.value(), seen, looks.prior);
+                               variances.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = r.beta;
@@ -335,11 +335,11 @@ void Chain::whiten(std::span<const double> series, std::span<double> out) const 
             next[G] = step.transition[Square<M, double>::place(G, G)] * m[G];
             m = next;
           }
-          if (!is_seen(looks_.looks[k])) {
+          if (!is_seen(observations_.all[k])) {
             out[k] = 0;
             continue;
           }
-          const double v = series[k] - (G > 0 ? m[0] : 0) - looks_.looks[k].noise_gain * m[G];
+          const double v = series[k] - (G > 0 ? m[0] : 0) - observations_.all[k].noise_gain * m[G];
           for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
           out[k] = v / std::sqrt(step.innovation);
         }
@@ -351,7 +351,7 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
   std::vector<double> v(covariance.size());
   whiten(covariance, v);
   const Eigen::Map<const Eigen::VectorXd> whitened(v.data(), static_cast<Index>(v.size()));
-  const auto p = static_cast<Index>(looks_.prior.size());
+  const auto p = static_cast<Index>(observations_.prior.size());
   const Eigen::VectorXd products = white_ * whitened;
   const Coefficients left = a - products.tail(p);
   const Coefficients with_beta = covariance_ * left;
@@ -360,30 +360,30 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
           .with_beta = with_beta};
 }
 
-std::vector<SmoothedLook> Chain::smoothed() const {
-  const std::size_t n = looks_.looks.size();
-  const std::size_t series = 1 + looks_.prior.size();
-  std::vector<SmoothedLook> result(n);
+std::vector<SmoothedObservation> Chain::smoothed() const {
+  const std::size_t n = observations_.all.size();
+  const std::size_t series = 1 + observations_.prior.size();
+  std::vector<SmoothedObservation> result(n);
   std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
-  while (first_place < n && looks_.looks[first_place].is_reading()) ++first_place;
-  std::array<double, most_columns + 1> together{};  // y less what the columns explain
+  while (first_place < n && observations_.all[first_place].is_reading()) ++first_place;
+  std::array<double, max_columns + 1> together{};  // y less what the columns explain
   together[0] = 1;
   for (std::size_t c = 1; c < series; ++c) together[c] = -beta_[static_cast<Index>(c - 1)];
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;
-        // What the looks from here on say of the state: together, column by column, and how precisely.
+        // What the observations from here on say of the state: together, column by column, and how precisely.
         Few<M> r{};
-        std::array<std::array<double, most_columns + 1>, M> of_columns{}, carried{};
-        std::array<double, most_columns + 1> u{}, left{};
+        std::array<std::array<double, max_columns + 1>, M> of_columns{}, carried{};
+        std::array<double, max_columns + 1> u{}, left{};
         Square<M, double> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
-          const Look& look = looks_.looks[k];
+          const Observation& observation = observations_.all[k];
           const bool variances = k >= first_place;
           const double* const white = white_.data() + k * series;
           const double* const predicted = predicted_.data() + k * M * series;
-          if (is_seen(look)) {
+          if (is_seen(observation)) {
             // r <- H v/s + (1 - K H)' r, and so for N
             const double scale = 1 / std::sqrt(step.innovation);
             double sum = 0;
@@ -391,18 +391,18 @@ std::vector<SmoothedLook> Chain::smoothed() const {
             sum *= scale;
             for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
             if (G > 0) r[0] += sum;
-            r[G] += look.noise_gain * sum;
+            r[G] += observation.noise_gain * sum;
             if (variances) {
               for (std::size_t c = 1; c < series; ++c) u[c] = white[c] * scale;
               for (std::size_t i = 0; i < M; ++i)
                 for (std::size_t c = 1; c < series; ++c) u[c] -= step.gain[i] * of_columns[i][c];
               for (std::size_t c = 1; c < series; ++c) {
                 if (G > 0) of_columns[0][c] += u[c];
-                of_columns[G][c] += look.noise_gain * u[c];
+                of_columns[G][c] += observation.noise_gain * u[c];
               }
               Few<M> H{};
               if (G > 0) H[0] = 1;
-              H[G] = look.noise_gain;  // of e, which is all there is without a kernel
+              H[G] = observation.noise_gain;  // of e, which is all there is without a kernel
               const Few<M> Ng = product(N, step.gain);
               const double g = dot<M>(step.gain, Ng) + 1 / step.innovation;
               for (std::size_t i = 0; i < M; ++i)
@@ -415,12 +415,12 @@ std::vector<SmoothedLook> Chain::smoothed() const {
             for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j];
             return sum;
           };
-          const Coefficients& h = looks_.columns[k];
+          const Coefficients& h = observations_.columns[k];
           result[k].e = mean_of(G);
           result[k].f = h.dot(beta_) + (G > 0 ? mean_of(0) : 0);
           if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
           result[k].variance = not_a_number;
-          if (!look.is_reading()) {
+          if (!observation.is_reading()) {
             double own = 0;  // variance at given β
             for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
             if constexpr (G > 0) {
@@ -455,20 +455,20 @@ std::vector<SmoothedLook> Chain::smoothed() const {
       },
       steps_);
   if (const auto* steps = std::get_if<chain::Steps<2>>(&steps_)) {
-    // Between two looks the mean of an exponential kernel is a sum of exponentials, which bends at each of them.
-    const auto g = [&](std::size_t k) { return result[k].f - looks_.columns[k].dot(beta_); };
+    // Between two observations the mean of an exponential kernel is a sum of exponentials, which bends at each of them.
+    const auto g = [&](std::size_t k) { return result[k].f - observations_.columns[k].dot(beta_); };
     const auto slope_at = [&](std::size_t k, std::size_t beside) {
-      const double away = looks_.looks[beside].place - looks_.looks[k].place;
+      const double away = observations_.all[beside].place - observations_.all[k].place;
       if (away == 0) return 0.0;
       const double e = elementary::exp(-std::abs(away) * steps->rate);
       return std::copysign(steps->rate, away) * (2 * e * g(beside) - (1 + e * e) * g(k)) / (1 - e * e);
     };
     for (std::size_t k = 0; k < n; ++k) {
       std::size_t before = k, after = k;
-      while (before > 0 && looks_.looks[before].place == looks_.looks[k].place) --before;
-      while (after + 1 < n && looks_.looks[after].place == looks_.looks[k].place) ++after;
-      const double place = looks_.looks[k].place;
-      const double sides = (looks_.looks[before].place < place) + (looks_.looks[after].place > place);
+      while (before > 0 && observations_.all[before].place == observations_.all[k].place) --before;
+      while (after + 1 < n && observations_.all[after].place == observations_.all[k].place) ++after;
+      const double place = observations_.all[k].place;
+      const double sides = (observations_.all[before].place < place) + (observations_.all[after].place > place);
       result[k].slope = sides > 0 ? (slope_at(k, before) + slope_at(k, after)) / sides : 0;
     }
   }
@@ -519,9 +519,9 @@ Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
 }
 
 template <int M>
-LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+LikelihoodGradient gradient_with(const Observations& observations, Kernel kernel, const Hyperparameters& at,
                                  std::span<const double> wavelengths) {
-  const std::size_t columns = looks.prior.size();
+  const std::size_t columns = observations.prior.size();
   const std::size_t waves = wavelengths.size();
   // y, the columns, and the derivatives of those of waves.
   const std::size_t series = 1 + columns + 2 * waves;
@@ -533,29 +533,29 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
   elementary::LogProduct variances;
   Eigen::Array4d log_variances_d = Eigen::Array4d::Zero();
   double seen = 0;
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    const Look& look = looks.looks[k];
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    const Observation& observation = observations.all[k];
     if (k > 0) {
-      covariances.advance(look.place - looks.looks[k - 1].place, look.rows);
+      covariances.advance(observation.place - observations.all[k - 1].place, observation.rows);
       states.advance(covariances.transition());
     }
-    if (!is_seen(look)) continue;
-    const Dual s = covariances.look(look.noise_gain, look.variance, gain);
+    if (!is_seen(observation)) continue;
+    const Dual s = covariances.observe(observation.noise_gain, observation.variance, gain);
     variances.multiply(s.value);
     log_variances_d += s.d / s.value;
     seen += 1;
-    const Coefficients& h = looks.columns[k];
+    const Coefficients& h = observations.columns[k];
     const Dual scale = Dual(1) / sqrt(s);
     for (std::size_t c = 0; c < series; ++c) {
-      double value = c == 0 ? looks.values[k] : c <= columns ? h[static_cast<Index>(c - 1)] : 0;
+      double value = c == 0 ? observations.values[k] : c <= columns ? h[static_cast<Index>(c - 1)] : 0;
       if (c > columns) {  // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
         const std::size_t wave = (c - columns - 1) / 2;
         const bool of_cosine = (c - columns - 1) % 2 == 0;
         const auto first = static_cast<Index>(columns - 2 * waves + 2 * wave);
-        const double phase = 2 * std::numbers::pi * look.place / wavelengths[wave];
+        const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
         value = of_cosine ? phase * h[first + 1] : -phase * h[first];
       }
-      v[c] = states.innovation(value, look.noise_gain, c);
+      v[c] = states.innovation(value, observation.noise_gain, c);
       states.learn(gain, v[c], c);
       v[c] = v[c] * scale;
     }
@@ -573,7 +573,7 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
     for (std::size_t j = 0; j < columns; ++j)
       BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
   }
-  const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, looks.prior);
+  const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, observations.prior);
   const CoefficientMatrix covariance = covariance_of(r);
   LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
   for (Index t = 0; t < 4; ++t) {
@@ -606,21 +606,21 @@ LikelihoodGradient gradient_with(const Looks& looks, Kernel kernel, const Hyperp
 
 }  // namespace
 
-LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+LikelihoodGradient likelihood_gradient(const Observations& observations, Kernel kernel, const Hyperparameters& at,
                                        std::span<const double> wavelengths) {
-  require_domain(looks, kernel, at);
-  if (wavelengths.size() > 2 || 2 * wavelengths.size() > looks.prior.size())
+  require_domain(observations, kernel, at);
+  if (wavelengths.size() > 2 || 2 * wavelengths.size() > observations.prior.size())
     throw std::invalid_argument(std::to_string(wavelengths.size()) +
                                 " waves, more than two or than the columns are of");
   return with_state_of<LikelihoodGradient>(
-      kernel, [&](auto M) { return gradient_with<decltype(M)::value>(looks, kernel, at, wavelengths); });
+      kernel, [&](auto M) { return gradient_with<decltype(M)::value>(observations, kernel, at, wavelengths); });
 }
 
 namespace {
 
-// The process drawn beforehand, at given β: g and e at each look.
+// The process drawn beforehand, at given β: g and e at each observation.
 template <int M>
-void draw_states(const Looks& looks, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
+void draw_states(const Observations& observations, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
   constexpr int G = M - 1;
   constexpr int size = G > 0 ? G : 1;
   using Matrix = Square<size, double>;
@@ -652,24 +652,26 @@ void draw_states(const Looks& looks, const Parameters<double>& p, NormalSource& 
   };
   Few<size> g = G > 0 ? some(limit) : Few<size>{};
   double e = p.noise * normal();
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    const Look& look = looks.looks[k];
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    const Observation& observation = observations.all[k];
     if (k > 0) {
       if constexpr (G > 0) {
-        const Matrix A = matern::transition_over<G, double>(p.rate * (look.place - looks.looks[k - 1].place));
+        const Matrix A =
+            matern::transition_over<G, double>(p.rate * (observation.place - observations.all[k - 1].place));
         Matrix added = product(product(A, limit), transposed(A));
         for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
         g = product(A, g);
         const auto more = some(added);
         for (std::size_t i = 0; i < size; ++i) g[i] += more[i];
       }
-      if (look.rows > 0) {
-        const double kept = p.correlation > 0 ? elementary::exp(look.rows * elementary::log(p.correlation)) : 0;
+      if (observation.rows > 0) {
+        const double kept = p.correlation > 0 ? elementary::exp(observation.rows * elementary::log(p.correlation)) : 0;
         e = kept * e + std::sqrt(1 - kept * kept) * p.noise * normal();
       }
     }
     drawn.f[k] += g[0];
-    drawn.values[k] = drawn.f[k] + look.noise_gain * e + (is_seen(look) ? std::sqrt(look.variance) * normal() : 0);
+    drawn.values[k] = drawn.f[k] + observation.noise_gain * e +
+                      (is_seen(observation) ? std::sqrt(observation.variance) * normal() : 0);
   }
 }
 
@@ -681,17 +683,18 @@ double NormalSource::operator()() {
   return radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
 }
 
-Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal) {
-  require_domain(looks, kernel, at);
-  const std::size_t n = looks.looks.size();
-  Drawn drawn{.beta = Coefficients(static_cast<Index>(looks.prior.size())),
+Drawn draw_from_prior(const Observations& observations, Kernel kernel, const Hyperparameters& at,
+                      NormalSource& normal) {
+  require_domain(observations, kernel, at);
+  const std::size_t n = observations.all.size();
+  Drawn drawn{.beta = Coefficients(static_cast<Index>(observations.prior.size())),
               .f = std::vector<double>(n),
               .values = std::vector<double>(n)};
-  for (std::size_t j = 0; j < looks.prior.size(); ++j)
-    drawn.beta[static_cast<Index>(j)] = std::sqrt(looks.prior[j]) * normal();
-  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = looks.columns[k].dot(drawn.beta);
-  with_state_of<void>(kernel,
-                      [&](auto M) { draw_states<decltype(M)::value>(looks, numbers_of(kernel, at), normal, drawn); });
+  for (std::size_t j = 0; j < observations.prior.size(); ++j)
+    drawn.beta[static_cast<Index>(j)] = std::sqrt(observations.prior[j]) * normal();
+  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = observations.columns[k].dot(drawn.beta);
+  with_state_of<void>(
+      kernel, [&](auto M) { draw_states<decltype(M)::value>(observations, numbers_of(kernel, at), normal, drawn); });
   return drawn;
 }
 

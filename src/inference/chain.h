@@ -1,4 +1,4 @@
-// A Gaussian process along the fibre as seen at many places (Looks): what they say of it, in time proportional to their number;
+// A Gaussian process along the fibre as seen at many places (Observations): what they say of it, in time proportional to their number;
 // its hyperparameters, its likelihood with gradient, and draws beforehand.
 #pragma once
 
@@ -13,7 +13,6 @@
 #include <Eigen/Core>
 #include <Eigen/Dense>
 
-#include "inference/kernel.h"
 #include "inference/matern.h"
 #include "numerics/elementary.h"
 
@@ -24,33 +23,33 @@ namespace flexslip {
 // At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is seen: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
 // process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
 
-inline constexpr int most_columns = 16;
+inline constexpr int max_columns = 16;
 
-using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_columns, 1>;
-using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_columns, most_columns>;
+using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_columns, 1>;
+using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns, max_columns>;
 
 // One place where the process is seen.
-struct Look {
+struct Observation {
   double place;       // [L] x
-  double rows;        // rows of the record since the last look; 0 where this one is no reading
+  double rows;        // rows of the record since the last observation; 0 where this one is no reading
   double noise_gain;  // [L^2/EI] D; 0 where it is no reading
   double variance;    // [1] of ε; infinite where nothing is seen
 
   bool is_reading() const { return noise_gain != 0; }
 };
 
-struct Looks {
-  std::vector<Look> looks;            // places not falling
+struct Observations {
+  std::vector<Observation> all;       // places not falling
   std::vector<double> values;         // [1] y
   std::vector<Coefficients> columns;  // h
   std::vector<double> prior;          // [1] variances of β
 };
 
-inline bool is_seen(const Look& look) { return look.variance < infinity; }
+inline bool is_seen(const Observation& observation) { return observation.variance < infinity; }
 
-// Domain of all that looks at them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
-// most_columns columns, all of one length: std::invalid_argument otherwise.
-void require_domain(const Looks& looks, Kernel kernel, const Hyperparameters& at);
+// Domain of all that is given them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
+// max_columns columns, all of one length: std::invalid_argument otherwise.
+void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
 // The regression on the whitened columns: what is left of y, and of β.
 struct Regression {
@@ -67,11 +66,11 @@ CoefficientMatrix covariance_of(const Regression& regression);  // [1] of β
 
 // The hyperparameters of friction along a fibre as they are sought: on scales without ends, with what is expected of them beforehand.
 
-inline constexpr std::size_t most_waves = 2;
+inline constexpr std::size_t max_waves = 2;
 
 // ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
 struct Theta {
-  std::array<double, 4 + most_waves> values;
+  std::array<double, 4 + max_waves> values;
   std::size_t waves = 0;
 
   std::size_t size() const { return 4 + waves; }
@@ -80,7 +79,7 @@ struct Theta {
 
 Hyperparameters hyperparameters_of(const Theta& theta);
 
-inline constexpr double most_correlation = 0.95;  // ρ, of the noise of one reading with the next
+inline constexpr double max_correlation = 0.95;  // ρ, of the noise of one reading with the next
 
 // Of the first four: normal, within bounds.
 struct ThetaPrior {
@@ -97,8 +96,8 @@ struct ThetaPrior {
   double slope(const Theta& theta, std::size_t i) const;  // of log_density
 };
 
-// What all looks together say of one.
-struct SmoothedLook {
+// What all observations together say of one.
+struct SmoothedObservation {
   double f;         // [1] mean of h'β + g
   double variance;  // [1] of it, where it is no reading; NaN of readings
   double slope;     // [1/L] dg/dx of the mean of g; of an exponential kernel, which has none, the mean of both sides
@@ -109,10 +108,10 @@ namespace chain {
 // One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
 template <int M>
 struct Step {
-  std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the look
-  std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the look before
+  std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the observation
+  std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the observation before
   Few<M> gain;
-  double innovation;  // variance of what the look adds; infinite: nothing is seen
+  double innovation;  // variance of what the observation adds; infinite: nothing is seen
 };
 template <int M>
 struct Steps {
@@ -123,24 +122,24 @@ struct Steps {
 
 class Chain {
  public:
-  // Domain:     as require_domain. Variances and priors > 0; the looks outlive this.
+  // Domain:     as require_domain. Variances and priors > 0; the observations outlive this.
   // Method:     a Kalman filter whose state is g, its derivatives and e; the columns pass it as further series.
-  // Cost:       linear in the looks and in the columns.
-  Chain(const Looks& looks, Kernel kernel, const Hyperparameters& at);
+  // Cost:       linear in the observations and in the columns.
+  Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
   double log_likelihood() const { return log_likelihood_; }            // ln p(y)
   double log_determinant() const { return log_determinant_; }          // of the covariance of y
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
 
-  // Of each look, given all of them.
+  // Of each observation, given all of them.
   // Method:     Bryson and Frazier's backward pass, of y less what the columns explain; the columns pass along for the variances.
-  std::vector<SmoothedLook> smoothed() const;
+  std::vector<SmoothedObservation> smoothed() const;
 
   // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.
   void whiten(std::span<const double> series, std::span<double> out) const;
 
-  // A linear functional a'β + b(g) given all looks, b being known by its covariance with g at each of them and its variance.
+  // A linear functional a'β + b(g) given all observations, b being known by its covariance with g at each of them and its variance.
   struct Functional {
     double mean, variance;
     Coefficients with_beta;  // covariance with β
@@ -151,10 +150,10 @@ class Chain {
   const Eigen::MatrixXd& whitened_columns() const { return white_; }  // first y, then the columns
 
  private:
-  const Looks& looks_;
+  const Observations& observations_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
   Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
-  std::vector<double> predicted_;  // of the state at each look, series by series
+  std::vector<double> predicted_;  // of the state at each observation, series by series
   Coefficients beta_;
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
@@ -172,7 +171,7 @@ struct LikelihoodGradient {
 
 // Domain:     as require_domain; wavelengths: at most two [L], > 0.
 // Method:     the filter on dual numbers; exact up to rounding.
-LikelihoodGradient likelihood_gradient(const Looks& looks, Kernel kernel, const Hyperparameters& at,
+LikelihoodGradient likelihood_gradient(const Observations& observations, Kernel kernel, const Hyperparameters& at,
                                        std::span<const double> wavelengths);
 
 // A Gaussian process drawn from what is expected of it beforehand.
@@ -187,12 +186,12 @@ class NormalSource {
   std::mt19937_64 generator_;
 };
 
-// The process with all that the looks would see of it, drawn from what is expected beforehand.
+// The process with all that the observations would see of it, drawn from what is expected beforehand.
 struct Drawn {
   Coefficients beta;
-  std::vector<double> f;       // h'β + g at each look
+  std::vector<double> f;       // h'β + g at each observation
   std::vector<double> values;  // y
 };
-Drawn draw_from_prior(const Looks& looks, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
+Drawn draw_from_prior(const Observations& observations, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
 
 }  // namespace flexslip

@@ -50,7 +50,7 @@ double number_of(const Check& check, std::string_view name) {
 Check check_residuals(const FitProblem& problem, const FrictionFit& fit) {
   const double greatest = *std::max_element(problem.record.force.begin(), problem.record.force.end());
   return {CheckKind::residuals,
-          passed_if(fit.residual_rms < most_residual * greatest),
+          passed_if(fit.residual_rms < max_residual * greatest),
           {{"residual_rms", fit.residual_rms, true}, {"greatest_force", greatest, true}}};
 }
 
@@ -117,7 +117,7 @@ Check check_whiteness(const FrictionFit& fit) {
   const double statistic = static_cast<double>(n) * static_cast<double>(n + 2) * sum;
   const double p_value = chi_squared_beyond(statistic, static_cast<double>(lags - 1));  // one is spent on ρ
   return {CheckKind::whiteness,
-          passed_if(p_value > least_p_of_noise),
+          passed_if(p_value > min_p_of_noise),
           {{"ljung_box", statistic, false}, {"lags", static_cast<double>(lags), false}, {"p_value", p_value, false}}};
 }
 
@@ -148,7 +148,7 @@ Check check_bending_stiffness(const FrictionFit& fit, double error) {
   if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
   const double errors = std::abs(elementary::log(fit.bending_stiffness.value)) / error;
   return {CheckKind::stiffness,
-          passed_if(errors <= most_stiffness_errors),
+          passed_if(errors <= max_stiffness_errors),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};
 }
 

@@ -24,10 +24,10 @@ std::string_view name_of(CheckKind kind);
 enum class CheckOutcome { passed, failed, not_possible };
 
 // What a check passes up to.
-inline constexpr double most_residual =
+inline constexpr double max_residual =
     0.1;  // of the greatest force; empirical: the authors' sound tests reach 0.03, cracked ones 0.5
-inline constexpr double least_p_of_noise = 1e-4;    // a campaign of a hundred has one false alarm in a hundred
-inline constexpr double most_stiffness_errors = 2;  // of the bending stiffness beforehand
+inline constexpr double min_p_of_noise = 1e-4;     // a campaign of a hundred has one false alarm in a hundred
+inline constexpr double max_stiffness_errors = 2;  // of the bending stiffness beforehand
 
 struct CheckNumber {
   std::string_view name;
@@ -46,7 +46,7 @@ double number_of(const Check& check, std::string_view name);
 
 // Domain of all below: fit.status is ok, and the fit is that of the problem.
 
-// Passes if the residuals are less than most_residual of the greatest force.
+// Passes if the residuals are less than max_residual of the greatest force.
 // Numbers:    residual_rms, greatest_force.
 Check check_residuals(const FitProblem& problem, const FrictionFit& fit);
 

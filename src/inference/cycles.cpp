@@ -20,6 +20,7 @@
 #include "fibre/elastica.h"
 #include "inference/profile.h"
 #include "numerics/elementary.h"
+#include "numerics/state_space.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -50,7 +51,7 @@ struct LoopLegs {
 
 // The points of a loop that slide, by length: as both directions at the same places, and as one friction that all of them support.
 
-constexpr double least_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
+constexpr double min_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
 
 // Sorted by S: one loop's points that slide.
 struct Row {
@@ -75,13 +76,6 @@ struct Pairs {
   std::vector<double> S, in, out;
   std::vector<std::array<double, 2>> in_slopes, out_slopes;  // of μ to ln EI and contact
   std::vector<double> noise_of_unit;                         // variance of in - out, for force noise 1
-};
-
-// Friction at the rows of a block, as all of them support it: ±q = μ(S) ± δ(S)/2 + noise with μ a random walk, by a Kalman filter
-// along S and Rauch, Tung & Striebel's smoother on the way back.
-struct Smoothed {
-  std::vector<Eigen::Vector3d> mu;  // and its regressors to ln EI and contact
-  std::vector<double> variance;
 };
 
 // Bending stiffness and contacts at which loading and unloading are mirror images: by least squares, and the noise by its likelihood.
@@ -116,30 +110,22 @@ class Estimator {
 // Slope of q on the stage over points [first, last); NaN where the stage stands still.
 double slope_of_q(std::span<const Point> points, std::size_t first, std::size_t last) {
   // From the first position on: where the stage stands still, all are zero, and so is their mean.
-  const auto travel = [&](std::size_t i) { return points[i].stage - points[first].stage; };
-  double x = 0, y = 0;
-  for (std::size_t i = first; i < last; ++i) x += travel(i), y += points[i].q;
-  const auto n = static_cast<double>(last - first);
-  x /= n;
-  y /= n;
-  double xx = 0, xy = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    xx += (travel(i) - x) * (travel(i) - x);
-    xy += (travel(i) - x) * (points[i].q - y);
-  }
-  return xx > 0 ? xy / xx : not_a_number;
+  const auto travel = [&](std::size_t i) { return points[first + i].stage - points[first].stage; };
+  const Line line = line_through(last - first, travel, [&](std::size_t i) { return points[first + i].q; });
+  return line.sum_xx > 0 ? line.slope : not_a_number;
 }
 
 // That of nothing is 0.
 double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : median_of(std::move(values)); }
 
-// Standard deviation of one reading, from second differences within the legs: no smooth curve passes for noise.
+// Standard deviation of one reading, within the legs: a turn is no noise.
 double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
   std::vector<double> bends;
-  for (const auto& leg : legs)
-    for (std::size_t i = leg.first + 1; i + 1 < leg.last; ++i)
-      bends.push_back(std::abs(record.force[i - 1] - 2 * record.force[i] + record.force[i + 1]));
-  return median_or_zero(bends) / (0.6745 * std::sqrt(6.0));
+  for (const auto& leg : legs) {
+    const auto of_leg = bends_of(std::span(record.force).subspan(leg.first, leg.last - leg.first));
+    bends.insert(bends.end(), of_leg.begin(), of_leg.end());
+  }
+  return noise_of_bends(std::move(bends));
 }
 
 std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
@@ -156,9 +142,8 @@ std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
 }
 
 // The points of a record under a calibration; `columns` are the contacts of its legs.
-std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double least_deflection,
-                          std::span<const Leg> legs, const Calibration& calibration,
-                          std::span<const std::size_t> columns) {
+std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double min_deflection, std::span<const Leg> legs,
+                          const Calibration& calibration, std::span<const std::size_t> columns) {
   std::vector<Point> points;
   points.reserve(record.force.size());
   const double scale = elementary::exp(-calibration.log_stiffness);  // of forces
@@ -168,7 +153,7 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double le
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i) {
       const double w = record.deflection[i] - contact;
       const double F = record.force[i] * scale;
-      if (!(w > least_deflection && F > 0)) continue;
+      if (!(w > min_deflection && F > 0)) continue;
       const auto state = rig.fibre.state_from_force(w, F);
       if (state.status != FibreStatus::ok) continue;
       const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
@@ -234,7 +219,7 @@ void mark_stuck(std::vector<Point>& points, std::span<const Leg> legs, double fo
 }
 
 constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t most_places = 100;  // of a loop: finer than bumps, coarser than readings
+constexpr std::size_t max_places = 100;  // of a loop: finer than bumps, coarser than readings
 
 std::vector<Block> make_blocks(std::span<const Point> points, std::span<const LoopLegs> loops, std::size_t legs,
                                double force_noise) {
@@ -261,8 +246,7 @@ std::vector<Block> make_blocks(std::span<const Point> points, std::span<const Lo
     std::stable_sort(block.rows.begin(), block.rows.end(), [](const Row& a, const Row& b) { return a.S < b.S; });
     if (!block.rows.empty()) block.range = block.rows.back().S - block.rows.front().S;
     // Rather too rough, which only widens the band of μ, than too smooth, which would bend μ.
-    if (length > 0)
-      block.roughness = std::max({variation - noise, 0.1 * variation, least_noise * least_noise}) / length;
+    if (length > 0) block.roughness = std::max({variation - noise, 0.1 * variation, min_noise * min_noise}) / length;
     blocks.push_back(std::move(block));
   }
   return blocks;
@@ -282,7 +266,7 @@ Pairs pair_directions(const Block& block) {
   const double low = std::max(in.front()->S, out.front()->S);
   const double high = std::min(in.back()->S, out.back()->S);
   if (!(high > low)) return places;
-  const auto count = std::clamp<std::size_t>(std::min(in.size(), out.size()) / 2, 1, most_places);
+  const auto count = std::clamp<std::size_t>(std::min(in.size(), out.size()) / 2, 1, max_places);
   const double width = (high - low) / static_cast<double>(count);
   std::size_t place = nowhere;
   double members = 0;
@@ -338,56 +322,38 @@ Pairs pair_directions(const Block& block) {
   return places;
 }
 
-Smoothed smooth(const Block& block, const Noise& noise) {
-  struct Step {
-    Eigen::Matrix<double, 2, 3> predicted, mean;  // of (μ, δ)
-    Eigen::Matrix2d predicted_covariance, covariance, transition;
-  };
+// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions; each and its regressors to ln EI and
+// contact: ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
+std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
   constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
   const double power = noise.difference * noise.difference;
   const std::size_t n = block.rows.size();
-  std::vector<Step> steps;
-  steps.reserve(n);
+  std::vector<PassedState<2, 3>> passed;
+  passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row& row = block.rows[i];
-    Step step;
+    PassedState<2, 3> here;
     if (i == 0) {
-      step.transition.setIdentity();
-      step.predicted.setZero();
-      step.predicted_covariance << diffuse, 0, 0, power;
+      here.step.transition.setIdentity();
+      here.step.added.setZero();
+      here.expected.mean.setZero();
+      here.expected.covariance << diffuse, 0, 0, power;
     } else {
       const double distance = row.S - block.rows[i - 1].S;
       const double decay = elementary::exp(-distance / noise.length);
-      step.transition << 1, 0, 0, decay;
-      step.predicted = step.transition * steps.back().mean;
-      step.predicted_covariance = step.transition * steps.back().covariance * step.transition;
-      step.predicted_covariance(0, 0) += block.roughness * distance;
-      step.predicted_covariance(1, 1) += power * (1 - decay * decay);
+      here.step.transition << 1, 0, 0, decay;
+      here.step.added << block.roughness * distance, 0, 0, power * (1 - decay * decay);
+      here.expected = stepped(passed.back().known, here.step);
     }
-    const Eigen::Vector2d h(1, 0.5 * row.side);
-    const Eigen::Vector2d Ph = step.predicted_covariance * h;
-    const double variance = h.dot(Ph) + noise.force * noise.force * row.variance_of_unit + least_noise * least_noise;
+    const double variance = noise.force * noise.force * row.variance_of_unit + min_noise * min_noise;
     const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
-    step.mean = step.predicted + Ph * (y - h.transpose() * step.predicted) / variance;
-    step.covariance = step.predicted_covariance - Ph * Ph.transpose() / variance;
-    steps.push_back(step);
+    here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
+    passed.push_back(here);
   }
-  Smoothed result{std::vector<Eigen::Vector3d>(n), std::vector<double>(n)};
-  for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) {
-      const Step& next = steps[i + 1];
-      const Eigen::Matrix2d gain = steps[i].covariance * next.transition * next.predicted_covariance.inverse();
-      steps[i].mean += gain * (next.mean - next.predicted);
-      steps[i].covariance += gain * (next.covariance - next.predicted_covariance) * gain.transpose();
-    }
-    result.mu[i] = steps[i].mean.row(0).transpose();
-    result.variance[i] = std::max(steps[i].covariance(0, 0), 0.0);
-  }
-  return result;
+  return smoothed(passed);
 }
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
-constexpr double normal_95 = 1.959964;
 
 void require(bool holds, const char* what, double value) {
   if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
@@ -418,28 +384,25 @@ struct Information {
   double log_determinant = 0;
 };
 
-// The differences in - out at the places of a loop and their regressors, whitened: an Ornstein-Uhlenbeck process seen through
-// noise, by a Kalman filter along S.
+// The differences in - out at the places of a loop and their regressors, whitened: an Ornstein-Uhlenbeck process seen through noise.
 Information whiten(const Pairs& places, const Noise& noise) {
+  using Number = Eigen::Matrix<double, 1, 1>;
   Information information;
   const double power = noise.difference * noise.difference;
-  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
-  double variance = power;
+  KnownState<1, 4> known{Eigen::RowVector4d::Zero(), Number(power)};
   for (std::size_t i = 0; i < places.S.size(); ++i) {
     if (i > 0) {
       const double decay = elementary::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
-      mean *= decay;
-      variance = decay * decay * variance + power * (1 - decay * decay);
+      known = stepped(known, {Number(decay), Number(power * (1 - decay * decay))});
     }
-    const double total = variance + noise.force * noise.force * places.noise_of_unit[i] + least_noise * least_noise;
     const auto& in = places.in_slopes[i];
     const auto& out = places.out_slopes[i];
-    const Eigen::Vector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
-    const Eigen::Vector4d innovation = y - mean;
-    information.gram.noalias() += innovation * innovation.transpose() / total;
-    information.log_determinant += elementary::log(total);
-    mean += variance / total * innovation;
-    variance -= variance * variance / total;
+    const Eigen::RowVector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
+    const double variance = noise.force * noise.force * places.noise_of_unit[i] + min_noise * min_noise;
+    const auto sight = seen(known, Number(1.0), y, variance);
+    information.gram.noalias() += sight.innovation.transpose() * sight.innovation / sight.variance;
+    information.log_determinant += elementary::log(sight.variance);
+    known = sight.known;
   }
   return information;
 }
@@ -514,13 +477,9 @@ Noise likely_noise(const Estimator& estimator, const Noise& start, double readin
   return noise_at(at);
 }
 
-constexpr std::size_t least_points = 20;
+constexpr std::size_t min_points = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
-constexpr std::size_t most_iterations = 40;
-
-double mean_of(std::span<const double> values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+constexpr std::size_t max_iterations = 40;
 
 Estimate root_mean_square(std::span<const double> values) {
   double sum = 0;
@@ -537,7 +496,7 @@ double systematic(const std::array<double, 2>& slopes, const Eigen::Matrix2d& co
 
 LoopCorner corner(const Point& point) { return {point.index, point.S, point.q}; }
 
-void describe_corners(FrictionLoop& loop, std::span<const Point> points, std::size_t legs) {
+FrictionLoop with_corners(FrictionLoop loop, std::span<const Point> points, std::size_t legs) {
   const auto starts = leg_starts(points, legs);
   loop.stick_advance = not_a_number;
   if (loop.loading) {
@@ -547,28 +506,29 @@ void describe_corners(FrictionLoop& loop, std::span<const Point> points, std::si
       if (points[i].slides) loop.start = corner(points[i]);
     if (last > first) loop.turn = corner(points[last - 1]);
   }
-  if (!loop.unloading) return;
+  if (!loop.unloading) return loop;
   const std::size_t first = starts[*loop.unloading];
   const std::size_t last = starts[*loop.unloading + 1];
   for (std::size_t i = first; i < last && !loop.slides_back; ++i)
     if (points[i].slides) loop.slides_back = corner(points[i]);
-  if (!loop.slides_back) return;
+  if (!loop.slides_back) return loop;
   loop.end = corner(points[last - 1]);
-  if (!loop.turn) return;
+  if (!loop.turn) return loop;
   const double half = 0.5 * (loop.turn->q + loop.slides_back->q);
   for (std::size_t i = first; i < last; ++i)
     if (points[i].q <= half) {
       loop.stick_advance = points[i].S - loop.turn->S;
       break;
     }
+  return loop;
 }
 
-void describe_directions(FrictionLoop& loop, const Block& block, const Noise& noise,
-                         const Eigen::Matrix2d& covariance) {
+FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise& noise,
+                             const Eigen::Matrix2d& covariance) {
   const auto pairs = pair_directions(block);
-  loop.places = pairs.S.size() >= least_pairs ? pairs.S.size() : 0;
+  loop.places = pairs.S.size() >= min_pairs ? pairs.S.size() : 0;
   loop.correlation = {not_a_number, not_a_number, not_a_number, 0};
-  if (loop.places == 0) return;
+  if (loop.places == 0) return loop;
   const auto n = static_cast<double>(loop.places);
   const auto mean_with_error = [&](std::span<const double> values, std::span<const std::array<double, 2>> slopes) {
     std::array<double, 2> mean{};
@@ -590,21 +550,24 @@ void describe_directions(FrictionLoop& loop, const Block& block, const Noise& no
   variance.reserve(loop.places);
   for (const double unit : pairs.noise_of_unit) variance.push_back(noise.force * noise.force * unit);
   loop.correlation = correlate_bumps(pairs.S, pairs.in, pairs.out, variance);
+  return loop;
 }
 
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
-void describe_table(FrictionLoop& loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
-                    const Fibre& fibre) {
-  const auto smoothed = smooth(block, noise);
-  const double least_distance = std::max(block.range / 1000, 2e-6);
+FrictionLoop with_table(FrictionLoop loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
+                        const Fibre& fibre) {
+  const auto states = smooth(block, noise);
+  const double min_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
-    if (!loop.table.S.empty() && S - loop.table.S.back() < least_distance) continue;
+    if (!loop.table.S.empty() && S - loop.table.S.back() < min_distance) continue;
     loop.table.S.push_back(S);
-    loop.table.mu.push_back(held_friction(fibre, smoothed.mu[i][0]));
-    loop.error.push_back(
-        std::sqrt(smoothed.variance[i] + systematic({smoothed.mu[i][1], smoothed.mu[i][2]}, covariance)));
+    const Eigen::RowVector3d mu = states[i].mean.row(0);
+    loop.table.mu.push_back(held_friction(fibre, mu[0]));
+    const double variance = std::max(states[i].covariance(0, 0), 0.0);
+    loop.error.push_back(std::sqrt(variance + systematic({mu[1], mu[2]}, covariance)));
   }
+  return loop;
 }
 
 // The mean of the tables that reach a length.
@@ -621,10 +584,10 @@ FrictionTable common_table(std::span<const FrictionLoop> loops) {
   if (tables.empty()) return {};
   if (tables.size() == 1) return *tables.front();
   std::sort(common.S.begin(), common.S.end());
-  const double least_distance = std::max((common.S.back() - common.S.front()) / 1000, 2e-6);
+  const double min_distance = std::max((common.S.back() - common.S.front()) / 1000, 2e-6);
   std::vector<double> lengths;
   for (const double S : common.S)
-    if (lengths.empty() || S - lengths.back() >= least_distance) lengths.push_back(S);
+    if (lengths.empty() || S - lengths.back() >= min_distance) lengths.push_back(S);
   common.S = lengths;
   common.mu.reserve(lengths.size());
   for (const double S : lengths) {
@@ -661,7 +624,7 @@ std::vector<std::size_t> columns_of_legs(std::span<const LoopLegs> loops, std::s
 std::vector<bool> find_mirrors(std::span<const Block> blocks) {
   std::vector<bool> mirrored;
   mirrored.reserve(blocks.size());
-  for (const auto& block : blocks) mirrored.push_back(pair_directions(block).S.size() >= least_pairs);
+  for (const auto& block : blocks) mirrored.push_back(pair_directions(block).S.size() >= min_pairs);
   return mirrored;
 }
 
@@ -678,7 +641,8 @@ struct Fit {
   Noise noise;
   Estimate asymmetry;
   std::vector<Point> points;
-  std::vector<Block> blocks;  // of each loop
+  std::vector<LoopLegs> loops;  // with the columns of their contacts
+  std::vector<Block> blocks;    // of each loop
 };
 
 std::vector<Mirror> select_mirrors(std::span<const Block> blocks, const std::vector<bool>& mirrored) {
@@ -709,9 +673,7 @@ bool is_far_out(const Calibration& calibration, const CyclesOptions& options) {
                      [&](double contact) { return !(std::abs(contact) < 5 * options.contact_error); });
 }
 
-// Also gives each loop the column of its contact.
-Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options, std::span<const Leg> legs,
-              std::vector<LoopLegs>& loops) {
+Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options, std::span<const Leg> legs) {
   const double reading = reading_noise(record, legs);
   Fit fit{
       .status = CyclesStatus::too_few_points,
@@ -719,17 +681,18 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
       .covariance = {},
       .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
       .asymmetry = normal_estimate(not_a_number, not_a_number),
-      .points = locate(record, rig, options.least_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
+      .points = locate(record, rig, options.min_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
+      .loops = pair_legs(legs),
       .blocks = {}};
 
   // As the record stands: which loops have a mirror, and is there anything to measure?
   mark_stuck(fit.points, legs, reading);
   const auto sliding =
       std::count_if(fit.points.begin(), fit.points.end(), [](const Point& point) { return point.slides; });
-  if (static_cast<std::size_t>(sliding) < least_points) return fit;
-  fit.blocks = make_blocks(fit.points, loops, legs.size(), reading);
+  if (static_cast<std::size_t>(sliding) < min_points) return fit;
+  fit.blocks = make_blocks(fit.points, fit.loops, legs.size(), reading);
   const auto mirrored = find_mirrors(fit.blocks);
-  fit.calibration.contact.assign(assign_contacts(loops, mirrored), 0.0);
+  fit.calibration.contact.assign(assign_contacts(fit.loops, mirrored), 0.0);
   const auto unknowns = static_cast<Eigen::Index>(1 + fit.calibration.contact.size());
   fit.covariance = Eigen::MatrixXd::Zero(unknowns, unknowns);
   fit.covariance.diagonal().setConstant(options.contact_error * options.contact_error);
@@ -737,13 +700,13 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   fit.status = CyclesStatus::no_mirror;
   if (std::find(mirrored.begin(), mirrored.end(), true) == mirrored.end()) return fit;
 
-  const auto columns = columns_of_legs(loops, legs.size());
+  const auto columns = columns_of_legs(fit.loops, legs.size());
   fit.status = CyclesStatus::not_converged;
   fit.noise.difference = 0.05;                  // a start at which neither noise nor bumps are ignored
   std::vector<bool> used(record.force.size());  // which points count, and which of them slide, once that is settled
   std::vector<bool> slides(record.force.size());
-  for (std::size_t iteration = 0; iteration < most_iterations; ++iteration) {
-    fit.points = locate(record, rig, options.least_deflection, legs, fit.calibration, columns);
+  for (std::size_t iteration = 0; iteration < max_iterations; ++iteration) {
+    fit.points = locate(record, rig, options.min_deflection, legs, fit.calibration, columns);
     if (iteration < settling) {
       mark_stuck(fit.points, legs, reading);
       std::fill(used.begin(), used.end(), false);
@@ -757,7 +720,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
           fit.points.end());
       for (auto& point : fit.points) point.slides = slides[point.index];
     }
-    fit.blocks = make_blocks(fit.points, loops, legs.size(), reading);
+    fit.blocks = make_blocks(fit.points, fit.loops, legs.size(), reading);
     const auto mirrors = select_mirrors(fit.blocks, mirrored);
     double range = std::numeric_limits<double>::max();
     for (const auto& mirror : mirrors) range = std::min(range, mirror.range);
@@ -817,7 +780,7 @@ BumpCorrelation together(std::span<const BumpCorrelation> loops) {
   }
   if (!(weights > 0)) return {not_a_number, not_a_number, not_a_number, 0};
   const double z = sum / weights;
-  const double half = normal_95 / std::sqrt(weights);
+  const double half = two_sided_95 / std::sqrt(weights);
   return {std::tanh(z), std::tanh(z - half), std::tanh(z + half), points};
 }
 
@@ -832,7 +795,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
     require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
     require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
   }
-  if (n < least_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
+  if (n < min_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
   std::vector<double> weights(n, 1.0);
   auto a = without_trend(S, in, weights);
   auto b = without_trend(S, out, weights);
@@ -859,7 +822,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
   const double count = effective_count(a, b) * total * total / (total_squares * static_cast<double>(n));
   const double r = aa > 0 && bb > 0 ? std::clamp(ab / std::sqrt(aa * bb), -1.0, 1.0) : 0;
   // With no degree of freedom left, nothing is known: the interval is all of [-1, 1].
-  const double half = normal_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
+  const double half = two_sided_95 / std::sqrt(std::max(count - lost_degrees, std::numeric_limits<double>::min()));
   const double z = std::atanh(r);
   return {r, std::tanh(z - half), std::tanh(z + half), count};
 }
@@ -884,18 +847,11 @@ bool is_beyond_friction(const CyclicFriction& friction) {
 }
 
 CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options) {
-  const std::size_t n = record.force.size();
-  if (record.stage.size() != n || record.deflection.size() != n)
-    throw std::invalid_argument(
-        "the columns of a record must be of one length: " + std::to_string(record.stage.size()) + ", " +
-        std::to_string(record.deflection.size()) + " and " + std::to_string(n));
-  for (std::size_t i = 0; i < n; ++i)
-    if (!std::isfinite(record.deflection[i]) || !std::isfinite(record.force[i]))
-      throw std::invalid_argument("point " + std::to_string(i) + " of the record is not finite");
+  require_readings(record);
   require(rig.stiffness > 0, "the stiffness of the load train must be > 0", rig.stiffness);
   require(options.stiffness_error > 0, "the error of ln EI must be > 0", options.stiffness_error);
   require(options.contact_error > 0, "the error of the contact must be > 0", options.contact_error);
-  require(options.least_deflection > 0, "the least deflection must be > 0", options.least_deflection);
+  require(options.min_deflection > 0, "the least deflection must be > 0", options.min_deflection);
 
   CyclicFriction result{.status = CyclesStatus::too_few_points,
                         .legs = find_legs(record.stage, options.legs),
@@ -909,8 +865,8 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
                         .roughness_length = 0,
                         .table = {}};
   const auto& legs = result.legs;
-  auto loops = pair_legs(legs);
-  const auto fit = calibrate(record, rig, options, legs, loops);
+  const auto fit = calibrate(record, rig, options, legs);
+  const auto& loops = fit.loops;
   if (fit.status == CyclesStatus::too_few_points || fit.status == CyclesStatus::not_converged) {
     result.status = fit.status;
     return result;
@@ -961,9 +917,9 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
         .table = {},
         .error = {}};
     const auto errors = covariance_with(loops[i].column);
-    describe_corners(loop, fit.points, legs.size());
-    describe_directions(loop, fit.blocks[i], fit.noise, errors);
-    describe_table(loop, fit.blocks[i], fit.noise, errors, rig.fibre);
+    loop = with_corners(std::move(loop), fit.points, legs.size());
+    loop = with_directions(std::move(loop), fit.blocks[i], fit.noise, errors);
+    loop = with_table(std::move(loop), fit.blocks[i], fit.noise, errors, rig.fibre);
     result.loops.push_back(std::move(loop));
   }
   std::vector<BumpCorrelation> correlations;

@@ -18,7 +18,7 @@ namespace flexslip {
 
 // Do the same points of a fibre resist in both directions?
 
-inline constexpr std::size_t least_pairs = 10;  // places passed both ways: two unknowns of a loop and its noise
+inline constexpr std::size_t min_pairs = 10;  // places passed both ways: two unknowns of a loop and its noise
 
 // Pearson's correlation of friction in the two directions, each less its quadratic trend in S, places weighted by their noise.
 struct BumpCorrelation {
@@ -45,7 +45,7 @@ struct CyclesOptions {
   double stiffness_error = 0.1;  // [1] what is known of EI beforehand: standard deviation of ln EI about nominal
   double contact_error = 0.02;   // [L] likewise of each contact point, about the zero of the record
   // [L] Points below are left out: there, contact is still settling in the authors' tests, and q hardly measurable.
-  double least_deflection = 0.06;
+  double min_deflection = 0.06;
   LegOptions legs{};
 };
 
@@ -92,7 +92,7 @@ enum class CyclesStatus {
 struct CyclicFriction {
   CyclesStatus status;
   std::vector<Leg> legs;
-  std::vector<CyclicPoint> points;  // those past least_deflection that a friction explains, in the order of the record
+  std::vector<CyclicPoint> points;  // those past min_deflection that a friction explains, in the order of the record
   std::vector<FrictionLoop> loops;
   Estimate log_stiffness;  // [1] ln of EI over nominal EI
   // [1] Mean of μ_in - μ_out if it is left free beside EI and contacts, to first order. These take up nearly all of it, so
@@ -116,7 +116,7 @@ bool is_beyond_friction(const CyclicFriction& friction);
 // Domain:     columns of one length, finite; rig.stiffness > 0 (nominal scales); options > 0. std::invalid_argument otherwise.
 // Max error:  without noise and with one friction for both ways, 1e-4 in ln EI (tests/inference/cycles_test.cpp). With noise, 95 %
 //             intervals of ln EI hold the truth in 98 of 100 simulations, and in 85 where the directions differ by bumps a tenth
-//             of the loop long. Errors of the model come on top: with least_deflection from 0.05 to 0.12, the authors' tests
+//             of the loop long. Errors of the model come on top: with min_deflection from 0.05 to 0.12, the authors' tests
 //             move by 1 % in EI (2 % where friction is rough).
 // Fails:      no_mirror, too_few_points, not_converged.
 // Method:     Sliding starts anew after a turn where q(stage) has become four times less steep than at fixed S, over as many

@@ -8,11 +8,12 @@
 #include "contact/build_up.h"
 #include "fibre/elastica.h"
 #include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t least_points = 6;
+constexpr std::size_t min_points = 6;
 constexpr double grid = 1.04, shortest = 1.0 / 3000;  // of the longest way seen
 
 struct Reversal {
@@ -33,7 +34,7 @@ std::vector<Reversal> reversals_of(std::span<const Leg> legs, std::span<const Cy
       reversal.way.push_back(direction * (point->S - S));
       reversal.q.push_back(point->q);
     }
-    if (reversal.q.size() >= least_points) found.push_back(std::move(reversal));
+    if (reversal.q.size() >= min_points) found.push_back(std::move(reversal));
   }
   return found;
 }
@@ -41,7 +42,7 @@ std::vector<Reversal> reversals_of(std::span<const Leg> legs, std::span<const Cy
 // The squares that a + b exp(-way/σ) leaves.
 double misfit(const Reversal& reversal, double sigma, double up_to) {
   double n = 0, e = 0, ee = 0, y = 0, ey = 0, yy = 0;
-  for (std::size_t i = 0; i < reversal.q.size() && (i < least_points || reversal.way[i] <= up_to); ++i) {
+  for (std::size_t i = 0; i < reversal.q.size() && (i < min_points || reversal.way[i] <= up_to); ++i) {
     const double decay = elementary::exp(-std::max(reversal.way[i], 0.0) / sigma), q = reversal.q[i];
     n += 1;
     e += decay;
@@ -55,24 +56,20 @@ double misfit(const Reversal& reversal, double sigma, double up_to) {
   return std::max(yy - y * y / n - gained, 0.0);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // What is slid from one row to the next, and five times its noise: nothing shorter can be told.
 double resolution(std::span<const Reversal> reversals, double up_to) {
   std::vector<double> steps, bends;
   for (const Reversal& reversal : reversals)
-    for (std::size_t i = 1; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
-      if (i < least_points || reversal.way[i] > 0.5 * up_to)
+    for (std::size_t i = 1; i < reversal.way.size() && (i < min_points || reversal.way[i] <= up_to); ++i)
+      if (i < min_points || reversal.way[i] > 0.5 * up_to)
         steps.push_back(std::abs(reversal.way[i] - reversal.way[i - 1]));
-  for (const Reversal& reversal : reversals)
-    for (std::size_t i = 2; i < reversal.way.size() && (i < least_points || reversal.way[i] <= up_to); ++i)
-      bends.push_back(std::abs(reversal.way[i] - 2 * reversal.way[i - 1] + reversal.way[i - 2]));
-  constexpr double to_deviation = 1.4826 / 2.4495;  // of a median; a second difference has √6 times that of a row
-  return median(std::move(steps)) + 5 * to_deviation * median(std::move(bends));
+  for (const Reversal& reversal : reversals) {
+    std::size_t rows = std::min(min_points, reversal.way.size());
+    while (rows < reversal.way.size() && reversal.way[rows] <= up_to) ++rows;
+    const auto of_reversal = bends_of(std::span(reversal.way).first(rows));
+    bends.insert(bends.end(), of_reversal.begin(), of_reversal.end());
+  }
+  return median_of(std::move(steps)) + 5 * noise_of_bends(std::move(bends));
 }
 
 struct Found {
@@ -186,10 +183,10 @@ LoopReplay replay_of(const ReducedRecord& record, const Rig& rig, const CyclicFr
 }
 
 // ∫ F dw0 over the rows [first, last) past a deflection.
-double work_over(const ReducedRecord& record, std::size_t first, std::size_t last, double least_deflection) {
+double work_over(const ReducedRecord& record, std::size_t first, std::size_t last, double min_deflection) {
   double work = 0;
   for (std::size_t i = first + 1; i < last; ++i)
-    if (std::min(record.deflection[i - 1], record.deflection[i]) > least_deflection)
+    if (std::min(record.deflection[i - 1], record.deflection[i]) > min_deflection)
       work += 0.5 * (record.force[i] + record.force[i - 1]) * (record.deflection[i] - record.deflection[i - 1]);
   return work;
 }
@@ -206,7 +203,7 @@ std::vector<LoopEnergy> energies_of(const ReducedRecord& record, const Fibre& fi
       const Leg& rows = friction.legs[*leg];
       // The turning point belongs to both.
       const std::size_t first = rows.first > 0 ? rows.first - 1 : 0;
-      return work_over(record, first, rows.last, options.least_deflection + loop.contact.value);
+      return work_over(record, first, rows.last, options.min_deflection + loop.contact.value);
     };
     energy.loading = work(loop.loading);
     energy.unloading = -work(loop.unloading);

@@ -47,7 +47,7 @@ struct LoopReplay {
   std::vector<double> residual_rms;  // [1] of each loop, over the greatest measured force of the record
 };
 
-// Work at the supports' side, ∫ F dw0, from the measured points of one loop past CyclesOptions::least_deflection [EI/L] nominal.
+// Work at the supports' side, ∫ F dw0, from the measured points of one loop past CyclesOptions::min_deflection [EI/L] nominal.
 // NaN: of a leg that the loop does not have, and what hangs on it.
 struct LoopEnergy {
   double loading;    // put in: the apparent work of fracture of this loading

@@ -13,20 +13,11 @@
 namespace flexslip {
 namespace {
 
-constexpr double least_S = 1.0005, greatest_S = 2.05;
-constexpr double least_mu = -0.5, greatest_mu = 1.8;
-constexpr double least_q = -1.5, greatest_q = 2.2;
-constexpr double greatest_w = 0.8;
+constexpr double min_S = 1.0005, max_S = 2.05;
+constexpr double min_mu = -0.5, max_mu = 1.8;
+constexpr double min_q = -1.5, max_q = 2.2;
+constexpr double max_w = 0.8;
 constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
-
-// Of one reading, from second differences: those of a smooth curve hold noise alone.
-double noise_of(std::span<const double> force) {
-  std::vector<double> seconds;
-  for (std::size_t i = 2; i < force.size(); ++i)
-    seconds.push_back(std::abs(force[i] - 2 * force[i - 1] + force[i - 2]));
-  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
-  return of_median * median_of(seconds) / std::sqrt(6.0);
-}
 
 // Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
 std::vector<char> within_drops(std::span<const double> force, double noise) {
@@ -69,7 +60,7 @@ Passages passages_of(const FitProblem& problem) {
   const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_told_from(problem.rig.fibre));
   Passages p{};
   p.fibre = problem.rig.fibre;
-  p.noise = noise_of(record.force);
+  p.noise = noise_of_bends(bends_of(record.force));
   const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
   p.stiffness_error = problem.errors.bending_stiffness;
@@ -78,9 +69,9 @@ Passages passages_of(const FitProblem& problem) {
   std::vector<double> w, F;
   double stage = -infinity;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
-    constexpr double least_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
-    if (!(record.deflection[i] > from && record.deflection[i] < greatest_w && record.force[i] > 0) || within[i] ||
-        !(record.stage[i] > stage + least_step))
+    constexpr double min_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
+    if (!(record.deflection[i] > from && record.deflection[i] < max_w && record.force[i] > 0) || within[i] ||
+        !(record.stage[i] > stage + min_step))
       continue;
     stage = record.stage[i];
     rows.push_back(i);
@@ -90,8 +81,7 @@ Passages passages_of(const FitProblem& problem) {
   p.judged = rows.size();
   const auto states = p.fibre.tabulated_states_from_forces(w, F);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (!(states.q[k] > least_q && states.q[k] < greatest_q && states.S[k] > least_S && states.S[k] < greatest_S))
-      continue;
+    if (!(states.q[k] > min_q && states.q[k] < max_q && states.S[k] > min_S && states.S[k] < max_S)) continue;
     p.row.push_back(rows[k]);
     p.stage.push_back(record.stage[rows[k]]);
     p.force.push_back(F[k]);
@@ -105,7 +95,7 @@ Passages passages_of(const FitProblem& problem) {
     p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
   const auto [least, most] = std::minmax_element(p.S.begin(), p.S.end());
   const double beyond = 0.1 * (*most - *least);
-  p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, least_S), *most + beyond);
+  p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, min_S), *most + beyond);
   p.S_middle = 0.5 * (p.along.at(p.S.front()) + p.along.at(p.S.back()));
   p.range = 0.5 * (p.along.at(*most) - p.along.at(*least));
   return p;
@@ -116,13 +106,13 @@ void complete(Linearisation& at, const Passages& passages) {
   // A fitted state lies within what was seen, or little beyond.
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
   const double beyond = 0.4 * (0.5 * (*greatest - *least));
-  const double low = std::max(*least - beyond, least_S), high = std::min(*greatest + beyond, greatest_S);
+  const double low = std::max(*least - beyond, min_S), high = std::min(*greatest + beyond, max_S);
   for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
-  for (double& mu : at.mu) mu = std::clamp(mu, least_mu, greatest_mu);
+  for (double& mu : at.mu) mu = std::clamp(mu, min_mu, max_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
   const auto levels = levels_of(at.S, passages.stage, at.mu, passages.fibre, passages.compliance, at.eta);
-  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, least_mu, greatest_mu);
+  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, min_mu, max_mu);
   const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
   for (auto* column :
@@ -132,13 +122,13 @@ void complete(Linearisation& at, const Passages& passages) {
                                                           at.stiffness_jacobian * at.stiffness_jacobian;
   elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
-    constexpr double least_q_force = 0.02, least_fold = 0.05;
+    constexpr double min_q_force = 0.02, min_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
-    const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, least_q_force);
+    const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, min_q_force);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
     const double q_eta = -slopes.F[i] * slopes.q_F[i];
     at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
-    at.noise_gain[i] = q_force * std::max(at.fold[i], least_fold);
+    at.noise_gain[i] = q_force * std::max(at.fold[i], min_fold);
     const double error = slopes.F[i] > 0 ? passages.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
@@ -164,7 +154,7 @@ std::vector<Level> levels_of(std::span<const double> S, std::span<const double> 
       double next = q[j] - miss / G_q;
       // Beyond the end of the branch there is no state: more friction has one.
       if (!std::isfinite(next)) next = q[j] + 0.25;
-      next = std::clamp(next, least_q, greatest_q);
+      next = std::clamp(next, min_q, max_q);
       moved = std::max(moved, std::abs(next - q[j]));
       const double G_S = s.w_S[j] + s.F_S[j] * stiffer;
       levels[j] = std::isfinite(G_q)
@@ -186,7 +176,7 @@ Linearisation rises_of(const Passages& passages) {
   at.slope.assign(n, 0);
   complete(at, passages);
 
-  const double noise = std::max(noise_of(passages.force), 0.002);
+  const double noise = std::max(noise_of_bends(bends_of(passages.force)), 0.002);
   std::vector<double> deviation(n);
   for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
   const double cap = 4 * median_of(deviation);

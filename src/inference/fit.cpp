@@ -22,13 +22,10 @@ namespace {
 void require_faultless(const FitProblem& problem) {
   if (!(problem.rig.stiffness > 0))
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(problem.rig.stiffness));
-  const auto& [stage, deflection, force] = problem.record;
-  if (stage.size() != force.size() || deflection.size() != force.size())
-    throw std::invalid_argument("the columns of the record are not of one length: " + std::to_string(stage.size()) +
-                                ", " + std::to_string(deflection.size()) + ", " + std::to_string(force.size()));
-  for (std::size_t i = 0; i < force.size(); ++i)
-    if (!std::isfinite(stage[i] + deflection[i] + force[i]) || (i > 0 && stage[i] < stage[i - 1]))
-      throw std::invalid_argument("point " + std::to_string(i) + " of the record is not finite or runs back");
+  require_readings(problem.record);
+  const auto& stage = problem.record.stage;
+  for (std::size_t i = 1; i < stage.size(); ++i)
+    if (stage[i] < stage[i - 1]) throw std::invalid_argument("point " + std::to_string(i) + " of the record runs back");
   const auto& errors = problem.errors;
   if (!(errors.force >= 0 && errors.bending_stiffness >= 0 && errors.contact >= 0))
     throw std::invalid_argument("measurement errors must not be negative");
@@ -52,15 +49,15 @@ ReducedRecord every(std::size_t step, std::size_t size, const ReducedRecord& rec
 
 FitProblem usable_part(const FitProblem& whole) {
   require_faultless(whole);
-  constexpr double most_deflection = 0.8;  // [L]
+  constexpr double max_deflection = 0.8;  // [L]
   std::size_t size = 0;
-  while (size < whole.record.stage.size() && whole.record.deflection[size] <= most_deflection) ++size;
+  while (size < whole.record.stage.size() && whole.record.deflection[size] <= max_deflection) ++size;
   return {every(1, size, whole.record), whole.rig, whole.errors};
 }
 
 std::size_t thinning_of(std::size_t points) {
-  constexpr std::size_t most_points = 1200;
-  return std::max<std::size_t>((points + most_points - 1) / most_points, 1);
+  constexpr std::size_t max_points = 1200;
+  return std::max<std::size_t>((points + max_points - 1) / max_points, 1);
 }
 
 FitProblem thinned(const FitProblem& problem) {
@@ -73,7 +70,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double greatest_friction = 3;
+constexpr double max_friction = 3;
 
 struct ConstantFriction {
   double mu;
@@ -106,7 +103,7 @@ ConstantFriction estimate_at(const ReducedRecord& record, double stiffening, con
     slope = (force_at(mu + h) - force) / h;
     residuals = data - force;
     if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction: no curve of sliding is as high
-    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, greatest_friction);
+    const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, max_friction);
     const bool done = std::abs(next - mu) < 1e-8;
     mu = next;
     if (done) break;
@@ -252,7 +249,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.mu0.value = constant.mu0;
   fit.mu0_is_bound = mean.is_bound;
   const double s = problem.errors.bending_stiffness;
-  fit.bending_stiffness = {1, s, 1 - two_sided_95 * s, 1 + two_sided_95 * s};
+  fit.bending_stiffness = normal_estimate(1, s);
   fit.log_evidence_of_wave = not_a_number;
   fit.band = {
       {fit.S_begin, fit.S_end}, {constant.mu0, constant.mu0}, {constant.standard_error, constant.standard_error}};
@@ -293,14 +290,14 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.model = options.model;
   const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
   fit.readings = passages.size();
-  constexpr std::size_t least_readings = 20;
-  if (passages.judged < least_readings) {
+  constexpr std::size_t min_readings = 20;
+  if (passages.judged < min_readings) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;
   }
   // Friction gives every reading of the authors' tests and of cracked ones, three in five of noise.
   const bool mostly_given = 3 * passages.size() >= 2 * passages.judged;
-  if (passages.size() < least_readings || !mostly_given) {
+  if (passages.size() < min_readings || !mostly_given) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }

@@ -13,7 +13,7 @@
 #include "contact/friction.h"
 #include "data/record.h"
 #include "fibre/fibre.h"
-#include "inference/kernel.h"
+#include "inference/matern.h"
 #include "inference/profile.h"
 #include "numerics/statistics.h"
 

@@ -14,6 +14,9 @@
 namespace flexslip {
 namespace {
 
+// Neither possible nor too short to judge.
+bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible && verdict != SlipVerdict::too_short; }
+
 constexpr double one_sided_95 = 1.645;
 
 const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {
@@ -46,13 +49,13 @@ double jumped_part(const TestAnalysis& analysis) {
 
 bool has_few_rows(const TestAnalysis& analysis) {
   const auto& drops = analysis.drops.drops;
-  constexpr std::size_t least_drops = 3;
-  constexpr double least_rows = 5;  // at four, waves are missed
-  if (drops.size() < least_drops) return false;
+  constexpr std::size_t min_drops = 3;
+  constexpr double min_rows = 5;  // at four, waves are missed
+  if (drops.size() < min_drops) return false;
   std::vector<double> rows;
   for (std::size_t i = 1; i < drops.size(); ++i)
     rows.push_back(static_cast<double>(drops[i].before - drops[i - 1].after + 1));
-  return median_of(rows) < least_rows;
+  return median_of(rows) < min_rows;
 }
 
 // Has the force at a drop left the window in which loadings are compared? A crack before that is in the reference, too.
@@ -135,8 +138,8 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
   }
   judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
   judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;
-  constexpr double most_jumped = 0.5;
-  if (judgement.jumped > most_jumped) {
+  constexpr double max_jumped = 0.5;
+  if (judgement.jumped > max_jumped) {
     const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
     judgement.stiffness_for_all =
         critical_stiffness(Friction::as_met(fit.mean), deflection, analysis.rig.fibre) * fit.bending_stiffness.value;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -219,12 +220,8 @@ double LineDensity::probability_below(double x) const {
 }
 
 double LineDensity::quantile(double probability) const {
-  double low = begin_, high = place(size() - 1);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = std::midpoint(low, high);
-    (probability_below(middle) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
+  const auto is_beyond = [&](double x) { return !(probability_below(x) < probability); };
+  return halved(60, {begin_, place(size() - 1)}, is_beyond).middle();
 }
 
 ProductDensity density_of_product(std::span<const Likelihood> factors, double step) {
@@ -281,13 +278,13 @@ PriorKnowledge prior_told_to(std::span<const Marginal> tests) {
 }
 
 bool tells(const Marginal& test) {
-  constexpr double least_weight = 0.1;
+  constexpr double min_weight = 0.1;
   const bool sought = std::all_of(test.posterior.begin(), test.posterior.end(), [](const NormalPart& part) {
     return part.deviation > 0 && std::isfinite(part.mean);
   });
   if (test.posterior.empty() || !sought) return false;
   const double deviation = deviation_of(test.posterior);
-  return (1 + least_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
+  return (1 + min_weight) * deviation * deviation < test.prior_deviation * test.prior_deviation;
 }
 
 SharedValue share(std::span<const Marginal> tests, const PriorKnowledge& prior) {
@@ -319,7 +316,7 @@ Marginal of_logarithm(const Estimate& estimate) {
   if (!(0 < estimate.low && estimate.low < estimate.value && estimate.value < estimate.high))
     throw std::invalid_argument("no logarithm of " + std::to_string(estimate.value) + " within " +
                                 std::to_string(estimate.low) + " to " + std::to_string(estimate.high));
-  constexpr double width = 2 * 1.959964;  // standard deviations of a 95 % interval
+  constexpr double width = 2 * two_sided_95;  // standard deviations of a 95 % interval
   const double deviation = (elementary::log(estimate.high) - elementary::log(estimate.low)) / width;
   return {{{1, elementary::log(estimate.value), deviation}}, 0, infinity};
 }
@@ -434,14 +431,12 @@ class Specimens {
       high = std::max(high, line.place(line.size() - 1));
     }
     const auto quantile = [&](double probability) {
-      double from = low, to = high;
-      for (int i = 0; i < 50; ++i) {
-        const double middle = std::midpoint(from, to);
+      const auto is_beyond = [&](double x) {
         double below = 0;
-        for (std::size_t j = 0; j < slices.size(); ++j) below += weights[j] * slices[j].mean.probability_below(middle);
-        (below < probability * total ? from : to) = middle;
-      }
-      return std::midpoint(from, to);
+        for (std::size_t j = 0; j < slices.size(); ++j) below += weights[j] * slices[j].mean.probability_below(x);
+        return !(below < probability * total);
+      };
+      return halved(50, {low, high}, is_beyond).middle();
     };
     return {quantile(0.5), std::sqrt(std::max(squares - mean * mean, 0.0)), quantile(0.025), quantile(0.975)};
   }

@@ -12,6 +12,7 @@
 #include "inference/chain.h"
 #include "inference/process_posterior.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -40,7 +41,7 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   std::vector<double> advance;
   for (std::size_t i = 1; i < passages_.size(); ++i)
     advance.push_back(passages_.advance[i] * passages_.along.slope(passages_.S[i]));
-  least_wavelength_ = 2 * median_of(std::move(advance));
+  min_wavelength_ = 2 * median_of(std::move(advance));
   prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
 }
 
@@ -92,22 +93,22 @@ double FrictionProcess::bound_at(const Node& node, const Mode& mode) const {
   return node.level.m - node.by_stiffness * (mode.at.eta - expected_stiffness(mode)) - mean_friction;
 }
 
-Looks FrictionProcess::looks_of(const Mode& mode) const { return looks_of(mode, nodes_of(mode)); }
+Observations FrictionProcess::observations_of(const Mode& mode) const { return observations_of(mode, nodes_of(mode)); }
 
-Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes) const {
+Observations FrictionProcess::observations_of(const Mode& mode, const std::vector<Node>& nodes) const {
   const auto& at = mode.at;
   const double to_expected = at.eta - expected_stiffness(mode);
   const std::size_t n = passages_.size();
-  Looks looks;
-  looks.prior = prior_;
-  looks.prior.insert(looks.prior.end(), 2 * mode.theta.waves, wave_deviation * wave_deviation);
-  looks.looks.reserve(n + nodes.size());
-  looks.values.reserve(n + nodes.size());
-  looks.columns.reserve(n + nodes.size());
-  const auto add = [&](const Look& look, double value, double by_stiffness, double by_contact) {
-    looks.looks.push_back(look);
-    looks.values.push_back(value);
-    Coefficients& h = looks.columns.emplace_back(columns_at(look.place, mode));
+  Observations observations;
+  observations.prior = prior_;
+  observations.prior.insert(observations.prior.end(), 2 * mode.theta.waves, wave_deviation * wave_deviation);
+  observations.all.reserve(n + nodes.size());
+  observations.values.reserve(n + nodes.size());
+  observations.columns.reserve(n + nodes.size());
+  const auto add = [&](const Observation& observation, double value, double by_stiffness, double by_contact) {
+    observations.all.push_back(observation);
+    observations.values.push_back(value);
+    Coefficients& h = observations.columns.emplace_back(columns_at(observation.place, mode));
     if (columns_.stiffness >= 0) h[columns_.stiffness] = by_stiffness;
     if (columns_.contact >= 0) h[columns_.contact] = by_contact;
   };
@@ -122,60 +123,62 @@ Looks FrictionProcess::looks_of(const Mode& mode, const std::vector<Node>& nodes
          .variance = nugget * nugget},
         at.y[i] - mean_friction + at.h_stiffness[i] * to_expected, at.h_stiffness[i], at.h_contact[i]);
   }
-  say_sites(mode, nodes, looks);
-  return looks;
+  say_sites(mode, nodes, observations);
+  return observations;
 }
 
 Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> places) const {
-  const Looks seen = looks_of(mode);
+  const Observations seen = observations_of(mode);
   Profile profile;
-  auto& looks = profile.looks;
-  looks.prior = seen.prior;
+  auto& observations = profile.observations;
+  observations.prior = seen.prior;
   std::size_t next = 0;
   const auto unseen_to = [&](double end) {
     for (; next < places.size() && places[next] < end; ++next) {
-      profile.at.push_back(looks.looks.size());
-      looks.looks.push_back({.place = places[next], .rows = 0, .noise_gain = 0, .variance = infinity});
-      looks.values.push_back(0);
-      looks.columns.push_back(columns_at(places[next], mode));
+      profile.at.push_back(observations.all.size());
+      observations.all.push_back({.place = places[next], .rows = 0, .noise_gain = 0, .variance = infinity});
+      observations.values.push_back(0);
+      observations.columns.push_back(columns_at(places[next], mode));
     }
   };
-  for (std::size_t k = 0; k < seen.looks.size(); ++k) {
-    unseen_to(seen.looks[k].place);
-    looks.looks.push_back(seen.looks[k]);
-    looks.values.push_back(seen.values[k]);
-    looks.columns.push_back(seen.columns[k]);
+  for (std::size_t k = 0; k < seen.all.size(); ++k) {
+    unseen_to(seen.all[k].place);
+    observations.all.push_back(seen.all[k]);
+    observations.values.push_back(seen.values[k]);
+    observations.columns.push_back(seen.columns[k]);
   }
   unseen_to(infinity);
   return profile;
 }
 
 // The bound less the slack, which the site says.
-void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const {
+void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const {
   std::size_t j = 0;
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (looks.looks[k].is_reading()) continue;
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    if (observations.all[k].is_reading()) continue;
     const GapSite& site = mode.sites[j];
     const double bound = bound_at(nodes[j++], mode);
     const bool seen = site.precision > 0;
-    looks.looks[k].variance = seen ? 1 / site.precision : infinity;
-    looks.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
+    observations.all[k].variance = seen ? 1 / site.precision : infinity;
+    observations.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
   }
 }
 
-FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Looks& looks, const Theta& theta) const {
+FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Observations& observations,
+                                                      const Theta& theta) const {
   if (theta.waves > 0)
-    for (std::size_t k = 0; k < looks.looks.size(); ++k) set_waves(theta, looks.looks[k].place, looks.columns[k]);
-  std::array<double, most_waves> wavelengths{};
+    for (std::size_t k = 0; k < observations.all.size(); ++k)
+      set_waves(theta, observations.all[k].place, observations.columns[k]);
+  std::array<double, max_waves> wavelengths{};
   for (std::size_t wave = 0; wave < theta.waves; ++wave)
     wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
   const auto p = hyperparameters_of(theta);
-  const auto likelihood = likelihood_gradient(looks, mode.kernel, p, std::span(wavelengths).first(theta.waves));
+  const auto likelihood = likelihood_gradient(observations, mode.kernel, p, std::span(wavelengths).first(theta.waves));
   Objective result{.value = likelihood.value + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, theta),
                    .gradient = {}};
   for (std::size_t i = 0; i < 4; ++i) {
     if (mode.kernel == Kernel::none && i >= 2) continue;
-    const double of_value = i == 1 ? p.correlation * (1 - p.correlation / most_correlation) : 1;
+    const double of_value = i == 1 ? p.correlation * (1 - p.correlation / max_correlation) : 1;
     result.gradient[i] = likelihood.hyperparameters[i] * of_value + prior_of_theta_.slope(theta, i);
   }
   for (std::size_t wave = 0; wave < theta.waves; ++wave) result.gradient[4 + wave] = likelihood.log_wavelengths[wave];
@@ -183,11 +186,11 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Looks& l
 }
 
 // One round of expectation propagation, all sites at once.
-void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
-                                   const std::vector<SmoothedLook>& smoothed) const {
+void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
+                                   const std::vector<SmoothedObservation>& smoothed) const {
   std::size_t j = 0;
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (looks.looks[k].is_reading()) continue;
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    if (observations.all[k].is_reading()) continue;
     GapSite& site = mode.sites[j];
     const double mean = bound_at(nodes[j++], mode) - smoothed[k].f;
     const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
@@ -218,19 +221,19 @@ double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain
 void FrictionProcess::settle(Mode& mode) const {
   mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
   const auto nodes = nodes_of(mode);
-  Looks looks = looks_of(mode, nodes);
+  Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
   double before = 0;
-  constexpr int most_rounds = 30;
-  for (int round = 0; round < most_rounds; ++round) {
-    const Chain chain(looks, mode.kernel, p);
+  constexpr int max_rounds = 30;
+  for (int round = 0; round < max_rounds; ++round) {
+    const Chain chain(observations, mode.kernel, p);
     double evidence = chain.log_likelihood() - by_moving_stiffness(mode, chain);
     if (!std::isfinite(evidence)) evidence = -infinity;  // so far from any sliding that it leads nowhere
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
       std::size_t j = 0;
-      for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-        if (looks.looks[k].is_reading()) continue;
+      for (std::size_t k = 0; k < observations.all.size(); ++k) {
+        if (observations.all[k].is_reading()) continue;
         evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode) - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
@@ -238,8 +241,8 @@ void FrictionProcess::settle(Mode& mode) const {
       if (!(round > 0 && std::abs(evidence - before) < negligible)) {
         before = evidence;
         mode.merit = evidence + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, mode.theta);
-        update_sites(mode, nodes, looks, smoothed);
-        say_sites(mode, nodes, looks);
+        update_sites(mode, nodes, observations, smoothed);
+        say_sites(mode, nodes, observations);
         continue;
       }
     }
@@ -248,21 +251,21 @@ void FrictionProcess::settle(Mode& mode) const {
   }
 }
 
-// dμ/dS of the friction fitted, at each look.
-std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
-                                               const std::vector<SmoothedLook>& smoothed) const {
+// dμ/dS of the friction fitted, at each observation.
+std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
+                                               const std::vector<SmoothedObservation>& smoothed) const {
   const Coefficients& beta = chain.mean();
   std::vector<double> slopes;
-  slopes.reserve(looks.looks.size());
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    const Coefficients& h = looks.columns[k];
+  slopes.reserve(observations.all.size());
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    const Coefficients& h = observations.columns[k];
     double slope = smoothed[k].slope + beta[columns_.drift] / passages_.range;
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const Index c = columns_.waves + 2 * static_cast<Index>(wave);
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       slope += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
-    const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(looks.looks[k].place));
+    const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
     slopes.push_back(x_by_S * slope);
   }
   return slopes;
@@ -272,12 +275,12 @@ std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Looks& lo
 double FrictionProcess::pass(Mode& mode, double fraction) const {
   mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
   const auto nodes = nodes_of(mode);
-  const Looks looks = looks_of(mode, nodes);
+  const Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
-  const Chain chain(looks, mode.kernel, p);
+  const Chain chain(observations, mode.kernel, p);
   if (!std::isfinite(chain.log_likelihood())) return 0;
   const auto smoothed = chain.smoothed();
-  const auto slopes = slopes_of(mode, looks, chain, smoothed);
+  const auto slopes = slopes_of(mode, observations, chain, smoothed);
   auto& at = mode.at;
   const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
   const double most = 0.15 + 5 * passages_.stiffness_error;
@@ -287,8 +290,8 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   std::vector<double> target(passages_.size());
   double moved = 0;
   std::size_t i = 0, j = 0;
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    if (!looks.looks[k].is_reading()) {
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    if (!observations.all[k].is_reading()) {
       double& slope = mode.sites[j++].slope;
       slope += fraction * (slopes[k] - slope);
       continue;
@@ -300,7 +303,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
     at.slope[i] += fraction * (slopes[k] - at.slope[i]);
     ++i;
   }
-  update_sites(mode, nodes, looks, smoothed);
+  update_sites(mode, nodes, observations, smoothed);
   at.eta += fraction * eta_step;
   for (std::size_t k = 0; k < target.size(); ++k) at.S[k] += fraction * (target[k] - at.S[k]);
   complete(at, passages_);
@@ -319,16 +322,16 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   settle(mode);
 }
 
-// The looks of a mode whose EI is known.
-Looks FrictionProcess::at_its_stiffness(const Mode& mode) const {
-  Looks looks = looks_of(mode);
+// The observations of a mode whose EI is known.
+Observations FrictionProcess::at_its_stiffness(const Mode& mode) const {
+  Observations observations = observations_of(mode);
   const double to_expected = mode.at.eta - expected_stiffness(mode);
-  for (std::size_t k = 0; k < looks.looks.size(); ++k) {
-    double& h = looks.columns[k][columns_.stiffness];
-    looks.values[k] -= h * to_expected;
+  for (std::size_t k = 0; k < observations.all.size(); ++k) {
+    double& h = observations.columns[k][columns_.stiffness];
+    observations.values[k] -= h * to_expected;
     h = 0;
   }
-  return looks;
+  return observations;
 }
 
 // A mode at another EI, its lengths along, its slopes by so much.
@@ -351,33 +354,33 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
   const auto p = hyperparameters_of(mode.theta);
   const auto slopes_at = [&](double step) {
     const Mode other = stiffer(mode, step, {});
-    const Looks looks = at_its_stiffness(other);
-    const Chain chain(looks, mode.kernel, p);
-    const auto slopes = slopes_of(other, looks, chain, chain.smoothed());
+    const Observations observations = at_its_stiffness(other);
+    const Chain chain(observations, mode.kernel, p);
+    const auto slopes = slopes_of(other, observations, chain, chain.smoothed());
     std::vector<double> at_readings;
-    for (std::size_t k = 0; k < looks.looks.size(); ++k)
-      if (looks.looks[k].is_reading()) at_readings.push_back(slopes[k]);
+    for (std::size_t k = 0; k < observations.all.size(); ++k)
+      if (observations.all[k].is_reading()) at_readings.push_back(slopes[k]);
     return at_readings;
   };
   auto slope_by_eta = slopes_at(h);
   const auto below = slopes_at(-h);
   // Where places coincide, slopes mean nothing: D changes by no more than so much of itself.
-  constexpr double most_of_gain = 20;
+  constexpr double max_of_gain = 20;
   for (std::size_t i = 0; i < below.size(); ++i) {
-    const double most = most_of_gain * mode.at.noise_gain[i] / std::max(std::abs(mode.at.S_force[i]), 1e-9);
+    const double most = max_of_gain * mode.at.noise_gain[i] / std::max(std::abs(mode.at.S_force[i]), 1e-9);
     slope_by_eta[i] = std::clamp((slope_by_eta[i] - below[i]) / (2 * h), -most, most);
   }
   const auto log_volume_at = [&](double step) {
     const Mode other = stiffer(mode, step, slope_by_eta);
-    Looks looks = at_its_stiffness(other);
+    Observations observations = at_its_stiffness(other);
     // What no kernel follows stands for errors of the force: it grows with the gain.
     std::size_t i = 0;
-    for (auto& look : looks.looks)
-      if (look.is_reading()) {
-        const double grown = look.noise_gain / mode.at.noise_gain[i++];
-        look.variance *= grown * grown;
+    for (auto& observation : observations.all)
+      if (observation.is_reading()) {
+        const double grown = observation.noise_gain / mode.at.noise_gain[i++];
+        observation.variance *= grown * grown;
       }
-    double volume = -0.5 * Chain(looks, mode.kernel, p).log_determinant();
+    double volume = -0.5 * Chain(observations, mode.kernel, p).log_determinant();
     elementary::LogProduct gains;
     for (const double gain : other.at.noise_gain) gains.multiply(gain);
     return volume + gains.value();
@@ -389,86 +392,54 @@ void FrictionProcess::update_jacobian(Mode& mode) const {
   complete(mode.at, passages_);
 }
 
-// The looks with what is known of EI beforehand, and J, as strong at η0 but narrow: far from there neither J nor the readings hold.
-Looks FrictionProcess::near_its_stiffness(Looks looks, const Mode& mode) const {
-  if (columns_.stiffness < 0) return looks;
-  double& prior = looks.prior[static_cast<std::size_t>(columns_.stiffness)];
+// The observations with what is known of EI beforehand, and J, as strong at η0 but narrow: far from there neither J nor the readings hold.
+Observations FrictionProcess::near_its_stiffness(Observations observations, const Mode& mode) const {
+  if (columns_.stiffness < 0) return observations;
+  double& prior = observations.prior[static_cast<std::size_t>(columns_.stiffness)];
   constexpr double near = 0.01;
-  if (prior <= near * near) return looks;
+  if (prior <= near * near) return observations;
   // Of N(s² J, s²) the slope at η0 is (s² J - η0)/s²; the columns tell η from its middle.
   const double middle = mode.at.eta + near * near * (expected_stiffness(mode) - mode.at.eta) / prior;
-  for (std::size_t k = 0; k < looks.looks.size(); ++k)
-    looks.values[k] += looks.columns[k][columns_.stiffness] * (expected_stiffness(mode) - middle);
+  for (std::size_t k = 0; k < observations.all.size(); ++k)
+    observations.values[k] += observations.columns[k][columns_.stiffness] * (expected_stiffness(mode) - middle);
   prior = near * near;
-  return looks;
+  return observations;
 }
 
-// Steps uphill in θ by BFGS, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
+// Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
 void FrictionProcess::maximise(Mode& mode, int iterations) const {
   const auto n = static_cast<Index>(mode.theta.size());
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + most_waves, 1>;
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4 + most_waves, 4 + most_waves>;
-  Vector longest = Vector::Constant(n, 1.0);
-  const double log_range = elementary::log(passages_.range);
-  Vector low(n), high(n);
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + max_waves, 1>;
+  Box<Vector> box{.low = Vector(n), .high = Vector(n), .longest_step = Vector::Constant(n, 1.0)};
+  Vector start(n), variances = Vector::Constant(n, 0.05);
+  for (Index i = 0; i < n; ++i) start[i] = mode.theta.values[static_cast<std::size_t>(i)];
   for (Index i = 0; i < 4; ++i) {
-    low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
-    high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
+    box.low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
+    box.high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
   }
   for (Index i = 4; i < n; ++i) {
-    const double start = mode.theta.values[static_cast<std::size_t>(i)];
-    longest[i] = 0.3 * elementary::exp(start - log_range);
-    low[i] = std::max(start - 0.15, elementary::log(0.5 * least_wavelength_));
-    high[i] = std::min(start + 0.15, elementary::log(1.2 * greatest_wavelength()));
+    const double longest = 0.3 * elementary::exp(start[i] - elementary::log(passages_.range));
+    box.longest_step[i] = longest;
+    box.low[i] = std::max(start[i] - 0.15, elementary::log(0.5 * min_wavelength_));
+    box.high[i] = std::min(start[i] + 0.15, elementary::log(1.2 * max_wavelength()));
+    variances[i] = 0.01 * longest * longest;
   }
   const auto theta_at = [&](const Vector& x) {
     Theta theta = mode.theta;
     for (Index i = 0; i < n; ++i) theta.values[static_cast<std::size_t>(i)] = x[i];
     return theta;
   };
-  Vector x(n);
-  for (Index i = 0; i < n; ++i) x[i] = std::clamp(mode.theta.values[static_cast<std::size_t>(i)], low[i], high[i]);
-  Looks looks = near_its_stiffness(looks_of(mode), mode);
-  auto now = objective(mode, looks, theta_at(x));
-  const auto gradient_of = [&](const Objective& at) {
-    Vector g(n);
-    for (Index i = 0; i < n; ++i) g[i] = at.gradient[static_cast<std::size_t>(i)];
-    return g;
+  struct Merit {
+    double value;
+    Vector gradient;
   };
-  Vector g = gradient_of(now);
-  Matrix inverse = Matrix::Zero(n, n);  // of minus the Hessian
-  for (Index i = 0; i < n; ++i) inverse(i, i) = i < 4 ? 0.05 : 0.01 * longest[i] * longest[i];
-  for (int iteration = 0; iteration < iterations; ++iteration) {
-    Vector step = inverse * g;
-    for (Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
-      if ((x[i] <= low[i] && step[i] < 0) || (x[i] >= high[i] && step[i] > 0)) step[i] = 0;
-    if (!step.allFinite()) break;
-    const double over = step.cwiseQuotient(longest).cwiseAbs().maxCoeff();
-    if (over > 1) step /= over;
-    bool risen = false;
-    Vector next(n);
-    Objective then{};
-    for (int halving = 0; halving < 6 && !risen; ++halving, step *= 0.3) {
-      next = (x + step).cwiseMax(low).cwiseMin(high);
-      then = objective(mode, looks, theta_at(next));
-      risen = then.value > now.value;
-    }
-    if (!risen) break;
-    const Vector g_then = gradient_of(then);
-    const Vector s = next - x, y = g - g_then;  // of minus the objective
-    const double sy = s.dot(y);
-    const double gain = then.value - now.value;
-    if (sy > 1e-12) {
-      const Matrix I = Matrix::Identity(n, n);
-      inverse = (I - s * y.transpose() / sy) * inverse * (I - y * s.transpose() / sy) + s * s.transpose() / sy;
-    }
-    x = next;
-    g = g_then;
-    now = then;
-    constexpr double negligible = 0.003;  // of the merit
-    if (gain < negligible) break;
-  }
-  mode.theta = theta_at(x);
+  Observations observations = near_its_stiffness(observations_of(mode), mode);
+  const auto merit_at = [&](const Vector& x) {
+    const Objective at = objective(mode, observations, theta_at(x));
+    return Merit{at.value, Vector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
+  };
+  constexpr double negligible = 0.003;  // of the merit
+  mode.theta = theta_at(climbed_in_box(merit_at, start, box, variances, iterations, negligible));
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
@@ -501,18 +472,18 @@ constexpr double near_best = 12;  // of the merit: modes farther below weigh not
 
 // The gain of a wave at many wavelengths, its amplitude integrated out, everything else as in a mode.
 std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mode& mode) {
-  const Looks looks = process.looks_of(mode);
-  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
-  const std::size_t n = looks.looks.size();
+  const Observations observations = process.observations_of(mode);
+  const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
+  const std::size_t n = observations.all.size();
   const auto& white = chain.whitened_columns();
   const auto p = white.rows() - 1;
   const double range = process.passages().range;
-  const double least = 1 / process.greatest_wavelength(), most = 1 / process.least_wavelength(), step = 1 / (8 * range);
+  const double least = 1 / process.max_wavelength(), most = 1 / process.min_wavelength(), step = 1 / (8 * range);
   const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
   // cos and sin of 2π f x for rising f, by turning.
   std::vector<double> cosine(n), sine(n), turn_cosine(n), turn_sine(n), white_cosine(n), white_sine(n);
   for (std::size_t k = 0; k < n; ++k) {
-    const double x = 2 * std::numbers::pi * looks.looks[k].place;
+    const double x = 2 * std::numbers::pi * observations.all[k].place;
     const auto begin = elementary::sine_and_cosine(least * x), turn = elementary::sine_and_cosine(step * x);
     cosine[k] = begin.cosine;
     sine[k] = begin.sine;
@@ -559,11 +530,12 @@ std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& sc
 }
 
 // Minus the second difference of the merit in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
-double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Looks& looks, std::size_t hyperparameter) {
+double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Observations& observations,
+                         std::size_t hyperparameter) {
   const auto at = [&](double step) {
     Theta theta = mode.theta;
     theta.values[hyperparameter] += step;
-    return process.objective(mode, looks, theta).value;
+    return process.objective(mode, observations, theta).value;
   };
   const double top = at(0);
   constexpr double first = 2e-4, last = 0.1;
@@ -578,7 +550,7 @@ double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Looks
 Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto n = static_cast<Index>(mode.theta.size());
   MatrixXd H = MatrixXd::Identity(n, n);
-  Looks looks = process.looks_of(mode);
+  Observations observations = process.observations_of(mode);
   const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
@@ -586,7 +558,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
     Theta up = mode.theta, down = mode.theta;
     up.values[static_cast<std::size_t>(i)] += h;
     down.values[static_cast<std::size_t>(i)] -= h;
-    const auto a = process.objective(mode, looks, up), b = process.objective(mode, looks, down);
+    const auto a = process.objective(mode, observations, up), b = process.objective(mode, observations, down);
     for (Index j = 0; j < n; ++j)
       if (free(j))
         H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
@@ -594,15 +566,15 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   H = (0.5 * (H + H.transpose())).eval();
   // The merit may be flat at its top in ln λ, or dented, and steep beside it: then the curvature is that of where it has fallen by one.
   for (Index i = 4; i < n; ++i) {
-    const double curvature = curvature_of_fall(process, mode, looks, static_cast<std::size_t>(i));
+    const double curvature = curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
     if (H(i, i) > 0.5 * curvature) continue;
     H.row(i).setZero();
     H.col(i).setZero();
     H(i, i) = curvature;
   }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
-  constexpr double least_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
-  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least_curvature);
+  constexpr double min_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(min_curvature);
   double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
@@ -610,7 +582,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   // Of waves, each ln λ is uniform, and which is called the first says nothing.
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
     log_evidence += elementary::log(static_cast<double>(wave + 1)) -
-                    elementary::log(elementary::log(process.greatest_wavelength() / process.least_wavelength()));
+                    elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
   return {.mode = mode,
           .log_evidence = log_evidence,
           .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};

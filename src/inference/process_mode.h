@@ -26,11 +26,11 @@ struct Mode {
 };
 
 struct Profile {
-  Looks looks;
-  std::vector<std::size_t> at;  // of the places, among the looks
+  Observations observations;
+  std::vector<std::size_t> at;  // of the places, among the observations
 };
 
-// Columns of β in the order of a mode's looks. Waves come last.
+// Columns of β in the order of a mode's observations. Waves come last.
 struct ColumnPlaces {
   Eigen::Index mean = 0, drift = 1, stiffness = -1, contact = -1, waves = -1;  // -1: not there
 };
@@ -44,8 +44,8 @@ class FrictionProcess {
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
   const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
-  double least_wavelength() const { return least_wavelength_; }         // [L] four advances of a reading
-  double greatest_wavelength() const { return passages_.range / 2.2; }  // [L]
+  double min_wavelength() const { return min_wavelength_; }        // [L] four advances of a reading
+  double max_wavelength() const { return passages_.range / 2.2; }  // [L]
 
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
 
@@ -55,23 +55,23 @@ class FrictionProcess {
   // Rounds of moving the hyperparameters uphill and a burst.
   void polish(Mode& mode, int rounds, int steps, double fraction) const;
 
-  // The looks of a mode, and what they say.
-  Looks looks_of(const Mode& mode) const;
+  // The observations of a mode, and what they say.
+  Observations observations_of(const Mode& mode) const;
   // Where a place at which nothing is seen belongs among the columns.
   Coefficients columns_at(double place, const Mode& mode) const;
-  // The looks of a mode with places between them at which nothing is seen.
+  // The observations of a mode with places between them at which nothing is seen.
   // Domain:     places not falling [L].
   Profile profile_of(const Mode& mode, std::span<const double> places) const;
 
   // ln p(θ) + ln p(readings, gaps | θ) at the linearisation and the sites of a mode, and its gradient in θ.
-  // Domain:     looks are looks_of(mode); they are left with the waves of θ.
+  // Domain:     observations are observations_of(mode); they are left with the waves of θ.
   struct Objective {
     double value;
-    std::array<double, 4 + most_waves> gradient;
+    std::array<double, 4 + max_waves> gradient;
   };
-  Objective objective(const Mode& mode, Looks& looks, const Theta& theta) const;
+  Objective objective(const Mode& mode, Observations& observations, const Theta& theta) const;
 
-  // Sites that agree with the looks; the merit.
+  // Sites that agree with the observations; the merit.
   void settle(Mode& mode) const;
 
   static constexpr double mean_friction = 0.55;   // expected beforehand, 0.5 its standard deviation
@@ -90,25 +90,25 @@ class FrictionProcess {
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
   double bound_at(const Node& node, const Mode& mode) const;
-  Looks looks_of(const Mode& mode, const std::vector<Node>& nodes) const;
-  void say_sites(const Mode& mode, const std::vector<Node>& nodes, Looks& looks) const;
+  Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
+  void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
   double by_moving_stiffness(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;
-  void update_sites(Mode& mode, const std::vector<Node>& nodes, const Looks& looks,
-                    const std::vector<SmoothedLook>& smoothed) const;
-  std::vector<double> slopes_of(const Mode& mode, const Looks& looks, const Chain& chain,
-                                const std::vector<SmoothedLook>& smoothed) const;
-  Looks at_its_stiffness(const Mode& mode) const;
+  void update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
+                    const std::vector<SmoothedObservation>& smoothed) const;
+  std::vector<double> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
+                                const std::vector<SmoothedObservation>& smoothed) const;
+  Observations at_its_stiffness(const Mode& mode) const;
   Mode stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const;
   void update_jacobian(Mode& mode) const;
-  Looks near_its_stiffness(Looks looks, const Mode& mode) const;
+  Observations near_its_stiffness(Observations observations, const Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
 
   Passages passages_;
   ColumnPlaces columns_;
   std::vector<double> prior_;  // of the columns but waves
-  double least_wavelength_;
+  double min_wavelength_;
   ThetaPrior prior_of_theta_{};
 };
 

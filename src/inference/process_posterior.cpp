@@ -32,8 +32,8 @@ struct MeanPath {
 MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
   std::vector<double> places;
   for (const double S : run.lengths()) places.push_back(process.passages().place(S));
-  const auto [looks, at] = process.profile_of(mode, places);
-  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+  const auto [observations, at] = process.profile_of(mode, places);
+  const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
   const auto smoothed = chain.smoothed();
   MeanPath path;
   for (const std::size_t i : at) path.mu.push_back(FrictionProcess::mean_friction + smoothed[i].f);
@@ -119,15 +119,15 @@ Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode
 
 Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
   const Passages& passages = process.passages();
-  const Looks looks = process.looks_of(mode);
-  const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+  const Observations observations = process.observations_of(mode);
+  const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
   const Coefficients& beta = chain.mean();
   const auto& columns = process.columns();
   const std::size_t waves = mode.theta.waves;
   // mean, drift, η, ln λ of the last wave, then cosine and sine of each.
   struct Guess {
     double mean, drift, eta, log_wavelength;
-    std::array<double, 2 * most_waves> wave;
+    std::array<double, 2 * max_waves> wave;
   };
   Guess start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
               .drift = beta[columns.drift],
@@ -139,13 +139,13 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   const auto path = [&](const Guess& f) {
     std::vector<double> mu;
     mu.reserve(run.lengths().size());
-    std::array<double, most_waves> rate{};
+    std::array<double, max_waves> rate{};
     for (std::size_t wave = 0; wave < waves; ++wave)
       rate[wave] = 2 * std::numbers::pi *
                    elementary::exp(-(wave + 1 == waves ? f.log_wavelength : mode.theta.log_wavelength(wave)));
     // cos and sin of evenly spaced places, by turning
     const double first = passages.place(run.lengths()[0]), step = passages.place(run.lengths()[1]) - first;
-    std::array<elementary::SineAndCosine, most_waves> now{}, turn{};
+    std::array<elementary::SineAndCosine, max_waves> now{}, turn{};
     for (std::size_t wave = 0; wave < waves; ++wave) {
       now[wave] = elementary::sine_and_cosine(rate[wave] * first);
       turn[wave] = elementary::sine_and_cosine(rate[wave] * step);
@@ -268,14 +268,15 @@ std::vector<VectorXd> normal_points(Index dimensions) {
   return points;
 }
 
-// The mean of μ over a stretch of the fibre as a functional of a chain: its coefficients, and its covariance with g at each look.
+// The mean of μ over a stretch of the fibre as a functional of a chain: its coefficients, and its covariance with g at each observation.
 struct MeanFunctional {
   Coefficients a;
   std::vector<double> covariance;
   double variance;
 };
 
-MeanFunctional mean_over(double from, double to, const FrictionProcess& process, const Mode& mode, const Looks& looks) {
+MeanFunctional mean_over(double from, double to, const FrictionProcess& process, const Mode& mode,
+                         const Observations& observations) {
   MeanFunctional f{.a = process.columns_at(0.5 * (from + to), mode), .covariance = {}, .variance = 0};
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
     const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
@@ -287,16 +288,17 @@ MeanFunctional mean_over(double from, double to, const FrictionProcess& process,
   const auto p = hyperparameters_of(mode.theta);
   const double rate = mode.kernel == Kernel::none ? 0 : matern::rate_of(mode.kernel) / p.length;
   const double variance = p.roughness * p.roughness;
-  for (const auto& look : looks.looks) {
+  for (const auto& observation : observations.all) {
     if (mode.kernel == Kernel::none) {
       f.covariance.push_back(0);
       continue;
     }
-    // From the look to either end; negative where it lies beyond.
+    // From the observation to either end; negative where it lies beyond.
     const auto to_end = [&](double distance) {
       return std::copysign(matern::integrals_to(rate * std::abs(distance), mode.kernel).of_kernel, distance);
     };
-    f.covariance.push_back(variance * (to_end(look.place - from) + to_end(to - look.place)) / (rate * (to - from)));
+    f.covariance.push_back(variance * (to_end(observation.place - from) + to_end(to - observation.place)) /
+                           (rate * (to - from)));
   }
   if (mode.kernel != Kernel::none) {
     const double R = rate * (to - from);
@@ -394,13 +396,13 @@ class Posterior {
 
   // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode.
   double log_likelihood_of(const Mode& mode) const {
-    const Looks looks = process_.looks_of(mode);
-    const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+    const Observations observations = process_.observations_of(mode);
+    const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
     double value = process_.evidence(mode) + mode.at.log_jacobian;
     // p(y) = p(y | β) p(β)/p(β | y), at the mean of β.
-    for (std::size_t j = 0; j < looks.prior.size(); ++j) {
+    for (std::size_t j = 0; j < observations.prior.size(); ++j) {
       const double beta = chain.mean()[static_cast<Index>(j)];
-      value += 0.5 * (beta * beta / looks.prior[j] + elementary::log(looks.prior[j]));
+      value += 0.5 * (beta * beta / observations.prior[j] + elementary::log(observations.prior[j]));
     }
     const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
     const CoefficientMatrix L = factor.matrixL();
@@ -410,12 +412,12 @@ class Posterior {
 
   void list_innovations() {
     const Mode& mode = components_.front().mode;
-    const Looks looks = process_.looks_of(mode);
-    const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+    const Observations observations = process_.observations_of(mode);
+    const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
     const auto& white = chain.whitened_columns();
     const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
-    for (std::size_t k = 0; k < looks.looks.size(); ++k)
-      if (looks.looks[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
+    for (std::size_t k = 0; k < observations.all.size(); ++k)
+      if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
   }
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }
@@ -448,9 +450,9 @@ class Posterior {
       const Mode& mode = point.mode;
       const double share =
           elementary::exp(std::clamp(point.log_weight, -50.0, 3.0)) / static_cast<double>(points.size());
-      const Looks looks = process_.looks_of(mode);
-      const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
-      const auto f = mean_over(from_, to_, process_, mode, looks);
+      const Observations observations = process_.observations_of(mode);
+      const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
+      const auto f = mean_over(from_, to_, process_, mode, observations);
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
       if (of_waves > 0) draw_waves(component, mode, chain, mean, of_waves * share);
       if (weight == 0) continue;
@@ -531,7 +533,7 @@ class Posterior {
     Eigen::LLT<MatrixXd> factor(covariance);
     // What is left of covariances after rounding need be none, where there is hardly any noise.
     if (factor.info() != Eigen::Success) factor.compute(MatrixXd(covariance.diagonal().cwiseMax(1e-16).asDiagonal()));
-    std::array<double, most_waves> deviation{};
+    std::array<double, max_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const auto at = static_cast<Index>(4 + wave);
       deviation[wave] = elementary::length(std::sqrt(component.spread(at, at)), scatter_of(component, wave));
@@ -574,7 +576,7 @@ class Posterior {
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
       Profile profile = process_.profile_of(mode, places);
-      const auto smoothed = Chain(profile.looks, mode.kernel, p).smoothed();
+      const auto smoothed = Chain(profile.observations, mode.kernel, p).smoothed();
       for (std::size_t i = 0; i < profile_points; ++i) {
         const auto& at = smoothed[profile.at[i]];
         const double mu = FrictionProcess::mean_friction + at.f;
@@ -617,8 +619,8 @@ class Posterior {
   // A draw from beforehand, moved by what it would have to be moved by to see what was seen.
   void draw_profile(const Mode& mode, const Profile& profile) {
     const auto p = hyperparameters_of(mode.theta);
-    const Drawn drawn = draw_from_prior(profile.looks, mode.kernel, p, normal_);
-    Looks rest = profile.looks;
+    const Drawn drawn = draw_from_prior(profile.observations, mode.kernel, p, normal_);
+    Observations rest = profile.observations;
     for (std::size_t k = 0; k < rest.values.size(); ++k) rest.values[k] -= drawn.values[k];
     const Chain chain(rest, mode.kernel, p);
     const auto smoothed = chain.smoothed();
@@ -634,7 +636,7 @@ class Posterior {
   const FrictionProcess& process_;
   std::span<const Component> components_;
   double from_, to_;
-  std::array<WavePosterior, most_waves> waves_{};  // of the likeliest explanation with waves
+  std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
   ProcessPosterior result_{};
   NormalSource normal_{20210829};
 };

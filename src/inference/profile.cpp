@@ -57,8 +57,8 @@ double standard_error(const ProfilePoint& point) {
 }
 
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double least_deflection) {
-  const double least = friction_told_from(rig.fibre, least_deflection);
+                                 double min_deflection) {
+  const double least = friction_told_from(rig.fibre, min_deflection);
   FrictionProfile profile;
   std::vector<std::size_t> rows;
   std::vector<double> deflections, forces;
@@ -92,8 +92,8 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
   return profile;
 }
 
-double friction_told_from(const Fibre& fibre, double least_deflection) {
-  return std::max(least_deflection, least_half_depths * fibre.supports().half_depth);
+double friction_told_from(const Fibre& fibre, double min_deflection) {
+  return std::max(min_deflection, least_half_depths * fibre.supports().half_depth);
 }
 
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
@@ -114,8 +114,8 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
     }
   lengths = non_falling(lengths);
   // Noise makes some lengths equal; the least distance is far below what a measurement resolves.
-  constexpr double least_distance = 2e-6;
-  for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + least_distance);
+  constexpr double min_distance = 2e-6;
+  for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + min_distance);
 
   FrictionTable table;
   auto drop = drops.begin();
@@ -168,12 +168,80 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
   if (differences.empty()) return compared;
   const double offset = median_of(differences);
   for (double& difference : differences) difference = std::abs(difference - offset);
-  constexpr double of_median = 1.4826;  // standard deviation over median absolute deviation
-  compared.scatter = of_median * median_of(differences);
+  compared.scatter = deviation_by_median * median_of(differences);
   constexpr double of_a_median = 1.2533;  // its standard error over that of a mean
   compared.offset =
       normal_estimate(offset, of_a_median * compared.scatter / std::sqrt(static_cast<double>(differences.size())));
   return compared;
+}
+
+std::string_view name_of(SlipVerdict verdict) {
+  return name_in_order<SlipVerdict::too_short>(
+      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short"});
+}
+
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,
+                           double limit) {
+  const auto find = [&](std::size_t index) -> const ProfilePoint* {
+    const auto at = std::lower_bound(profile.points.begin(), profile.points.end(), index,
+                                     [](const ProfilePoint& point, std::size_t i) { return point.index < i; });
+    return at == profile.points.end() || at->index != index ? nullptr : &*at;
+  };
+  std::vector<Slip> slips;
+  for (const auto& drop : drops) {
+    const ProfilePoint* const before = find(drop.before);
+    const ProfilePoint* const after = find(drop.after);
+    if (!before || !after) {
+      slips.push_back(
+          {drop, SlipVerdict::unexplained, not_a_number, not_a_number, not_a_number, not_a_number, not_a_number});
+      continue;
+    }
+    Slip slip{drop,
+              SlipVerdict::possible,
+              before->S,
+              after->S,
+              before->mu,
+              after->mu,
+              elementary::length(errors.force * before->S_force, errors.force * after->S_force)};
+    const double advance = slip.S_after - slip.S_before;
+    if (advance < -two_sided_95 * slip.advance_error)
+      slip.verdict = SlipVerdict::moves_out;
+    else if (slip.mu_before - two_sided_95 * standard_error(*before) > limit)
+      slip.verdict = SlipVerdict::implausible;
+    else if (slip.mu_after + two_sided_95 * standard_error(*after) < 0)
+      slip.verdict = SlipVerdict::negative;
+    else if (advance < slip.advance_error)
+      slip.verdict = SlipVerdict::too_short;
+    slips.push_back(slip);
+  }
+  return slips;
+}
+
+std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<const Slip> judged,
+                                     const MeasurementErrors& errors) {
+  std::vector<Drop> drops;
+  for (const Slip& slip : judged) drops.push_back(slip.drop);
+  std::vector<Slip> told = slips_of(profile, drops, errors, infinity);
+  for (std::size_t i = 0; i < told.size(); ++i) told[i].verdict = judged[i].verdict;
+  return told;
+}
+
+SlipSummary summarise(std::span<const Slip> all) {
+  std::vector<Slip> slips;  // those that are told
+  for (const auto& slip : all)
+    if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_before)) slips.push_back(slip);
+  std::vector<double> spacings;
+  std::vector<double> falls;
+  for (std::size_t i = 0; i < slips.size(); ++i) {
+    falls.push_back(slips[i].mu_before - slips[i].mu_after);
+    if (i > 0) spacings.push_back(0.5 * (slips[i].S_before - slips[i - 1].S_before));
+  }
+  const auto possible =
+      std::count_if(all.begin(), all.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; });
+  return {.count = static_cast<std::size_t>(possible),
+          .median_spacing = median_of(spacings),
+          .mean_spacing = mean_of(spacings),
+          .median_fall = median_of(falls)};
 }
 
 }  // namespace flexslip

@@ -31,13 +31,13 @@ inline constexpr double hardly_bent = 0.02;
 // Past it [L] friction is measurable to a few hundredths.
 inline constexpr double judged_from = 0.1;
 
-inline constexpr double least_friction = -0.1;  // [1] that errors may feign
+inline constexpr double min_friction = -0.1;  // [1] that errors may feign
 
 // Deflections below it [L] say hardly anything of friction.
 inline constexpr double friction_shows_from = 0.05;
 
 // [L] Where friction is told on a fibre: from there, and from twice its thickness on.
-double friction_told_from(const Fibre& fibre, double least_deflection = friction_shows_from);
+double friction_told_from(const Fibre& fibre, double min_deflection = friction_shows_from);
 
 struct ProfilePoint {
   std::size_t index;  // in the record
@@ -59,11 +59,11 @@ struct FrictionProfile {
       unexplained;  // points of the record that no friction in [-20, 20] explains; on rollers or with a thickness in [-2, 2]
 };
 
-// Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below least_deflection [L] are left out, where
+// Domain:     a record without faults; rig.stiffness > 0; errors >= 0; deflections below min_deflection [L] are left out, where
 //             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ), and those below twice the thickness.
 // Cost:       5 µs a point.
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double least_deflection = hardly_bent);
+                                 double min_deflection = hardly_bent);
 
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre = {});
@@ -106,5 +106,47 @@ struct ImagedLength {
 
 // Domain:     pulled_in [L] of each point of the record, NaN where it was not imaged.
 ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const double> pulled_in);
+
+// The drops of a record as slips of the specimen over its supports.
+
+// Can a drop of the force be a slip of the specimen over its supports?
+enum class SlipVerdict {
+  possible,     // length is drawn in, and friction stays between nothing and what is plausible
+  unexplained,  // no friction gives the force before or after
+  implausible,  // friction before it would be beyond the limit, by twice its error
+  negative,     // friction after it would be below 0, likewise
+  moves_out,    // length would be let out, likewise
+  too_short,    // what is drawn in is less than its error
+};
+
+std::string_view name_of(SlipVerdict verdict);
+
+// One drop of the force as a slip: how far the fibre moved over its supports, and how friction fell.
+struct Slip {
+  Drop drop;
+  SlipVerdict verdict;
+  double S_before, S_after;    // [L] NaN where unexplained, as all that follows
+  double mu_before, mu_after;  // [1]
+  double advance_error;        // [L] standard error of S_after - S_before, by the noise of the force
+};
+
+// Each of the drops.
+std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,
+                           double limit);
+
+// The same drops with lengths and frictions by another profile, that at the bending stiffness of the fit: the verdicts stay, as their limits hold
+// for that stated.
+std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<const Slip> judged,
+                                     const MeasurementErrors& errors);
+
+// The model-free counterparts of the wavelength and the amplitude of a sawtooth, from the slips that are possible.
+struct SlipSummary {
+  std::size_t count;
+  double
+      median_spacing;   // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
+  double mean_spacing;  // [L] likewise
+  double median_fall;   // [1] of μ in a slip; NaN without slips
+};
+SlipSummary summarise(std::span<const Slip> slips);
 
 }  // namespace flexslip

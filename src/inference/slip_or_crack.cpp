@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <span>
 #include <vector>
-
-#include <nlopt.h>
 
 #include "data/names.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/polynomial.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -20,7 +19,7 @@ namespace {
 using namespace chebyshev;
 constexpr double impossible = 1e9;  // of minus ln L
 constexpr double stiffness_error = 0.05;
-constexpr double least_w = 0.06, greatest_w = 0.43;
+constexpr double min_w = 0.06, max_w = 0.43;
 
 // A fibre at the deflection of a row.
 struct Row {
@@ -35,10 +34,10 @@ struct Row {
   double drops_before;
 };
 
-// Ψ at the deflection of each row: by friction from least_q to greatest_q, where the branch reaches greatest_w, and by force.
+// Ψ at the deflection of each row: by friction from min_q to max_q, where the branch reaches max_w, and by force.
 void expand(std::vector<Row>& rows, const Fibre& fibre) {
-  constexpr double least_q = -0.2, greatest_q = 2;
-  const Nodes nodes = nodes_between(least_q, greatest_q);
+  constexpr double min_q = -0.2, max_q = 2;
+  const Nodes nodes = nodes_between(min_q, max_q);
   std::vector<double> S, q;
   for (const Row& row : rows)
     for (const double node : nodes) {
@@ -57,9 +56,9 @@ void expand(std::vector<Row>& rows, const Fibre& fibre) {
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Row& row = rows[r];
     const auto of_row = [&](const std::vector<double>& values) { return std::span(values).subspan(r * terms, terms); };
-    row.force = series_through(least_q, greatest_q, of_row(states.F));
-    const Series length = series_through(least_q, greatest_q, of_row(S));
-    const double least = evaluate(row.force, least_q).value, most = evaluate(row.force, greatest_q).value;
+    row.force = series_through(min_q, max_q, of_row(states.F));
+    const Series length = series_through(min_q, max_q, of_row(S));
+    const double least = evaluate(row.force, min_q).value, most = evaluate(row.force, max_q).value;
     Nodes friction = nodes_between(least, most), lengths{};
     for (std::size_t k = 0; k < terms; ++k) {
       friction[k] = inverse(row.force, friction[k]);
@@ -80,15 +79,14 @@ std::size_t rows_as_one(std::span<const Drop> drops) {
 // Rows between the drops; of what lies before the first and after the last at most so many as tell of the same.
 std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drops) {
   const std::size_t as_one = rows_as_one(drops);
-  const std::size_t most_outside = 15 * as_one;
-  constexpr std::size_t least_rows = 3;
+  const std::size_t max_outside = 15 * as_one;
+  constexpr std::size_t min_rows = 3;
   std::vector<Row> rows;
   std::size_t rise = 0;
   for (std::size_t c = 0; c <= drops.size(); ++c) {
-    const std::size_t first =
-        c > 0 ? drops[c - 1].after : drops[0].before - std::min(drops[0].before, most_outside - 1);
+    const std::size_t first = c > 0 ? drops[c - 1].after : drops[0].before - std::min(drops[0].before, max_outside - 1);
     const std::size_t last =
-        c < drops.size() ? drops[c].before : std::min(drops[c - 1].after + most_outside - 1, record.force.size() - 1);
+        c < drops.size() ? drops[c].before : std::min(drops[c - 1].after + max_outside - 1, record.force.size() - 1);
     std::vector<Row> of_rise;
     for (std::size_t i = first; i + as_one <= last + 1; i += as_one) {
       Row row{};
@@ -98,43 +96,20 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
       }
       row.rise = rise;
       row.drops_before = static_cast<double>(c);
-      if (row.w > least_w && row.w < greatest_w) of_rise.push_back(row);
+      if (row.w > min_w && row.w < max_w) of_rise.push_back(row);
     }
-    if (of_rise.size() < least_rows) continue;
+    if (of_rise.size() < min_rows) continue;
     rows.insert(rows.end(), of_rise.begin(), of_rise.end());
     ++rise;
   }
   return rows;
 }
 
-// Where a function of a few numbers is least, found from several starts.
-struct Least {
-  std::vector<double> at;
-  double value = infinity;
-};
-using Function = std::function<double(std::span<const double>)>;
-
+using Function = FunctionOfNumbers;
 using Starts = std::vector<std::vector<double>>;
 
 Least least_of(const Function& f, const Starts& starts, const std::vector<double>& steps) {
-  Least best;
-  const auto call = [](unsigned n, const double* x, double*, void* data) {
-    return (*static_cast<const Function*>(data))(std::span(x, n));
-  };
-  for (const auto& start : starts) {
-    std::vector<double> x = start;
-    double value = f(x);
-    nlopt_opt optimiser = nlopt_create(NLOPT_LN_NELDERMEAD, static_cast<unsigned>(x.size()));
-    nlopt_set_min_objective(optimiser, call, const_cast<Function*>(&f));  // NOLINT: a C interface
-    nlopt_set_initial_step(optimiser, steps.data());
-    nlopt_set_ftol_abs(optimiser, 0.02);
-    nlopt_set_xtol_abs1(optimiser, 1e-3);
-    nlopt_set_maxeval(optimiser, 220);
-    nlopt_optimize(optimiser, x.data(), &value);
-    nlopt_destroy(optimiser);
-    if (best.at.empty() || value < best.value) best = {x, value};  // also where none is a number
-  }
-  return best;
+  return least_from(f, starts, {.steps = steps, .close_in_value = 0.02, .close_in_numbers = 1e-3, .max_calls = 220});
 }
 
 // The rows of one test and what explains them.
@@ -165,7 +140,8 @@ class Rises {
 
   std::size_t size() const { return begin_.size(); }
 
-  void judge(SlipOrCrack& out) {
+  // What explains the rises, how well, in `out`.
+  SlipOrCrack explained(SlipOrCrack out) {
     const auto m = static_cast<double>(size());
     // μ, d, ρ
     variance_ = 0.03 * 0.03;
@@ -179,7 +155,8 @@ class Rises {
     const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
     out.cracks_constant =
         explanation(constant, least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2}), m + 3);
-    count_stiffer(out);
+    out.rises = size();
+    out.stiffer_rises = stiffer_rises(out.cracks_constant.friction);
     // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
     const Function running = [&](std::span<const double> p) { return running_cracks(p); };
     out.cracks_running = explanation(
@@ -199,6 +176,7 @@ class Rises {
         both, polished(both, {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}}, {0.03, 0.2, 1, 0.01}),
         m + 5);
     out.slip_and_cracks.friction = level_;
+    return out;
   }
 
  private:
@@ -385,19 +363,15 @@ class Rises {
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
   }
 
-  void count_stiffer(SlipOrCrack& out) const {
-    out.rises = size();
-    out.stiffer_rises = 0;
+  std::size_t stiffer_rises(double friction) const {
+    std::size_t stiffer = 0;
     for (std::size_t j = 0; j < size(); ++j) {
-      double w = 0, e = 0, ww = 0, we = 0;
-      for (std::size_t i = begin_[j]; i < end(j); ++i) {
-        const double apparent = rows_[i].F / evaluate(rows_[i].force, out.cracks_constant.friction).value;
-        w += rows_[i].w, e += apparent;
-        ww += rows_[i].w * rows_[i].w, we += rows_[i].w * apparent;
-      }
-      const auto count = static_cast<double>(end(j) - begin_[j]);
-      out.stiffer_rises += (we - w * e / count) / (ww - w * w / count) > 0 ? 1 : 0;
+      const auto row = [&](std::size_t i) -> const Row& { return rows_[begin_[j] + i]; };
+      const auto apparent = [&](std::size_t i) { return row(i).F / evaluate(row(i).force, friction).value; };
+      const auto deflection = [&](std::size_t i) { return row(i).w; };
+      stiffer += line_through(end(j) - begin_[j], deflection, apparent).slope > 0 ? 1 : 0;
     }
+    return stiffer;
   }
 
   std::vector<Row> rows_;
@@ -422,7 +396,7 @@ SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span
   if (drops.size() < least) return out;
   Rises rises(record, rig, drops);
   if (rises.size() < least) return out;
-  rises.judge(out);
+  out = rises.explained(std::move(out));
   out.judged = true;
   const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
   out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;

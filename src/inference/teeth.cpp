@@ -15,7 +15,7 @@
 namespace flexslip {
 namespace {
 constexpr double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
-constexpr std::size_t least_rows = 4;      // of a rise that is judged
+constexpr std::size_t min_rows = 4;        // of a rise that is judged
 
 void require(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors, std::span<const Drop> drops,
              const ToothOptions& options) {
@@ -28,15 +28,11 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
     if (!(value >= 0 && std::isfinite(value))) refuse(name, value);
   };
   if (!(rig.stiffness > 0 && std::isfinite(rig.stiffness))) refuse("load-train stiffness", rig.stiffness);
-  if (!(options.least_share > 0 && options.least_share < 1)) refuse("least share", options.least_share);
+  if (!(options.min_share > 0 && options.min_share < 1)) refuse("least share", options.min_share);
   require_error("force error", errors.force);
   require_error("bending stiffness error", errors.bending_stiffness);
   require_error("contact error", errors.contact);
-  if (record.stage.size() != record.force.size() || record.deflection.size() != record.force.size())
-    throw std::invalid_argument("the columns of the record differ in length");
-  for (std::size_t i = 0; i < record.force.size(); ++i)
-    if (!(std::isfinite(record.stage[i]) && std::isfinite(record.deflection[i]) && std::isfinite(record.force[i])))
-      throw std::invalid_argument("the readings of row " + std::to_string(i) + " of the record are not finite");
+  require_readings(record);
   std::size_t reached = 0;
   for (const Drop& drop : drops) {
     if (drop.before < reached || drop.after <= drop.before || drop.after >= record.force.size())
@@ -67,8 +63,8 @@ Rise straight_rise(const ReducedRecord& record, std::size_t first, std::size_t l
   std::vector<double> residuals(stage.size());
   for (std::size_t i = 0; i < stage.size(); ++i)
     residuals[i] = force[i] - line.mean_y - line.slope * (stage[i] - line.mean_x);
-  constexpr double most_correlation = 0.8;
-  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), most_correlation);
+  constexpr double max_correlation = 0.8;
+  const double scatter = effective_deviation(residuals, 2, correlation_lost_to_line(residuals), max_correlation);
   rise.slope_error = std::max(scatter, force_error) / std::sqrt(line.sum_xx);
   return rise;
 }
@@ -244,7 +240,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
   std::vector<Rise> rises;
   for (std::size_t i = 0; i + 1 < drops.size(); ++i) {
     const std::size_t first = drops[i].after, last = drops[i + 1].before + 1;
-    if (last < first + least_rows || !(record.stage[last - 1] > record.stage[first])) {
+    if (last < first + min_rows || !(record.stage[last - 1] > record.stage[first])) {
       ++result.too_short;
       continue;
     }
@@ -291,8 +287,8 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     const double bound = elementary::length(student_quantile(one_sided, nu) * tooth.position.standard_error,
                                             one_sided * tooth.position_systematic);
     const double share = 1 - tooth.position.value;
-    if (share - bound > options.least_share) tooth.verdict = ToothVerdict::sliding;
-    if (share + bound < options.least_share) tooth.verdict = ToothVerdict::as_if_stuck;
+    if (share - bound > options.min_share) tooth.verdict = ToothVerdict::sliding;
+    if (share + bound < options.min_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
     if (result.compliance.status == ComplianceStatus::ok) {
       tooth.compliant_position = middle.compliant_position(result.compliance.estimate.value);

@@ -27,14 +27,14 @@ struct ToothOptions {
   // [1] a fibre counts as stuck if less of the stage's motion than this draws fibre in. Empirical: on the first six rows after a
   // reversal, where a fibre must stick, the authors' cyclic tests show 0.08 to 0.35 (supports and load train give way); on rigid
   // supports 0.1 is safe.
-  double least_share = 0.35;
+  double min_share = 0.35;
 };
 
 inline constexpr double tooth_confidence = 0.95;  // [1] of each verdict, one-sided
 
 enum class ToothVerdict {
-  sliding,      // that it is stuck, 1 - p <= least_share, is rejected
-  as_if_stuck,  // that it draws in least_share or more is rejected: stuck, or sliding where friction rises steeply
+  sliding,      // that it is stuck, 1 - p <= min_share, is rejected
+  as_if_stuck,  // that it draws in min_share or more is rejected: stuck, or sliding where friction rises steeply
   undecided,    // neither
 };
 
@@ -79,10 +79,10 @@ struct Teeth {
 };
 
 // Domain:  a faultless record of one loading; drops = those found in it, in order; rig.stiffness > 0 and finite (without a load train
-//          no snap is seen); 0 < least_share < 1, errors >= 0; std::invalid_argument otherwise.
+//          no snap is seen); 0 < min_share < 1, errors >= 0; std::invalid_argument otherwise.
 // Max error: on rigid supports wrong verdicts are no more frequent than 1 - tooth_confidence where the force errs by Gaussian noise,
-//          white or AR(1) up to 0.5 (tests/inference/teeth_test.cpp, least_share = 0.1). Supports that give way by more than
-//          least_share, and slips within a rise too small to be found as drops, look like sliding: compare the compliance with
+//          white or AR(1) up to 0.5 (tests/inference/teeth_test.cpp, min_share = 0.1). Supports that give way by more than
+//          min_share, and slips within a rise too small to be found as drops, look like sliding: compare the compliance with
 //          that of a reversal on the same rig.
 // Method:  force regressed on the stage, which is imposed and free of noise; the standard error is that of the rise's own residuals,
 //          allowing for AR(1), and not below that of errors.force; Student's t. A curved rise errs on the side of undecided. Systematic

@@ -8,6 +8,8 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include "numerics/root.h"
+
 namespace flexslip::elementary {
 namespace {
 
@@ -90,13 +92,9 @@ GaussianBelow gaussian_below(double z) {
 double gaussian_quantile(double probability) {
   // By the tail that is the smaller: there the logarithm loses no digits.
   const double wanted = log(std::min(probability, 1 - probability));
-  double low = -10, high = 0;
-  constexpr int halvings = 60;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gaussian_below(middle).log_probability < wanted ? low : high) = middle;
-  }
-  return probability < 0.5 ? low : -low;
+  const double z =
+      halved(60, {-10, 0}, [&](double below) { return !(gaussian_below(below).log_probability < wanted); }).low;
+  return probability < 0.5 ? z : -z;
 }
 
 }  // namespace flexslip::elementary

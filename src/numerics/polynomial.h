@@ -75,23 +75,6 @@ int sign_changes(const std::array<double, size>& b) {
   return changes;
 }
 
-// The zero of f(x), which gives a ValueAndSlope, between two points at which it has opposite signs.
-// Method:     Newton's iteration from x, kept between the points, until a step is `close` or shorter: that doubles the digits once more.
-template <class Function>
-double zero_between(Function f, double low, double high, double x, bool rising, double close) {
-  for (int iteration = 0; iteration < 60; ++iteration) {
-    const auto [value, slope] = f(x);
-    if (value == 0) return x;
-    ((value < 0) == rising ? low : high) = x;
-    double next = x - value / slope;
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const double step = std::abs(next - x);
-    x = next;
-    if (step <= close) break;
-  }
-  return x;
-}
-
 // Polynomials through values at the Chebyshev-Lobatto points of [-1, 1].
 
 // Linear maps from values at the nodes -cos(π j/n), j = 0, ..., n, where n is the degree; these include both ends.

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 
@@ -27,8 +28,31 @@ Estimate exponential(const Estimate& logarithm) {
   return {value, value * logarithm.standard_error, elementary::exp(logarithm.low), elementary::exp(logarithm.high)};
 }
 
+double mean_of(std::span<const double> values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+double quantile_in_order(std::span<const double> values, double probability) {
+  if (values.empty()) return not_a_number;
+  const double place = probability * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+
+std::vector<double> bends_of(std::span<const double> readings) {
+  std::vector<double> bends;
+  for (std::size_t i = 2; i < readings.size(); ++i)
+    bends.push_back(std::abs(readings[i] - 2 * readings[i - 1] + readings[i - 2]));
+  return bends;
+}
+
+double noise_of_bends(std::vector<double> bends) {
+  return bends.empty() ? 0 : deviation_by_median * median_of(std::move(bends)) / std::sqrt(6.0);
+}
+
 double median_of(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return not_a_number;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   if (values.size() % 2 == 1) return *middle;
@@ -81,18 +105,22 @@ Sums sums_of(std::span<const double> residuals) {
 }  // namespace
 
 Line line_through(std::span<const double> x, std::span<const double> y) {
-  const auto n = static_cast<double>(x.size());
-  Line line{.mean_x = std::accumulate(x.begin(), x.end(), 0.0) / n,
-            .mean_y = std::accumulate(y.begin(), y.end(), 0.0) / n,
-            .slope = 0,
-            .sum_xx = 0};
-  double sum_xy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    line.sum_xx += (x[i] - line.mean_x) * (x[i] - line.mean_x);
-    sum_xy += (x[i] - line.mean_x) * (y[i] - line.mean_y);
-  }
-  line.slope = line.sum_xx > 0 ? sum_xy / line.sum_xx : 0;
-  return line;
+  return line_through(
+      x.size(), [&](std::size_t i) { return x[i]; }, [&](std::size_t i) { return y[i]; });
+}
+
+CommonLine common_line(std::span<const double> x, std::span<const double> y, std::span<const double> z) {
+  CommonLine common{line_through(x, y), line_through(x, z), not_a_number, {}};
+  if (!(common.y.slope > 0 && common.z.slope > 0)) return common;
+  common.slope = common.y.slope / common.z.slope;
+  common.residuals.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    common.residuals.push_back(y[i] - common.y.mean_y - common.slope * (z[i] - common.z.mean_y));
+  return common;
+}
+
+double slope_error(const CommonLine& line, double bias, double most) {
+  return effective_deviation(line.residuals, 2, bias, most) / (line.z.slope * std::sqrt(line.y.sum_xx));
 }
 
 double effective_deviation(std::span<const double> residuals, std::size_t parameters, double bias, double most) {
@@ -155,13 +183,9 @@ double chi_squared_quantile(double probability, double freedoms) {
     throw std::invalid_argument("a quantile of chi squared at " + std::to_string(probability) + " of " +
                                 std::to_string(freedoms) + " freedoms");
   const double spread = std::sqrt(2 * freedoms);
-  double low = 0, high = freedoms + 8 * spread + 40;
-  for (int i = 0; i < 80; ++i) {
-    const double middle = 0.5 * (low + high);
-    (gamma_tails(0.5 * freedoms, 0.5 * middle).below < probability ? low : high) = middle;
-    if (high - low < 1e-12 * high) break;
-  }
-  return 0.5 * (low + high);
+  const auto is_beyond = [&](double x) { return !(gamma_tails(0.5 * freedoms, 0.5 * x).below < probability); };
+  const auto enough = [](const Bracket& x) { return x.width() < 1e-12 * x.high; };
+  return halved_until(enough, {0, freedoms + 8 * spread + 40}, is_beyond).middle();
 }
 
 double mean_of(const NormalMixture& mixture) {
@@ -203,11 +227,7 @@ double quantile_of(const NormalMixture& mixture, double probability) {
     low = std::min(low, part.mean - reach * part.deviation);
     high = std::max(high, part.mean + reach * part.deviation);
   }
-  for (int i = 0; i < 50; ++i) {
-    const double middle = std::midpoint(low, high);
-    (probability_below(mixture, middle) < probability ? low : high) = middle;
-  }
-  return std::midpoint(low, high);
+  return halved(50, {low, high}, [&](double x) { return !(probability_below(mixture, x) < probability); }).middle();
 }
 
 NormalMixture merged(const NormalMixture& mixture) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -49,10 +50,24 @@ inline double student_quantile(double z, double nu) {
   return std::sqrt(nu * elementary::exp_less_one(x * x / nu));
 }
 
-// Statistics of order: medians, and sequences that do not fall.
+// Means and statistics of order: medians, quantiles, and sequences that do not fall.
+
+double mean_of(std::span<const double> values);  // NaN of none
 
 // Of an even number of values the mean of the middle two; NaN of none.
 double median_of(std::vector<double> values);
+
+// Of values that do not fall, straight between one and the next: the first at 0, the last at 1. NaN of none.
+// Domain:     0 <= probability <= 1.
+double quantile_in_order(std::span<const double> values, double probability);
+
+// Standard deviation of a normal number over the median of its distance from the middle: 1/Φ^(-1)(3/4).
+inline constexpr double deviation_by_median = 1.4826;
+
+// The noise of single readings, of which neighbours on a smooth curve tell by how much the middle one of three lies off the line through the
+// others: noise of deviation σ makes √6 σ of it. Drops count as long as fewer than half of the readings stand beside one.
+std::vector<double> bends_of(std::span<const double> readings);  // |second differences|: size - 2 of them, or none
+double noise_of_bends(std::vector<double> bends);                // by their median; 0 of none
 
 // The nearest non-falling sequence, in least squares.
 // Method:     pool adjacent violators (Ayer et al. 1955).
@@ -71,6 +86,33 @@ struct Line {
 
 // Least squares. Domain: columns of one length, at least one point.
 Line line_through(std::span<const double> x, std::span<const double> y);
+
+// The same through n points (x(i), y(i)).
+template <class X, class Y>
+Line line_through(std::size_t n, const X& x, const Y& y) {
+  Line line{.mean_x = 0, .mean_y = 0, .slope = 0, .sum_xx = 0};
+  for (std::size_t i = 0; i < n; ++i) line.mean_x += x(i), line.mean_y += y(i);
+  line.mean_x /= static_cast<double>(n);
+  line.mean_y /= static_cast<double>(n);
+  double sum_xy = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    line.sum_xx += (x(i) - line.mean_x) * (x(i) - line.mean_x);
+    sum_xy += (x(i) - line.mean_x) * (y(i) - line.mean_y);
+  }
+  line.slope = line.sum_xx > 0 ? sum_xy / line.sum_xx : 0;
+  return line;
+}
+
+// How y goes with z where both follow a third column x without noise: by the lines through (x, y) and (x, z).
+struct CommonLine {
+  Line y, z;
+  double slope;                   // dy/dz; NaN unless both rise
+  std::vector<double> residuals;  // of y about the line of that slope through both means
+};
+CommonLine common_line(std::span<const double> x, std::span<const double> y, std::span<const double> z);
+
+// The standard error of its slope, of the residuals' effective_deviation with such a bias and `most`.
+double slope_error(const CommonLine& line, double bias, double most);
 
 // Standard deviation of the mean of residuals, times √n: larger than the plain one if neighbours err alike, as an AR(1) process.
 // `bias` [1] is added to the correlation that the residuals show, which is at most `most` then.

@@ -119,7 +119,7 @@ std::string work_of_design_in_words(const DesignAnswer& answer, const InUnits& s
 std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
   if (!answer.phases) return "";
   const PhaseStudy& study = *answer.phases;
-  const std::string least = shown.force(study.least_drop), most = shown.force(study.largest_drop);
+  const std::string least = shown.force(study.min_drop), most = shown.force(study.largest_drop);
   return fmt::format(
       "seldom known before a test: the specimen snaps with {} of {}{}{}",
       study.snapping == 0              ? "none"

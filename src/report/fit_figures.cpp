@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "inference/analysis_curves.h"
+#include "inference/analysis.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
 #include "report/answer_documents.h"
@@ -286,7 +286,7 @@ Plot teeth_figure(const FittedTest& test) {
     teeth.rows.push_back({0.5 * (begin + end), begin, end, p, p - noise, p + noise, p - common, p + common,
                           tooth.compliant_position, static_cast<double>(tooth.verdict)});
   }
-  const double stuck = 1 - test.provenance.options.teeth.least_share;
+  const double stuck = 1 - test.provenance.options.teeth.min_share;
   const auto verdict = [](ToothVerdict which, Symbol symbol, Colour colour, const char* words) {
     return Mark{
         Mark::points, "teeth", {0, 3}, styles::mark(symbol, colour, 3.5), words, {{9, static_cast<double>(which)}}};

@@ -45,7 +45,7 @@ Sampled sampled(std::span<const double> position, std::span<const double> height
 HeightTrace levelled(HeightTrace trace, std::size_t degree) {
   auto& z = trace.height;
   const std::size_t n = z.size();
-  if (degree > most_degree || n <= degree)
+  if (degree > max_degree || n <= degree)
     throw std::invalid_argument("a polynomial of degree " + std::to_string(degree) + " taken off " + std::to_string(n) +
                                 " heights");
   // Orthonormal polynomials on the points themselves, one after the other, each made orthogonal twice.

@@ -31,9 +31,9 @@ inline constexpr double even_enough = 0.01;  // of positions that an instrument 
 Sampled sampled(std::span<const double> position, std::span<const double> height);
 
 // A polynomial taken off by least squares: 0 the mean, 1 the tilt, 2 the bow of a fibre.
-// Domain:     degree at most most_degree, more heights than that; std::invalid_argument otherwise.
+// Domain:     degree at most max_degree, more heights than that; std::invalid_argument otherwise.
 // Max error:  1e-13 of the greatest height.
-inline constexpr std::size_t most_degree = 9;
+inline constexpr std::size_t max_degree = 9;
 HeightTrace levelled(HeightTrace trace, std::size_t degree);
 
 // Root of the mean square. Domain: at least one number.

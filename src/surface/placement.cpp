@@ -80,8 +80,8 @@ std::vector<double> turned_round(std::vector<double> slopes) {
 class Surrogates {
  public:
   Surrogates(const std::vector<double>& of, std::uint64_t seed) : generator_(seed), rest_{0, 1, of} {
-    constexpr std::size_t most_waves = 8, tapers = 7;
-    while (of.size() >= fewest_heights && waves_.size() < most_waves) {
+    constexpr std::size_t max_waves = 8, tapers = 7;
+    while (of.size() >= fewest_heights && waves_.size() < max_waves) {
       const auto wave = coherent_wave_in(rest_, spectrum_of(rest_.height, 1, tapers));
       if (!wave) break;
       rest_ = without_wave(std::move(rest_), *wave);

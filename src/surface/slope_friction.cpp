@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "numerics/root.h"
+
 namespace flexslip {
 
 double friction_on_slope(double mu, double slope) {
@@ -35,14 +37,13 @@ double base_friction(std::span<const double> apparent) {
     high = std::max(high, each);
   }
   // The slopes fall in mu, all of them.
-  constexpr int halvings = 60;
-  for (int i = 0; i < halvings && low < high; ++i) {
-    const double mu = 0.5 * (low + high);
+  if (!(low < high)) return low;
+  const auto is_beyond = [&](double mu) {
     double sum = 0;
     for (const double each : apparent) sum += slope_of_friction(each, mu);
-    (sum > 0 ? low : high) = mu;
-  }
-  return 0.5 * (low + high);
+    return !(sum > 0);
+  };
+  return halved(60, {low, high}, is_beyond).middle();
 }
 
 double height_of_wave(double amplitude, double mu, double wavelength) {

@@ -203,9 +203,9 @@ class Fitting {
   double climb(Parameters& at) {
     at = at.cwiseMax(bounds_.least).cwiseMin(bounds_.greatest);
     double reached = likelihood(at), damping = 1e-3;
-    constexpr int most_rounds = 40;
+    constexpr int max_rounds = 40;
     constexpr double enough = 1e-4;  // in ln L
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       Eigen::Matrix<double, 5, 5> information = Eigen::Matrix<double, 5, 5>::Zero();
       Parameters gradient = Parameters::Zero();
       collect(at, information, gradient);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "numerics/elementary.h"
+#include "numerics/minimum.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -92,8 +93,7 @@ std::optional<Estimate> correlation_length_in(const Spectrum& spectrum, double n
     slope += 2 * pi * f * sine * (density - noise) * spectrum.step;
   }
   const double error = std::sqrt(variance) / (std::abs(slope) * length);  // of its logarithm
-  return Estimate{length, length * error, length * elementary::exp(-two_sided_95 * error),
-                  length * elementary::exp(two_sided_95 * error)};
+  return scaled(exponential(normal_estimate(0, error)), length);
 }
 
 void require(const HeightTrace& trace, const TextureOptions& options) {
@@ -124,7 +124,7 @@ double drowns_at(const Continuum& continuum, Band within) {
 
 Texture texture_of(const HeightTrace& trace, const TextureOptions& options) {
   require(trace, options);
-  constexpr std::size_t most_waves_found = 8;
+  constexpr std::size_t max_waves_found = 8;
   constexpr double steps_of_shortest = 5;  // ISO 3274: heights to the shortest wave
   Texture out{};
   out.spectrum = spectrum_of(trace.height, trace.step, options.tapers);
@@ -134,7 +134,7 @@ Texture texture_of(const HeightTrace& trace, const TextureOptions& options) {
   HeightTrace rest = trace;
   Spectrum of_rest = out.spectrum;
   std::vector<DominantWave> coherent;
-  while (coherent.size() < most_waves_found) {
+  while (coherent.size() < max_waves_found) {
     const auto wave = coherent_wave_in(rest, of_rest);
     if (!wave) break;
     coherent.push_back(*wave);
@@ -233,26 +233,8 @@ class Demodulator {
 
 // The frequency of the greatest amplitude about a guess.
 double refined(const Demodulator& demodulator, double guess, double half_range) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double low = guess - half_range, high = guess + half_range;
-  double a = high - golden * (high - low), b = low + golden * (high - low);
-  double at_a = std::norm(demodulator.wave(a)), at_b = std::norm(demodulator.wave(b));
-  for (int i = 0; i < 40 && high - low > 1e-9 * guess; ++i) {
-    if (at_a > at_b) {
-      high = b;
-      b = a;
-      at_b = at_a;
-      a = high - golden * (high - low);
-      at_a = std::norm(demodulator.wave(a));
-    } else {
-      low = a;
-      a = b;
-      at_a = at_b;
-      b = low + golden * (high - low);
-      at_b = std::norm(demodulator.wave(b));
-    }
-  }
-  return 0.5 * (low + high);
+  const auto power = [&](double frequency) { return std::norm(demodulator.wave(frequency)); };
+  return greatest_within(power, guess - half_range, guess + half_range, 1e-9 * guess).at;
 }
 
 // [L^3] Of the neighbours of a frequency on both sides, beyond the bandwidth; null where there are none below.
@@ -280,7 +262,7 @@ double independent_frequencies(const Spectrum& spectrum) { return spectrum.width
 std::optional<DominantWave> coherent_wave_in(const HeightTrace& trace, const Spectrum& spectrum) {
   constexpr double level = 0.01;
   constexpr double worth_a_look = 1e-3;  // on the grid, which may miss the wave's frequency by a quarter of 1/width
-  constexpr std::size_t most_looks = 10;
+  constexpr std::size_t max_looks = 10;
   const double first = 1.5 * spectrum.half_bandwidth, last = spectrum.frequency.back() - spectrum.half_bandwidth;
   const double among = independent_frequencies(spectrum);
   const std::size_t n = trace.height.size();
@@ -295,7 +277,7 @@ std::optional<DominantWave> coherent_wave_in(const HeightTrace& trace, const Spe
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (candidates.size() > most_looks) candidates.resize(most_looks);
+  if (candidates.size() > max_looks) candidates.resize(max_looks);
   if (candidates.empty()) return std::nullopt;
   const Demodulator demodulator(trace);
   for (const auto& [size, index] : candidates) {
@@ -372,7 +354,7 @@ std::vector<Peak> peaks_in(const Spectrum& spectrum, const Continuum& continuum,
   return apart;
 }
 
-double least_amplitude(double density, double width, std::size_t frequencies) {
+double min_amplitude(double density, double width, std::size_t frequencies) {
   constexpr double by_chance = 0.05;
   constexpr double of_20_missed = 1.6448536269514722 / 1.4142135623730951;  // of |1 + noise|, in one of its components
   if (!(density >= 0 && width > 0) || frequencies == 0)
@@ -393,7 +375,7 @@ WaveResolution resolution_of(const TraceResolution& trace, double wavelength, do
   out.heights_a_wave = wavelength / trace.step;
   out.waves_in_field = trace.width / wavelength;
   out.least_by_pixels = 0.5 * pixels_wanted * trace.pixel;
-  out.least_by_spectrum = least_amplitude(density, trace.width, frequencies);
+  out.least_by_spectrum = min_amplitude(density, trace.width, frequencies);
   out.pixel_wanted = wanted_image(wavelength, 2 * amplitude).pixel;
   out.is_sampled = out.heights_a_wave >= 2;
   out.has_field = out.waves_in_field >= periods_wanted;

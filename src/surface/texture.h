@@ -85,7 +85,7 @@ struct WaveResolution {
   double heights_a_wave;     // [1] λ/step
   double waves_in_field;     // [1] width/λ
   double least_by_pixels;    // [L] the least amplitude, by the paper's rule: pixels_wanted pixel/2
-  double least_by_spectrum;  // [L] the least amplitude that stands out of the spectrum, as least_amplitude has it
+  double least_by_spectrum;  // [L] the least amplitude that stands out of the spectrum, as min_amplitude has it
   double pixel_wanted;       // [L] by the paper's rule, for a wave of the amplitude asked for; NaN without one
   bool is_sampled;           // two heights a wave or more
   bool has_field;            // periods_wanted waves or more
@@ -96,7 +96,7 @@ struct WaveResolution {
 // with P [L^3] the density of what else is there, noise and roughness, in the field W over m frequencies. In white noise of standard deviation σ
 // P = 2 σ² step, so that h is 2 σ/√n times the bracket: it falls with the number n of heights, below a pixel if the noise dithers it.
 // Domain:     density >= 0, width > 0, frequencies >= 1; std::invalid_argument otherwise.
-double least_amplitude(double density, double width, std::size_t frequencies);
+double min_amplitude(double density, double width, std::size_t frequencies);
 
 // Domain:     a trace of positive step and width; wavelength > 0; std::invalid_argument otherwise.
 WaveResolution resolution_of(const TraceResolution& trace, double wavelength, double density, double amplitude);

@@ -225,7 +225,7 @@ TEST_CASE(
       const int direction = stage > fibre.state().stage ? 1 : -1;
       for (const auto& [from, to, work] : stretches_to(fibre, stage)) {
         if (to.motion == Motion::stick) continue;
-        if (std::abs(to.S - from.S) <= 2 * least_slip) continue;  // runs on into the next
+        if (std::abs(to.S - from.S) <= 2 * min_slip) continue;  // runs on into the next
         RC_ASSERT(to.motion == Motion::snap);
         RC_ASSERT(from.q == direction * static_friction(law, from.S));
         RC_ASSERT(to.q == direction * law.kinetic.at(to.S).mu);
@@ -249,7 +249,7 @@ TEST_CASE("motion: without an excess static friction is Coulomb's (limit)") {
     stretches_to(two, stage);
     stretches_to(three, stage);
     CHECK(one.state().S == two.state().S);
-    CHECK(std::abs(one.state().S - three.state().S) <= 2 * least_slip);  // that far it may stand behind
+    CHECK(std::abs(one.state().S - three.state().S) <= 2 * min_slip);  // that far it may stand behind
   }
 }
 

@@ -18,11 +18,11 @@ struct SomeProgramme {
 };
 
 // A sinusoidal or a rough friction, a rig from soft to displacement control, three to eight turning points up to `farthest`.
-inline SomeProgramme some_programme(std::mt19937_64& random, double farthest, double least_wavelength) {
+inline SomeProgramme some_programme(std::mt19937_64& random, double farthest, double min_wavelength) {
   const auto draw = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
   };
-  const double length = least_wavelength * std::exp(draw(0, 2));
+  const double length = min_wavelength * std::exp(draw(0, 2));
   const double mu0 = draw(0.05, 0.9);
   const bool rough = draw(0, 1) < 0.3;
   const Friction friction = rough ? Friction::rough(mu0, draw(0, 0.5), length, random(), longest_at_stage(farthest))

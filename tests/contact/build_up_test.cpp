@@ -15,7 +15,7 @@ namespace {
 constexpr double sigma = 0.004;
 
 Friction building_up(const Friction& friction, double length = sigma) {
-  return Friction::on_a_way(std::make_shared<const BuildUp>(friction, length, 1.6));
+  return Friction::path_dependent(std::make_shared<const BuildUp>(friction, length, 1.6));
 }
 
 // p' = (μ - p)/σ by many small steps of Heun's.
@@ -79,7 +79,7 @@ TEST_CASE("build up, identity: of a programme back and forth, thick or not, all 
   for (const Supports& supports : {Supports{0, 0}, Supports{0, 0.0136}, Supports{0, 0.06}})
     for (const Friction& friction : {Friction::sinusoid(0.5, 0.3, 0.03, 1), Friction::rough(0.4, 0.2, 0.01, 3, 2)}) {
       const Fibre fibre(supports);
-      const Friction builds = Friction::on_a_way(std::make_shared<const BuildUp>(friction, sigma, 2.0));
+      const Friction builds = Friction::path_dependent(std::make_shared<const BuildUp>(friction, sigma, 2.0));
       const History history = follow_continuously({builds, {100, fibre}}, programme, 40);
       REQUIRE(history.status == HistoryStatus::ok);
       const EnergyAccount& energy = history.energy;

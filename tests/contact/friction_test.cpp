@@ -51,7 +51,7 @@ void slope_is_that_of_mu(const Friction& friction, double S, double h, double th
 
 TEST_CASE("friction: no length has more friction than the most (identity)") {
   const auto holds = [](const Friction& friction, double S_max) {
-    const double most = friction.most_up_to(S_max);
+    const double most = friction.max_up_to(S_max);
     for (int i = 0; i <= 1000; ++i)
       // The rounding of a sum of some terms, and of a cubic between equal values.
       RC_ASSERT(friction.at(1 + (S_max - 1) * i / 1000).mu <= most * (1 + 16 * unit));
@@ -65,16 +65,16 @@ TEST_CASE("friction: no length has more friction than the most (identity)") {
           *between(1, 3));
   }));
   CHECK(rc::check("tables", [&] { holds(some_table(), *between(1, 1.5)); }));
-  CHECK(some_table().most_up_to(1.05) == 0.7);
-  CHECK(Friction::table({{0.9, 1.0, 1.1}, {5, 0.4, 0.5}}).most_up_to(1.2) ==
+  CHECK(some_table().max_up_to(1.05) == 0.7);
+  CHECK(Friction::table({{0.9, 1.0, 1.1}, {5, 0.4, 0.5}}).max_up_to(1.2) ==
         0.5);  // what lies below the span is not met
   // Attained, by a drift alone: at the end that it rises to.
   const auto drifting = [](double drift, double S_reference) {
     return Friction::waves({.mu0 = 0.3, .drift = drift, .terms = {}, .S_reference = S_reference});
   };
-  CHECK(drifting(2, 1.25).most_up_to(1.5) == 0.8);
-  CHECK(drifting(-2, 1.25).most_up_to(1.5) == 0.8);
-  CHECK(drifting(2, 1.25).most_up_to(1) == 0);  // held at zero
+  CHECK(drifting(2, 1.25).max_up_to(1.5) == 0.8);
+  CHECK(drifting(-2, 1.25).max_up_to(1.5) == 0.8);
+  CHECK(drifting(2, 1.25).max_up_to(1) == 0);  // held at zero
 }
 
 TEST_CASE("friction: constant (identity)") {

@@ -13,18 +13,18 @@ namespace flexslip {
 TEST_CASE("on slopes: in on the one profile, out on the other, and back (identity)") {
   const Friction in = Friction::table({{1, 1.5, 2}, {0.4, 0.6, 0.5}}),
                  out = Friction::table({{1, 1.5, 2}, {0.6, 0.4, 0.5}});
-  const Friction both = Friction::on_a_way(std::make_shared<const OnSlopes>(in, out));
+  const Friction both = Friction::path_dependent(std::make_shared<const OnSlopes>(in, out));
   CHECK(both.depends_on_way());
   CHECK(both.lets_stick());
-  CHECK(both.leads(1.2, 1));
-  CHECK_FALSE(both.leads(1.2, -1));
+  CHECK(both.continues(1.2, 1));
+  CHECK_FALSE(both.continues(1.2, -1));
   const Friction back = both.from(1.5, -0.4, -1), again = back.from(1.2, 0.3, 1);
   for (const double S : {1.0, 1.3, 1.5, 2.0}) {
     CHECK(both.at(S).mu == in.at(S).mu);
     CHECK(back.at(S).mu == out.at(S).mu);
     CHECK(again.at(S).mu == in.at(S).mu);
   }
-  CHECK(both.most_up_to(2) == in.most_up_to(2));
+  CHECK(both.max_up_to(2) == in.max_up_to(2));
   CHECK(has(message_of([&] { OnSlopes(both, in); }), "two ways by itself"));
 }
 
@@ -34,7 +34,8 @@ TEST_CASE("on slopes: a bending test slides out along minus the other profile (o
   const Rig rig{200};
   const std::vector<double> programme{0.45, 0.2, 0.45};
   const auto path =
-      follow_continuously({Friction::on_a_way(std::make_shared<const OnSlopes>(in, out)), rig}, programme, 200).path;
+      follow_continuously({Friction::path_dependent(std::make_shared<const OnSlopes>(in, out)), rig}, programme, 200)
+          .path;
   int outwards = 0, inwards = 0;
   for (const auto& point : path) {
     if (point.motion == Motion::slip_out) {

@@ -66,11 +66,11 @@ TEST_CASE("oracle: drawn in, and let out from there, the weaker side goes, step 
   for (const auto& [name, left, right] : pairs()) {
     CAPTURE(name);
     constexpr double steepest = 0.5 * 0.35 * 2 * 3.15 / (0.3 * wavelength);  // of all of them, along the fibre
-    const Walk in(left, right, {0, 0}, S_most);
-    const Walk out = in.from(turn);
+    const TwoSupportPath in(left, right, {0, 0}, S_most);
+    const TwoSupportPath out = in.from(turn);
     CHECK(out.origin() == doctest::Approx(turn).epsilon(1e-15));
     for (const bool inwards : {true, false}) {
-      const Walk& walk = inwards ? in : out;
+      const TwoSupportPath& walk = inwards ? in : out;
       const auto steps =
           step_by_step(left, right, inwards ? ContactPoints{0, 0} : in.points_at(turn), inwards ? S_most : 1.001, h);
       double off = 0, aside = 0;
@@ -90,7 +90,7 @@ TEST_CASE("oracle: drawn in, and let out from there, the weaker side goes, step 
 TEST_CASE("identity: what slides is at the friction of the fibre, and what rests is below its own") {
   for (const auto& [name, left, right] : pairs()) {
     CAPTURE(name);
-    const Walk walk(left, right, {0.01, -0.004}, 1.3);
+    const TwoSupportPath walk(left, right, {0.01, -0.004}, 1.3);
     for (double S = 1; S < 1.3; S += 1.7e-4) {
       const auto [x, y] = walk.points_at(S);
       const double a = friction_of(left, x), b = friction_of(right, y), mu = walk.at(S).mu;
@@ -103,7 +103,7 @@ TEST_CASE("identity: the slope is that of the friction (central differences), bu
   constexpr double h = 1e-6;
   for (const auto& [name, left, right] : pairs()) {
     CAPTURE(name);
-    const Walk walk(left, right, {0, 0}, 1.3);
+    const TwoSupportPath walk(left, right, {0, 0}, 1.3);
     for (double S = 1.0003; S < 1.29; S += 1.37e-4) {
       const auto knot = std::lower_bound(walk.knots().begin(), walk.knots().end(), S - 2 * h);
       if (knot != walk.knots().end() && *knot < S + 2 * h) continue;
@@ -117,7 +117,7 @@ TEST_CASE(
     "published: two sides with one wave look like half the wavelength, with the same mean, in any phase (MODEL 13)") {
   for (const double phase : {0.0, 0.7, 2.0, 3.1, 5.0}) {
     CAPTURE(phase);
-    const Walk walk(wavy(0.5, 0.2, wavelength, 0.4), wavy(0.5, 0.2, wavelength, 0.4 + phase), {0, 0}, 1.5);
+    const TwoSupportPath walk(wavy(0.5, 0.2, wavelength, 0.4), wavy(0.5, 0.2, wavelength, 0.4 + phase), {0, 0}, 1.5);
     double mean = 0;
     constexpr int n = 4000;
     for (int i = 0; i < n; ++i) {
@@ -137,7 +137,7 @@ TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower th
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const Friction left = Friction::rough(0.5, 0.2, length, seed, 2),
                    right = Friction::rough(0.5, 0.2, length, 100 + seed, 2);
-    const Walk walk(left, right, {0, 0}, 1.45);
+    const TwoSupportPath walk(left, right, {0, 0}, 1.45);
     for (double S = 1.02; S < 1.4; S += 0.001) {
       const double d = walk.at(S).mu - 0.49, there = walk.at(S + 2 * apart * length).mu - 0.49;
       mean += walk.at(S).mu, square += d * d, lag += d * there, ++count;
@@ -154,7 +154,7 @@ TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower th
 
 TEST_CASE("limit: a symmetric pair whose friction falls goes one-sided") {
   const Friction falling = Friction::waves({.mu0 = 0.6, .drift = -0.5, .terms = {}, .S_reference = 1});
-  const Walk walk(falling, falling, {0, 0}, 1.3);
+  const TwoSupportPath walk(falling, falling, {0, 0}, 1.3);
   for (double S = 1; S < 1.3; S += 0.01) {
     CHECK(walk.points_at(S).right == 0);
     CHECK(walk.at(S).mu == doctest::Approx(falling.at(1 + 2 * (S - 1)).mu).epsilon(1e-14));
@@ -164,7 +164,7 @@ TEST_CASE("limit: a symmetric pair whose friction falls goes one-sided") {
 
 TEST_CASE("limit: a pair that rises alike stays alike, and shows the friction of one") {
   const Friction rising = Friction::waves({.mu0 = 0.3, .drift = 0.5, .terms = {}, .S_reference = 1});
-  const Walk walk(rising, rising, {0, 0}, 1.3);
+  const TwoSupportPath walk(rising, rising, {0, 0}, 1.3);
   for (double S = 1; S < 1.3; S += 0.01) {
     CHECK(walk.points_at(S).left == doctest::Approx(walk.points_at(S).right).epsilon(1e-12));
     CHECK(walk.at(S).mu == doctest::Approx(rising.at(S).mu).epsilon(1e-14));
@@ -174,7 +174,7 @@ TEST_CASE("limit: a pair that rises alike stays alike, and shows the friction of
 
 TEST_CASE("limit: a side that holds at all costs leaves the other alone") {
   const Friction side = wavy(0.5, 0.2, wavelength, 1);
-  const Walk walk(side, Friction::constant(5), {0, 0}, 1.3);
+  const TwoSupportPath walk(side, Friction::constant(5), {0, 0}, 1.3);
   for (double S = 1; S < 1.3; S += 0.0013) {
     CHECK(walk.points_at(S).right == 0);
     CHECK(walk.at(S).mu == doctest::Approx(friction_of(side, S - 1)).epsilon(1e-13));
@@ -184,7 +184,7 @@ TEST_CASE("limit: a side that holds at all costs leaves the other alone") {
 TEST_CASE("limit: a drift that runs into zero leaves knots where it does, and zero beyond") {
   const Friction falling =
       Friction::waves({.mu0 = 0.3, .drift = -3, .terms = {}, .S_reference = 1});  // 0 from x = 0.05
-  const Walk walk(falling, wavy(0.5, 0.2, wavelength, 1), {0, 0}, 1.3);
+  const TwoSupportPath walk(falling, wavy(0.5, 0.2, wavelength, 1), {0, 0}, 1.3);
   const auto held = std::find_if(walk.knots().begin(), walk.knots().end(),
                                  [&](double S) { return std::abs(walk.points_at(S).left - 0.05) < 1e-12; });
   REQUIRE(held != walk.knots().end());
@@ -194,9 +194,9 @@ TEST_CASE("limit: a drift that runs into zero leaves knots where it does, and ze
 
 TEST_CASE("limit: a walk may lead nowhere, and on from any length, let out to the straight fibre again and again") {
   const Friction left = wavy(0.5, 0.2, wavelength, 1), right = wavy(0.52, 0.15, 0.77 * wavelength, 2.5);
-  CHECK(Walk(left, right, {0, 0}, 1).at(1).mu == Walk(left, right, {0, 0}, 1.1).at(1).mu);
+  CHECK(TwoSupportPath(left, right, {0, 0}, 1).at(1).mu == TwoSupportPath(left, right, {0, 0}, 1.1).at(1).mu);
   for (int i = 1; i < 400; ++i) {
-    Walk walk(left, right, {0, 0}, 1.3);
+    TwoSupportPath walk(left, right, {0, 0}, 1.3);
     for (const double turn : {1 + 0.0007 * i, 1.0, 1.25, 1.0, 1.3, 1.0}) walk = walk.from(turn);
     CHECK(walk.origin() == 1);
     CHECK(std::abs(walk.points_at(1).left + walk.points_at(1).right) < 1e-14);
@@ -205,13 +205,13 @@ TEST_CASE("limit: a walk may lead nowhere, and on from any length, let out to th
 
 TEST_CASE("limit: beyond its ends a walk is constant, and it is refused where there is none") {
   const Friction side = wavy(0.5, 0.2, wavelength, 1);
-  const Walk walk(side, side, {0, 0}, 1.1);
+  const TwoSupportPath walk(side, side, {0, 0}, 1.1);
   CHECK(walk.at(1.2).mu == walk.at(1.1).mu);
   CHECK(walk.at(1.2).slope == 0);
   CHECK(walk.at(0.9).mu == walk.at(1).mu);
-  CHECK_THROWS_AS(Walk(side, side, {0, 0}, 0.9), std::invalid_argument);
-  CHECK_THROWS_AS(Walk(side, side, {-0.1, 0}, 1.1), std::invalid_argument);
-  CHECK_THROWS_AS(Walk(Friction::on_two_supports(side, side, 1.2), side, {0, 0}, 1.1), std::invalid_argument);
+  CHECK_THROWS_AS(TwoSupportPath(side, side, {0, 0}, 0.9), std::invalid_argument);
+  CHECK_THROWS_AS(TwoSupportPath(side, side, {-0.1, 0}, 1.1), std::invalid_argument);
+  CHECK_THROWS_AS(TwoSupportPath(Friction::on_two_supports(side, side, 1.2), side, {0, 0}, 1.1), std::invalid_argument);
 }
 
 }  // namespace flexslip

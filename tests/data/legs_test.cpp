@@ -60,8 +60,8 @@ TEST_CASE("limit: one direction is one leg, a stage that stands still none") {
 
 TEST_CASE("limit: an excursion counts from the least travel on") {
   CHECK(find_legs(programme({0, 100, 99, 200})).size() == 1);
-  CHECK(find_legs(programme({0, 100, 99, 200}), {.least_travel = 0.004}).size() == 3);  // of 200: 0.8 < 1
-  CHECK(find_legs(programme({0, 200, 196})).size() == 1);                               // 2 %, and no more
+  CHECK(find_legs(programme({0, 100, 99, 200}), {.min_travel = 0.004}).size() == 3);  // of 200: 0.8 < 1
+  CHECK(find_legs(programme({0, 200, 196})).size() == 1);                             // 2 %, and no more
   CHECK(find_legs(programme({0, 200, 195})).size() == 2);
 }
 
@@ -96,8 +96,8 @@ TEST_CASE(
 TEST_CASE("limit: broken contracts are named") {
   const std::vector<double> stage{0, 1, std::numeric_limits<double>::quiet_NaN()};
   CHECK_THROWS_AS(find_legs(stage), std::invalid_argument);
-  CHECK_THROWS_AS(find_legs(std::vector<double>{0, 1}, {.least_travel = 0}), std::invalid_argument);
-  CHECK_THROWS_AS(find_legs(std::vector<double>{0, 1}, {.least_travel = 1}), std::invalid_argument);
+  CHECK_THROWS_AS(find_legs(std::vector<double>{0, 1}, {.min_travel = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(find_legs(std::vector<double>{0, 1}, {.min_travel = 1}), std::invalid_argument);
 }
 
 }  // namespace

@@ -49,6 +49,16 @@ TEST_CASE("record: columns of two lengths and stiffnesses that are none are refu
   CHECK_THROWS_WITH(record_from_stage_and_force(two, two, -90), "load-train stiffness = -90 N/m is not positive");
 }
 
+TEST_CASE(
+    "record: columns of two lengths and readings that are no numbers are refused by all that ask for readings "
+    "(contract)") {
+  CHECK_NOTHROW(require_readings(Record{{0, 1}, {0, 1}, {0, 1}}));
+  CHECK_NOTHROW(require_readings(ReducedRecord{}));
+  CHECK_THROWS_AS(require_readings(Record{{0, 1}, {0}, {0, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(require_readings(Record{{0}, {0, 1}, {0, 1}}), std::invalid_argument);
+  CHECK_THROWS_AS(require_readings(ReducedRecord{{0, 1}, {0, nan}, {0, 1}}), std::invalid_argument);
+}
+
 TEST_CASE("record: each fault is found, with its place (table)") {
   const Record good{{0, 1, 1, 2}, {0, 1, 1, 2}, {0, 1, 2, 3}};
   CHECK(check_record(good).fault == RecordFault::none);

@@ -137,7 +137,7 @@ TEST_CASE("design answer, identity: the study of phases is the same from the nex
     CHECK(here.snapping == next.snapping);
     CHECK((here.snapping == 24) == (stiffness < own));
     CHECK((here.snapping == 0) == (stiffness > worst));
-    CHECK(here.least_drop == to(1e-6, next.least_drop));
+    CHECK(here.min_drop == to(1e-6, next.min_drop));
     CHECK(here.largest_drop == to(1e-6, next.largest_drop));
     CHECK(here.critical == to(1e-6, next.critical));
   }

@@ -40,7 +40,7 @@ CyclicFriction measured(const Friction& friction, double noise, std::uint64_t se
 }
 
 Friction building_up(double sigma) {
-  return Friction::on_a_way(std::make_shared<const BuildUp>(Friction::sinusoid(0.45, 0.2, 0.02, 1), sigma, 1.6));
+  return Friction::path_dependent(std::make_shared<const BuildUp>(Friction::sinusoid(0.45, 0.2, 0.02, 1), sigma, 1.6));
 }
 
 }  // namespace

@@ -19,31 +19,31 @@ using Eigen::VectorXd;
 constexpr double wavelength = 0.013;
 
 // Forty readings and some nodes between them, unevenly spaced, with four columns and a wave.
-Looks some_looks(std::uint64_t seed, bool gaps) {
+Observations some_looks(std::uint64_t seed, bool gaps) {
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
-  Looks looks;
+  Observations observations;
   double place = -0.05;
   for (int i = 0; i < 40; ++i) {
     place += 0.004 * uniform() * uniform();
     const bool node = i % 7 == 3;
     const bool unseen = gaps && i % 11 == 5;
-    looks.looks.push_back({.place = place,
-                           .rows = node         ? 0.0
-                                   : i % 5 == 0 ? 3.0
-                                                : 1.0,
-                           .noise_gain = node || unseen ? 0 : 0.3 + uniform(),
-                           .variance = unseen ? std::numeric_limits<double>::infinity()
-                                       : node ? 0.003
-                                              : 4e-6});
-    looks.values.push_back(uniform() - 0.5);
+    observations.all.push_back({.place = place,
+                                .rows = node         ? 0.0
+                                        : i % 5 == 0 ? 3.0
+                                                     : 1.0,
+                                .noise_gain = node || unseen ? 0 : 0.3 + uniform(),
+                                .variance = unseen ? std::numeric_limits<double>::infinity()
+                                            : node ? 0.003
+                                                   : 4e-6});
+    observations.values.push_back(uniform() - 0.5);
     Coefficients h(5);
     const double phase = 2 * std::numbers::pi * place / wavelength;
     h << 1, place / 0.1, uniform(), std::cos(phase), std::sin(phase);
-    looks.columns.push_back(h);
+    observations.columns.push_back(h);
   }
-  looks.prior = {0.25, 0.04, 0.0009, 0.0064, 0.0064};
-  return looks;
+  observations.prior = {0.25, 0.04, 0.0009, 0.0064, 0.0064};
+  return observations;
 }
 
 constexpr Hyperparameters some_hyperparameters{.noise = 0.04, .correlation = 0.4, .roughness = 0.07, .length = 0.006};
@@ -71,30 +71,30 @@ struct Dense {
   VectorXd y;
   double log_likelihood;
 
-  Dense(const Looks& looks, Kernel kernel, const Hyperparameters& at) {
-    const auto n = static_cast<Index>(looks.looks.size());
+  Dense(const Observations& observations, Kernel kernel, const Hyperparameters& at) {
+    const auto n = static_cast<Index>(observations.all.size());
     for (Index i = 0; i < n; ++i)
-      if (std::isfinite(looks.looks[static_cast<std::size_t>(i)].variance)) seen.push_back(i);
-    H.resize(n, static_cast<Index>(looks.prior.size()));
+      if (std::isfinite(observations.all[static_cast<std::size_t>(i)].variance)) seen.push_back(i);
+    H.resize(n, static_cast<Index>(observations.prior.size()));
     MatrixXd K(n, n), E(n, n);
     VectorXd rows = VectorXd::Zero(n), D(n), value(n), variance(n);
     for (Index i = 0; i < n; ++i) {
-      const auto& look = looks.looks[static_cast<std::size_t>(i)];
-      H.row(i) = looks.columns[static_cast<std::size_t>(i)].transpose();
-      rows[i] = (i > 0 ? rows[i - 1] : 0) + (i > 0 ? look.rows : 0);
-      D[i] = look.noise_gain;
-      value[i] = looks.values[static_cast<std::size_t>(i)];
-      variance[i] = look.variance;
+      const auto& observation = observations.all[static_cast<std::size_t>(i)];
+      H.row(i) = observations.columns[static_cast<std::size_t>(i)].transpose();
+      rows[i] = (i > 0 ? rows[i - 1] : 0) + (i > 0 ? observation.rows : 0);
+      D[i] = observation.noise_gain;
+      value[i] = observations.values[static_cast<std::size_t>(i)];
+      variance[i] = observation.variance;
     }
     for (Index i = 0; i < n; ++i)
       for (Index j = 0; j < n; ++j) {
         K(i, j) = covariance_of(
             kernel, at,
-            looks.looks[static_cast<std::size_t>(i)].place - looks.looks[static_cast<std::size_t>(j)].place);
+            observations.all[static_cast<std::size_t>(i)].place - observations.all[static_cast<std::size_t>(j)].place);
         E(i, j) = at.noise * at.noise * std::pow(at.correlation, std::abs(rows[i] - rows[j]));
       }
     VectorXd prior(H.cols());
-    for (Index j = 0; j < H.cols(); ++j) prior[j] = looks.prior[static_cast<std::size_t>(j)];
+    for (Index j = 0; j < H.cols(); ++j) prior[j] = observations.prior[static_cast<std::size_t>(j)];
     const MatrixXd F = K + H * prior.asDiagonal() * H.transpose();
     const MatrixXd all = F + D.asDiagonal() * E * D.asDiagonal();
     C = all(seen, seen);
@@ -128,9 +128,9 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
   for (const Kernel kernel : all_kernels)
     for (const bool gaps : {false, true}) {
       CAPTURE(name_of(kernel));
-      const Looks looks = some_looks(7, gaps);
-      const Dense dense(looks, kernel, some_hyperparameters);
-      const Chain chain(looks, kernel, some_hyperparameters);
+      const Observations observations = some_looks(7, gaps);
+      const Dense dense(observations, kernel, some_hyperparameters);
+      const Chain chain(observations, kernel, some_hyperparameters);
       // The dense factorisation loses the condition number of C, some 1e4, in rounding.
       constexpr double rounding = 1e-10;
       CHECK(chain.log_likelihood() == doctest::Approx(dense.log_likelihood).epsilon(rounding));
@@ -138,11 +138,11 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
       const auto smoothed = chain.smoothed();
       for (Index i = 0; i < f.size(); ++i) {
         CAPTURE(i);
-        const auto& look = smoothed[static_cast<std::size_t>(i)];
-        CHECK(std::abs(look.f - f[i]) < rounding);
-        CHECK(std::abs(look.e - e[i]) < rounding);
-        CHECK(looks.looks[static_cast<std::size_t>(i)].is_reading() == std::isnan(look.variance));
-        if (!std::isnan(look.variance)) CHECK(std::abs(look.variance - variance[i]) < rounding);
+        const auto& observation = smoothed[static_cast<std::size_t>(i)];
+        CHECK(std::abs(observation.f - f[i]) < rounding);
+        CHECK(std::abs(observation.e - e[i]) < rounding);
+        CHECK(observations.all[static_cast<std::size_t>(i)].is_reading() == std::isnan(observation.variance));
+        if (!std::isnan(observation.variance)) CHECK(std::abs(observation.variance - variance[i]) < rounding);
       }
     }
 }
@@ -150,11 +150,11 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
 TEST_CASE("oracle: derivatives of the likelihood are its differences") {
   for (const Kernel kernel : all_kernels) {
     CAPTURE(name_of(kernel));
-    const Looks looks = some_looks(3, false);
+    const Observations observations = some_looks(3, false);
     const auto at = [&](double noise, double correlation, double roughness, double length, double lambda) {
-      Looks changed = looks;
-      for (std::size_t i = 0; i < looks.looks.size(); ++i) {
-        const double phase = 2 * std::numbers::pi * looks.looks[i].place / (wavelength * std::exp(lambda));
+      Observations changed = observations;
+      for (std::size_t i = 0; i < observations.all.size(); ++i) {
+        const double phase = 2 * std::numbers::pi * observations.all[i].place / (wavelength * std::exp(lambda));
         changed.columns[i][3] = std::cos(phase);
         changed.columns[i][4] = std::sin(phase);
       }
@@ -165,7 +165,7 @@ TEST_CASE("oracle: derivatives of the likelihood are its differences") {
       return Chain(changed, kernel, p).log_likelihood();
     };
     const std::array<double, 1> lambdas{wavelength};
-    const auto gradient = likelihood_gradient(looks, kernel, some_hyperparameters, lambdas);
+    const auto gradient = likelihood_gradient(observations, kernel, some_hyperparameters, lambdas);
     CHECK(gradient.value == doctest::Approx(at(0, 0, 0, 0, 0)).epsilon(1e-13));
     constexpr double h = 1e-4;
     constexpr double truncation = 1e-5;  // h^2 times third derivatives of some 1e2 to 1e3
@@ -185,57 +185,62 @@ TEST_CASE("oracle: derivatives of the likelihood are its differences") {
 TEST_CASE("oracle: the slope of a chain is the difference of its means at places where nothing is seen") {
   for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2}) {
     CAPTURE(name_of(kernel));
-    const Looks looks = some_looks(5, false);
+    const Observations observations = some_looks(5, false);
     constexpr double h = 1e-6;
-    Looks around;
-    around.prior = looks.prior;
-    for (std::size_t i = 0; i < looks.looks.size(); ++i)
+    Observations around;
+    around.prior = observations.prior;
+    for (std::size_t i = 0; i < observations.all.size(); ++i)
       for (const double away : {-h, 0.0, h}) {
-        Look look = looks.looks[i];
-        look.place += away;
+        Observation observation = observations.all[i];
+        observation.place += away;
         if (away != 0)
-          look = {.place = look.place, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()};
-        around.looks.push_back(look);
-        around.values.push_back(looks.values[i]);
-        around.columns.push_back(looks.columns[i]);  // of f, so that only g has a slope
+          observation = {.place = observation.place,
+                         .rows = 0,
+                         .noise_gain = 0,
+                         .variance = std::numeric_limits<double>::infinity()};
+        around.all.push_back(observation);
+        around.values.push_back(observations.values[i]);
+        around.columns.push_back(observations.columns[i]);  // of f, so that only g has a slope
       }
-    const auto smoothed = Chain(looks, kernel, some_hyperparameters).smoothed();
+    const auto smoothed = Chain(observations, kernel, some_hyperparameters).smoothed();
     const auto beside = Chain(around, kernel, some_hyperparameters).smoothed();
     for (std::size_t i = 1; i + 1 < smoothed.size(); ++i) {
       CAPTURE(i);
       const double difference = (beside[3 * i + 2].f - beside[3 * i].f) / (2 * h);
-      constexpr double truncation = 2e-3;  // h times a second derivative of some 1e5 at a look, in slopes of some 1e1
+      constexpr double truncation =
+          2e-3;  // h times a second derivative of some 1e5 at a observation, in slopes of some 1e1
       CHECK(smoothed[i].slope == doctest::Approx(difference).epsilon(truncation).scale(1));
     }
   }
 }
 
-TEST_CASE("identity: a functional that is the process at a look is that look") {
+TEST_CASE("identity: a functional that is the process at a observation is that observation") {
   for (const Kernel kernel : all_kernels) {
-    const Looks looks = some_looks(11, true);
-    const Chain chain(looks, kernel, some_hyperparameters);
+    const Observations observations = some_looks(11, true);
+    const Chain chain(observations, kernel, some_hyperparameters);
     const auto smoothed = chain.smoothed();
     for (const std::size_t i : {0, 5, 20, 39}) {
       std::vector<double> covariance;
-      for (const auto& look : looks.looks)
-        covariance.push_back(covariance_of(kernel, some_hyperparameters, look.place - looks.looks[i].place));
-      const auto f = chain.functional(looks.columns[i], covariance, covariance[i]);
+      for (const auto& observation : observations.all)
+        covariance.push_back(
+            covariance_of(kernel, some_hyperparameters, observation.place - observations.all[i].place));
+      const auto f = chain.functional(observations.columns[i], covariance, covariance[i]);
       constexpr double rounding = 1e-11;
       CHECK(std::abs(f.mean - smoothed[i].f) < rounding);
-      if (!looks.looks[i].is_reading()) CHECK(std::abs(f.variance - smoothed[i].variance) < rounding);
+      if (!observations.all[i].is_reading()) CHECK(std::abs(f.variance - smoothed[i].variance) < rounding);
     }
   }
 }
 
 TEST_CASE("limit: a chain refuses what is no process") {
-  const Looks looks = some_looks(1, false);
+  const Observations observations = some_looks(1, false);
   Hyperparameters wrong = some_hyperparameters;
   wrong.correlation = 1;
-  CHECK_THROWS_AS(Chain(looks, Kernel::matern_3_2, wrong), std::invalid_argument);
+  CHECK_THROWS_AS(Chain(observations, Kernel::matern_3_2, wrong), std::invalid_argument);
   wrong = some_hyperparameters;
   wrong.length = 0;
-  CHECK_THROWS_AS(Chain(looks, Kernel::matern_3_2, wrong), std::invalid_argument);
-  CHECK_NOTHROW(Chain(looks, Kernel::none, wrong));
+  CHECK_THROWS_AS(Chain(observations, Kernel::matern_3_2, wrong), std::invalid_argument);
+  CHECK_NOTHROW(Chain(observations, Kernel::none, wrong));
 }
 
 }  // namespace flexslip

@@ -38,8 +38,8 @@ TEST_CASE("oracle: the gradient of the merit is its differences") {
     for (const bool wave : {false, true}) {
       CAPTURE(name_of(kernel));
       const Mode mode = some_mode(process, kernel, wave);
-      Looks looks = process.looks_of(mode);
-      const auto exact = process.objective(mode, looks, mode.theta);
+      Observations observations = process.observations_of(mode);
+      const auto exact = process.objective(mode, observations, mode.theta);
       for (std::size_t i = 0; i < mode.theta.size(); ++i) {
         if (kernel == Kernel::none && (i == 2 || i == 3)) continue;
         CAPTURE(i);
@@ -48,7 +48,8 @@ TEST_CASE("oracle: the gradient of the merit is its differences") {
         up.values[i] += h;
         down.values[i] -= h;
         const double difference =
-            (process.objective(mode, looks, up).value - process.objective(mode, looks, down).value) / (2 * h);
+            (process.objective(mode, observations, up).value - process.objective(mode, observations, down).value) /
+            (2 * h);
         CHECK(exact.gradient[i] == doctest::Approx(difference).epsilon(truncation).scale(10));
       }
     }
@@ -64,23 +65,24 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
     REQUIRE(mode.sites.size() > 5);
     Mode without = mode;
     for (auto& site : without.sites) site.precision = site.precision_mean = 0;
-    const Looks looks = process.looks_of(without);  // where no site says anything, a value is the bound
+    const Observations observations =
+        process.observations_of(without);  // where no site says anything, a value is the bound
     const auto p = hyperparameters_of(mode.theta);
-    const double readings_alone = Chain(looks, kernel, p).log_likelihood();
+    const double readings_alone = Chain(observations, kernel, p).log_likelihood();
     NormalSource normal(3);
     double sum = 0;
     constexpr int draws = 4000;
     for (int draw = 0; draw < draws; ++draw) {
-      const Drawn drawn = draw_from_prior(looks, kernel, p, normal);
-      Looks rest = looks;
+      const Drawn drawn = draw_from_prior(observations, kernel, p, normal);
+      Observations rest = observations;
       for (std::size_t i = 0; i < rest.values.size(); ++i) rest.values[i] -= drawn.values[i];
       const auto moved = Chain(rest, kernel, p).smoothed();
       double log_below = 0;
-      for (std::size_t i = 0; i < looks.looks.size(); ++i)
-        if (!looks.looks[i].is_reading()) {
+      for (std::size_t i = 0; i < observations.all.size(); ++i)
+        if (!observations.all[i].is_reading()) {
           constexpr double softness = 0.003;
           log_below +=
-              elementary::gaussian_below((looks.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
+              elementary::gaussian_below((observations.values[i] - drawn.f[i] - moved[i].f) / softness).log_probability;
         }
       sum += std::exp(log_below);
     }
@@ -116,8 +118,8 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
       Mode mode = some_mode(process, kernel, with_wave);
       process.polish(mode, 6, 12, 0.3);
       process.polish(mode, 6, 12, 0.3);
-      const Looks looks = process.looks_of(mode);
-      const Chain chain(looks, mode.kernel, hyperparameters_of(mode.theta));
+      const Observations observations = process.observations_of(mode);
+      const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
       const auto column = process.columns().stiffness;
       const double eta = process.expected_stiffness(mode) + chain.mean()[column];
       const double error = std::sqrt(chain.covariance()(column, column));

@@ -25,8 +25,8 @@ TEST_CASE("identity: the likeliest mode has the wave of the record, and is the f
   for (std::size_t i = 1; i < found.components.size(); ++i)
     CHECK(found.components[i].log_evidence <= found.components[i - 1].log_evidence);
   REQUIRE(!found.scan.empty());
-  CHECK(found.scan.front().wavelength >= 0.99 * process.least_wavelength());
-  CHECK(found.scan.back().wavelength <= 1.01 * process.greatest_wavelength());
+  CHECK(found.scan.front().wavelength >= 0.99 * process.min_wavelength());
+  CHECK(found.scan.back().wavelength <= 1.01 * process.max_wavelength());
   for (std::size_t i = 1; i < found.scan.size(); ++i) CHECK(found.scan[i].wavelength > found.scan[i - 1].wavelength);
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of
   const auto found = search(process, {.kernels = {Kernel::none}, .waves = 0});
   REQUIRE(found.components.size() == 1);
   const Mode& mode = found.components[0].mode;
-  Looks looks = process.looks_of(mode);
+  Observations observations = process.observations_of(mode);
   constexpr double step = 0.05, correlation_step = 0.1;
   double sum = 0;
   for (int i = -12; i <= 12; ++i)
@@ -53,7 +53,7 @@ TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of
       Theta theta = mode.theta;
       theta.values[0] += step * i;
       theta.values[1] += correlation_step * j;
-      sum += std::exp(process.objective(mode, looks, theta).value - mode.merit) * step * correlation_step;
+      sum += std::exp(process.objective(mode, observations, theta).value - mode.merit) * step * correlation_step;
     }
   const double expected = mode.merit + std::log(sum) + process.prior_of_theta().log_scale(Kernel::none);
   // Laplace takes ρ, which white noise leaves open on one side, for a bell.

@@ -1,7 +1,6 @@
-#include "inference/slips.h"
-
 #include <doctest/doctest.h>
 
+#include "inference/profile.h"
 #include "tests/inference/toothed.h"
 
 namespace flexslip {

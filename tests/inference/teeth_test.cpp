@@ -102,7 +102,7 @@ Simulated stick_slip(double C) {
   return test;
 }
 
-Teeth judged(const Simulated& test, const ToothOptions& options = {.least_share = 0.1}) {
+Teeth judged(const Simulated& test, const ToothOptions& options = {.min_share = 0.1}) {
   const auto drops = find_drops(to_physical(test.record, teeth_scales));
   return judge_teeth(test.record, {k}, known, drops.drops, options);
 }
@@ -204,7 +204,7 @@ TEST_CASE("limit: rises too short are counted, not judged, and options out of ra
   CHECK(none.compliance.status == ComplianceStatus::too_few_teeth);
   CHECK(judge_teeth(test.record, {k}, known, {}).teeth.empty());
   CHECK_THROWS_AS(judge_teeth(test.record, {INFINITY}, known, drops), std::invalid_argument);
-  CHECK_THROWS_AS(judge_teeth(test.record, {k}, known, drops, {.least_share = 1}), std::invalid_argument);
+  CHECK_THROWS_AS(judge_teeth(test.record, {k}, known, drops, {.min_share = 1}), std::invalid_argument);
   auto reversed = drops;
   std::reverse(reversed.begin(), reversed.end());
   CHECK_THROWS_AS(judge_teeth(test.record, {k}, known, reversed), std::invalid_argument);

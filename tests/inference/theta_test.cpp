@@ -18,7 +18,7 @@ TEST_CASE("theta: what is usual, in numbers (published: the spread of the 26 tes
   CHECK(at.noise == to(1e-14, 0.03));
   CHECK(at.roughness == to(1e-14, 0.03));
   CHECK(at.length == to(1e-14, 0.03));
-  CHECK(at.correlation == to(1e-14, most_correlation / (1 + std::exp(1.0))));
+  CHECK(at.correlation == to(1e-14, max_correlation / (1 + std::exp(1.0))));
 }
 
 TEST_CASE("theta: bounds hold each value, and leave waves alone") {
@@ -29,7 +29,7 @@ TEST_CASE("theta: bounds hold each value, and leave waves alone") {
     prior.bound(theta);
     for (std::size_t i = 0; i < 4; ++i) CHECK(theta.values[i] == (far < 0 ? prior.least[i] : prior.greatest[i]));
     CHECK(theta.values[4] == far);
-    CHECK(hyperparameters_of(theta).correlation < most_correlation);
+    CHECK(hyperparameters_of(theta).correlation < max_correlation);
     CHECK(hyperparameters_of(theta).noise >= 0.2 * 0.01 * (1 - 1e-14));
   }
 }

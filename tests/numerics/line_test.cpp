@@ -19,6 +19,20 @@ TEST_CASE("line: least squares through points that lie on one, and beside one (i
   CHECK(line_through(std::vector{2.0, 2.0}, std::vector{1.0, 3.0}).slope == 0);
 }
 
+TEST_CASE("line: how two columns go with each other that both follow a third (identity, calculation by hand)") {
+  const std::vector<double> x{0, 1, 2, 3}, z{1, 3, 5, 7};
+  const CommonLine exact = common_line(x, std::vector{5.0, 11.0, 17.0, 23.0}, z);
+  CHECK(exact.slope == 3);
+  CHECK(exact.residuals == std::vector{0.0, 0.0, 0.0, 0.0});
+  CHECK(slope_error(exact, 0, 0.9) == 0);
+  // y about its line through x: -0.3, 0.9, -0.9, 0.3; that is 1.8 squared, 0.9 for each of two freedoms, neighbours of opposite sign.
+  const CommonLine line = common_line(x, std::vector{0.0, 2.0, 1.0, 3.0}, z);
+  CHECK(line.slope == doctest::Approx(0.4).epsilon(1e-15));
+  CHECK(slope_error(line, 0, 0.9) == doctest::Approx(std::sqrt(0.9 / 5) / 2).epsilon(1e-14));
+  CHECK(std::isnan(common_line(x, std::vector{3.0, 2.0, 1.0, 0.0}, z).slope));
+  CHECK(std::isnan(common_line(std::vector{1.0, 1.0}, std::vector{0.0, 1.0}, std::vector{0.0, 1.0}).slope));
+}
+
 TEST_CASE("line: the scatter of a mean of correlated readings (oracle: 4,000 simulated means)") {
   std::mt19937_64 generator(7);
   std::normal_distribution<double> normal;

@@ -27,8 +27,8 @@ TEST_CASE(
 TEST_CASE("resolution: short waves and narrow fields (limit)") {
   CHECK_FALSE(resolution_of({0.29, 450, 0.29}, 0.5, 0, 0.1).is_sampled);
   CHECK_FALSE(resolution_of({0.29, 400, 0.29}, 45, 0, 0.1).has_field);
-  CHECK(least_amplitude(0, 100, 10) == 0);
-  CHECK(has(message_of([] { least_amplitude(-1, 100, 10); }), "density"));
+  CHECK(min_amplitude(0, 100, 10) == 0);
+  CHECK(has(message_of([] { min_amplitude(-1, 100, 10); }), "density"));
   CHECK(has(message_of([] { resolution_of({0, 1, 1}, 1, 1, 1); }), "no waves"));
 }
 
@@ -38,7 +38,7 @@ TEST_CASE(
   // Of a frequency of the grid: |Σ z exp|² 2 step/n over the density of the noise, against ln(m/α).
   constexpr int n = 256, traces = 2000, wave = 31;
   constexpr double deviation = 0.7;
-  const double amplitude = least_amplitude(2 * deviation * deviation, n, n / 2);
+  const double amplitude = min_amplitude(2 * deviation * deviation, n, n / 2);
   const double threshold = std::log(n / 2 / 0.05);
   SimulatedSurface noise(5);
   int seen = 0, falsely = 0;

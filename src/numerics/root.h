@@ -1,0 +1,78 @@
+// Where a function of one number vanishes, and where something becomes true: within a bracket that is never left.
+#pragma once
+
+#include <cmath>
+
+namespace flexslip {
+
+// By halves.
+
+struct Bracket {
+  double low, high;
+
+  double width() const { return high - low; }
+  double middle() const { return 0.5 * (low + high); }
+};
+
+// A bracket is halved until it is `enough`; is_beyond(x) is false at its low end, true at its high one, and neither is asked.
+// Fails:      never; where is_beyond turns more than once, one of the turns is kept.
+template <class Predicate, class Enough>
+Bracket halved_until(const Enough& enough, Bracket bracket, const Predicate& is_beyond) {
+  while (!enough(bracket)) {
+    const double middle = bracket.middle();
+    (is_beyond(middle) ? bracket.high : bracket.low) = middle;
+  }
+  return bracket;
+}
+
+// Halved so many times: to 2^-halvings of its width.
+template <class Predicate>
+Bracket halved(int halvings, Bracket bracket, const Predicate& is_beyond) {
+  const auto enough = [&](const Bracket&) { return halvings-- <= 0; };
+  return halved_until(enough, bracket, is_beyond);
+}
+
+// The first number from which on something is true, on the way from one at which it is false to `end`, in either direction; `end` where it is
+// false even there.
+// Max error:  none: the neighbour is false. (2^-200 of the way, which only a place next to 0 is near to.)
+// Cost:       one call at the end, and some 50 more where it is true there.
+template <class Predicate>
+double first_where(double is_false, double end, const Predicate& is_true) {
+  if (!is_true(end)) return end;
+  constexpr int max_halvings = 200;
+  double is_so = end;
+  for (int i = 0; i < max_halvings; ++i) {
+    const double middle = 0.5 * (is_false + is_so);
+    if (middle == is_false || middle == is_so) break;
+    (is_true(middle) ? is_so : is_false) = middle;
+  }
+  return is_so;
+}
+
+// By Newton's iteration.
+
+// The zero of a function between a place where it is negative and one where it is positive, in either order; f(x) gives its value and slope.
+// Domain:     x between the two; where f does not change its sign, the result lies between them, too.
+// Max error:  the square of a step of `close` + `relative` |x|, if the bend is of the order of the slope: the last step is no longer than that.
+// Method:     Newton's iteration from x; a step that would leave the bracket halves it.
+// Cost:       at most 60 calls of f, the last at the place before the result, or at the result itself where f is 0.
+template <class Function>
+double zero_between(const Function& f, double negative, double positive, double x, double close, double relative = 0) {
+  constexpr int max_steps = 60;  // as many halvings leave nothing of a bracket
+  for (int i = 0; i < max_steps; ++i) {
+    const auto [value, slope] = f(x);
+    if (value == 0) return x;
+    (value < 0 ? negative : positive) = x;
+    const double tolerance = close + relative * std::abs(x);
+    const double newton = x - value / slope;
+    const bool is_between = (newton - negative) * (newton - positive) < 0;
+    if (!is_between && std::abs(newton - x) <= tolerance) return x;  // a step that rounding has made none
+    const double next = is_between ? newton : 0.5 * (negative + positive);
+    const double step = std::abs(next - x);
+    x = next;
+    if (step <= tolerance) break;
+  }
+  return x;
+}
+
+}  // namespace flexslip
