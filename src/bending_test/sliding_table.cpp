@@ -110,7 +110,7 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
           std::max({slope_error * state.F, friction_error, table_error}) * 2 * sigma};
 }
 
-void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings) const {
+void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings, double unresolved_twice) const {
   Series G{};
   Series stage{};
   Series friction{};
@@ -133,13 +133,15 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   constexpr double accuracy = 1e-12;       // what the integral loses is a tenth of that, and less
   constexpr int max_halvings = 30;         // at a kink: a piece 1e-9 of the whole
   constexpr std::size_t max_pieces = 200;  // enough for a few kinks
-  const auto is_resolved = [&](const Series& c) {
-    return std::abs(c[degree]) + std::abs(c[degree - 1]) <= accuracy * scale + noise;
-  };
-  if (halvings < max_halvings && cell.size() < max_pieces && !(is_resolved(stage) && is_resolved(friction))) {
+  const auto last_terms = [](const Series& c) { return std::abs(c[degree]) + std::abs(c[degree - 1]); };
+  const double unresolved = std::max(last_terms(stage), last_terms(friction));
+  // On supports, states that no table has come with slopes from differences. Halving takes 2^15 off so little, unless it is their noise.
+  constexpr double little = 1e-8;
+  const bool is_noise = !rig_.fibre.on_edges() && unresolved <= little * scale && 8 * unresolved > unresolved_twice;
+  if (halvings < max_halvings && cell.size() < max_pieces && unresolved > accuracy * scale + noise && !is_noise) {
     const double middle = 0.5 * (from + to);
-    fill(cell, from, middle, scale, halvings + 1);
-    fill(cell, middle, to, scale, halvings + 1);
+    fill(cell, from, middle, scale, halvings + 1, unresolved);
+    fill(cell, middle, to, scale, halvings + 1, unresolved);
     return;
   }
   const SlidingWork before = cell.empty() ? SlidingWork{0, 0} : up_to(cell, cell.back().to);
@@ -150,7 +152,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
   Cell& found = cells_[i];
-  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0);
+  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0, infinity);
   return found;
 }
 
@@ -340,11 +342,12 @@ SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : 
   const double sigma_max = fibre.way(S_max), from = fibre.way(1);  // bent as if that much were before it
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
   const double sigma_step = (sigma_max + from) / static_cast<double>(n - 1);
+  const double straight = fibre.begins_straight() ? 0 : fibre.state(1, 0).w;
   S_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double sigma = sigma_step * static_cast<double>(i) - from;
     S_[i] = sigma >= from ? fibre.length_at(sigma) : 1;
-    if (sigma < from) shallow_.push_back(fibre.state(1, 0).w * (sigma + from) / (2 * from));
+    if (sigma < from) shallow_.push_back(straight * (sigma + from) / (2 * from));
   }
 }
 
@@ -353,12 +356,12 @@ StateArrays SlidingLadder::curve(std::span<const double> mu) const {
   for (double& value : q) value = std::clamp(value, 0.0, table_q.greatest);
   StateArrays states = fibre_.tabulated_states({S_, q});
   // The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
-  for (std::size_t i = 0; i < shallow_.size(); ++i) {
-    const double w = shallow_[i];
-    const double held = mu[i] * std::clamp((w / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0);
-    states.w[i] = w;
-    states.F[i] = fibre_.bent(w, held).state.F;
-  }
+  std::vector<double> held;
+  for (std::size_t i = 0; i < shallow_.size(); ++i)
+    held.push_back(mu[i] * std::clamp((shallow_[i] / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0));
+  const std::vector<double> forces = fibre_.forces_bent(shallow_, held);
+  std::copy(shallow_.begin(), shallow_.end(), states.w.begin());
+  std::copy(forces.begin(), forces.end(), states.F.begin());
   return states;
 }
 

@@ -67,6 +67,18 @@ Fibre::BentState Fibre::bent(double w, double q) const {
   return at;
 }
 
+std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<const double> q) const {
+  if (w.empty()) return {};
+  std::vector<double> forces = std::move(tables_->sliding(w, q).columns[1]);
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (w[i] == 0)
+      forces[i] = 0;
+    else if (!(forces[i] >= 0))
+      forces[i] = not_a_number;
+  }
+  return forces;
+}
+
 FibreState Fibre::state(double S, double q) const { return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state; }
 
 FibreStateSlopes Fibre::state_slopes(double S, double q) const {

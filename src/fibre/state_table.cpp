@@ -82,6 +82,13 @@ constexpr double longest_way = 1.05;  // [√L] of the table by length (Fibre::w
 constexpr std::size_t ways = 44;      // cells
 constexpr int most_rounds = 40;       // of Newton's iteration
 
+SupportedState none_of(double q) {
+  SupportedState none{};
+  none.status = FibreStatus::beyond_branch;
+  none.q = q;
+  return none;
+}
+
 CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
 }  // namespace
@@ -206,21 +213,24 @@ SupportedTables::Step SupportedTables::step_from(double w, double S, double q, d
 }
 
 SupportedState SupportedTables::state(double w, double q) const {
-  if (w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w) {
-    const SupportedState led = state_led_on(w, q, supports);
-    // Leading on may lose a state that is there, of a fibre much bent.
-    return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
-  }
-  SupportedState none{};
-  none.status = FibreStatus::beyond_branch;
-  return none;
+  if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w)) return none_of(q);
+  const SupportedState led = state_led_on(w, q, supports);
+  // Leading on may lose a state that is there, of a fibre much bent.
+  return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
+}
+
+// So far beyond the end of its branch a fibre is led on, so that the cells in which branches end have all their nodes.
+SupportedState SupportedTables::node(double w, double q) const {
+  constexpr double a_cell_beyond = 0.1;  // [L]
+  const double end = branch_end(q).w;
+  return w <= end || w > end + a_cell_beyond ? state(w, q) : state_led_on(w, q, supports);
 }
 
 CellTable::Source SupportedTables::source(Field first, Field second) const {
   return [this, first, second](std::span<const double> w, std::span<const double> q) {
     CellTable::Pair pair;
     for (std::size_t i = 0; i < w.size(); ++i) {
-      const SupportedState at = state(w[i], q[i]);
+      const SupportedState at = node(w[i], q[i]);
       const bool exists = at.status == FibreStatus::ok;
       pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
       pair.second.push_back(exists ? at.*second / w[i] : not_a_number);

@@ -100,6 +100,7 @@ class SupportedTables {
   BranchEnd branch_end(double q) const;
   BranchEnd end_at(std::size_t index) const;
   SupportedState state(double w, double q) const;
+  SupportedState node(double w, double q) const;
   CellTable::Source source(Field first, Field second) const;
   CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const;
   PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
