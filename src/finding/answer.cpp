@@ -381,8 +381,8 @@ Found coloured_noise(T test) {
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
-  const std::string probability = p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise)
-                                                       : fmt::format("p = {}", format_significant(p, 2));
+  const std::string probability =
+      p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise) : fmt::format("p = {}", format_significant(p, 2));
   return checked(
       *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),

@@ -92,4 +92,24 @@ TEST_CASE("tables on supports, identity: the more friction, the farther the bran
   }
 }
 
+TEST_CASE("tables on supports: up to the end of the branch they are what is computed singly (property)") {
+  CHECK(rc::check([] {
+    const Supports supports = *rc::gen::element(Supports{0, 0.0136}, Supports{0, 0.0767}, Supports{0.1, 0.03});
+    const double q = *between(-2, 1.5);
+    const auto at = [&](double w) { return state_on_supports(w, q, supports); };
+    double exists = 1.25 * supports.half_depth + 1e-3, none = deepest_on_supports;
+    RC_PRE(at(none).status != FibreStatus::ok);
+    while (none - exists > 1e-7) {
+      const double middle = 0.5 * (exists + none);
+      (at(middle).status == FibreStatus::ok ? exists : none) = middle;
+    }
+    const double w = exists - 0.05 * *between(0, 1) * (exists - 1.25 * supports.half_depth);
+    const SupportedState state = at(w);
+    RC_PRE(state.status == FibreStatus::ok);
+    const auto tabulated = SupportedTables::of(supports)->sliding(w, q);
+    RC_ASSERT(std::abs(tabulated[0] - state.slid) < 1e-11);
+    RC_ASSERT(std::abs(tabulated[1] - state.F) < 1e-9);
+  }));
+}
+
 }  // namespace flexslip
