@@ -650,7 +650,10 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
 std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {
   const double seen = friction.S.back() - friction.S.front();
   const double S_max = std::min(friction.S.back() + std::max(0.1 * seen, 0.01), longest_ladder);
-  const SlidingLadder ladder(S_max, std::max(seen / 1000, 1e-6), rig.fibre);
+  // Fine enough for what was seen, unless nearly all that slid did so before.
+  constexpr double min_share = 1e-4;
+  const double step = std::max({seen / 1000, min_share * (S_max - rig.fibre.least_length()), 1e-6});
+  const SlidingLadder ladder(S_max, step, rig.fibre);
   const auto mu = Friction::table(friction).at(ladder.lengths()).mu;
   const auto curve = ladder.curve(mu);
   return measured_curve(curve.w, curve.F, 1 / rig.stiffness, stages);
