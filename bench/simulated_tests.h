@@ -61,15 +61,15 @@ struct Truth {
 
 // Roughness with a Matérn kernel of ν = 3/2, each quarter of a µm.
 inline std::vector<double> matern_bumps(double rms, double length, Random& random) {
-  Looks looks;
+  Observations observations;
   for (int i = 0; i < 1680; ++i) {
-    looks.looks.push_back(
+    observations.all.push_back(
         {.place = 0.25 * i / span, .rows = 0, .noise_gain = 0, .variance = std::numeric_limits<double>::infinity()});
-    looks.values.push_back(0);
-    looks.columns.emplace_back(Coefficients::Zero(0));
+    observations.values.push_back(0);
+    observations.columns.emplace_back(Coefficients::Zero(0));
   }
   NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
-  return draw_from_prior(looks, Kernel::matern_3_2,
+  return draw_from_prior(observations, Kernel::matern_3_2,
                          {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal)
       .f;
 }
