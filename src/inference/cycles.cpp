@@ -322,17 +322,17 @@ Pairs pair_directions(const Block& block) {
   return places;
 }
 
-// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions; each and its regressors to ln EI and
-// contact: ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
-std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
+// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions:
+// ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
+std::vector<KnownState<2, 1>> smooth(const Block& block, const Noise& noise) {
   constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
   const double power = noise.difference * noise.difference;
   const std::size_t n = block.rows.size();
-  std::vector<PassedState<2, 3>> passed;
+  std::vector<PassedState<2, 1>> passed;
   passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row& row = block.rows[i];
-    PassedState<2, 3> here;
+    PassedState<2, 1> here;
     if (i == 0) {
       here.step.transition.setIdentity();
       here.step.added.setZero();
@@ -346,7 +346,7 @@ std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
       here.expected = stepped(passed.back().known, here.step);
     }
     const double variance = noise.force * noise.force * row.variance_of_unit + min_noise * min_noise;
-    const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
+    const Eigen::Matrix<double, 1, 1> y(row.y[0]);
     here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
     passed.push_back(here);
   }
