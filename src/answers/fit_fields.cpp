@@ -61,7 +61,7 @@ Fields<Tooth> tooth_fields() {
 
 Fields<SupportCompliance> compliance_fields() {
   return Fields<SupportCompliance>()
-      .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
+      .only_where([](const SupportCompliance& compliance) { return compliance.is_found(); })
       .number("value", kind::compliance, "compliance of both supports together, if the specimen were stuck",
               [](const SupportCompliance& compliance) { return compliance.estimate.value; })
       .number("standard_error", kind::compliance, "standard error of value, from scatter",

@@ -192,8 +192,7 @@ SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig) {
     if (const auto middle = middle_of(rise, rig, {}); middle && middle->slope_error > 0) middles.push_back(*middle);
   if (middles.size() < 2) return result;
   const double C = common_compliance(middles);
-  result.status = std::isfinite(C) ? ComplianceStatus::ok : ComplianceStatus::none_fits;
-  if (result.status != ComplianceStatus::ok) return result;
+  if (!std::isfinite(C)) return result;
 
   double information = 0;
   for (const Middle& m : middles) information += std::pow(compliance_slope(m, C) / m.slope_error, 2);
@@ -271,7 +270,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     if (share - bound > options.min_share) tooth.verdict = ToothVerdict::sliding;
     if (share + bound < options.min_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
-    if (result.compliance.status == ComplianceStatus::ok)
+    if (result.compliance.is_found())
       tooth.compliant_position = middle.compliant_position(result.compliance.estimate.value);
     result.teeth.push_back(tooth);
   }

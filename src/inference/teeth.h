@@ -51,16 +51,13 @@ struct Tooth {
   double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
 };
 
-enum class ComplianceStatus {
-  ok,
-  too_few_teeth,  // fewer than two: nothing to compare
-  none_fits,      // no positive compliance describes any tooth
-};
-
+// NaN of fewer than two teeth, and where no positive compliance describes any.
 struct SupportCompliance {
-  ComplianceStatus status = ComplianceStatus::too_few_teeth;  // nothing else is valid unless ok
-  Estimate estimate;  // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
+  // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
+  Estimate estimate = normal_estimate(NAN, NAN);
   double p_value = NAN;  // [1] of slopes that scatter so much about it, if the fibre were stuck on each tooth
+
+  bool is_found() const { return std::isfinite(estimate.value); }
 };
 
 struct Teeth {
