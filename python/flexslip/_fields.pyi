@@ -91,16 +91,6 @@ class FitFindingsTable(Table[FitFindings]):
     remedy: Objects
     numbers: Objects
 
-class FitForceOverFrictionless(Answer):
-    """measured force divided by the force without friction, beyond a deflection of a tenth of the span; no friction explains values below 1"""
-
-    @property
-    def median(self) -> float:
-        """median over the points [1]"""
-    @property
-    def least(self) -> float:
-        """smallest of the points [1]"""
-
 class FitParametersMu0(Estimate):
     """mean friction over the specimen seen"""
 
@@ -174,7 +164,7 @@ class FitFrictionRead(Answer):
         """friction above which a tenth of the points lie [1]"""
 
 class FitChecks(Answer):
-    """checks of the fit; each lists the numbers that it has"""
+    """checks of the fit; findings have their numbers"""
 
     @property
     def name(self) -> str:
@@ -182,82 +172,10 @@ class FitChecks(Answer):
     @property
     def passed(self) -> bool | None:
         """whether the check passed; null if it was not possible"""
-    @property
-    def residual_rms(self) -> float:
-        """root mean square difference between the force and the mean of the fit run forward [N]"""
-    @property
-    def greatest_force(self) -> float:
-        """greatest force measured [N]"""
-    @property
-    def threshold(self) -> float:
-        """smallest fall that counts as a drop [N]"""
-    @property
-    def record(self) -> float:
-        """number of drops in the record [1]"""
-    @property
-    def draws_low(self) -> float:
-        """fewest drops with a profile drawn from the fit [1]"""
-    @property
-    def draws_median(self) -> float:
-        """median number of drops with profiles drawn from the fit [1]"""
-    @property
-    def draws_high(self) -> float:
-        """most drops with a profile drawn from the fit [1]"""
-    @property
-    def record_fall(self) -> float:
-        """mean fall of the force in the drops of the record [N]"""
-    @property
-    def draws_fall(self) -> float:
-        """mean fall of the force in the drops with profiles drawn from the fit [N]"""
-    @property
-    def ljung_box(self) -> float:
-        """Ljung-Box statistic of the residuals [1]"""
-    @property
-    def lags(self) -> float:
-        """number of lags in the Ljung-Box statistic [1]"""
-    @property
-    def p_value(self) -> float:
-        """probability of a value at least this large from noise alone [1]"""
-    @property
-    def most_below(self) -> float:
-        """largest amount by which ln L of an explanation lies below that of one that it contains [1]"""
-    @property
-    def mu0_high(self) -> float:
-        """upper end of the 95 % interval of mu0 [1]"""
-    @property
-    def mu0_moved(self) -> float:
-        """shift of mu0, in standard errors, when the force changes in its ninth digit [1]"""
-    @property
-    def same_explanation(self) -> float:
-        """1 if the likeliest explanation stays when the force changes in its ninth digit, else 0 [1]"""
-    @property
-    def fitted_over_nominal(self) -> float:
-        """bending stiffness of the fit divided by the nominal one [1]"""
-    @property
-    def errors(self) -> float:
-        """difference between the two bending stiffnesses, in errors of the nominal one [1]"""
 
 class FitChecksTable(Table[FitChecks]):
     name: Objects
     passed: Objects
-    residual_rms: Numbers
-    greatest_force: Numbers
-    threshold: Numbers
-    record: Numbers
-    draws_low: Numbers
-    draws_median: Numbers
-    draws_high: Numbers
-    record_fall: Numbers
-    draws_fall: Numbers
-    ljung_box: Numbers
-    lags: Numbers
-    p_value: Numbers
-    most_below: Numbers
-    mu0_high: Numbers
-    mu0_moved: Numbers
-    same_explanation: Numbers
-    fitted_over_nominal: Numbers
-    errors: Numbers
 
 class FitWave(Answer):
     """likeliest wave of friction, claimed or not; null without one"""
@@ -281,20 +199,6 @@ class FitWave(Answer):
     def phase_at_middle(self) -> Estimate:
         """phase of the wave at the reference [rad]"""
 
-class FitOneSideAtATime(Answer):
-    """lengths along the specimen if it slid over one support at a time"""
-
-    @property
-    def name(self) -> str:
-        """name of the parameter"""
-    @property
-    def value(self) -> float:
-        """value of the parameter if one side slid at a time [m]"""
-
-class FitOneSideAtATimeTable(Table[FitOneSideAtATime]):
-    name: Objects
-    value: Numbers
-
 class FitExplanations(Answer):
     """explanations that the answer averages over, the likeliest first"""
 
@@ -307,19 +211,11 @@ class FitExplanations(Answer):
     @property
     def weight(self) -> float:
         """weight of the explanation; all weights add up to 1 [1]"""
-    @property
-    def log_evidence(self) -> float:
-        """ln of the evidence of the explanation [1]"""
-    @property
-    def log_likelihood(self) -> float:
-        """ln of the likelihood of the explanation at the maximum of its posterior [1]"""
 
 class FitExplanationsTable(Table[FitExplanations]):
     kernel: Objects
     wavelengths: Objects
     weight: Numbers
-    log_evidence: Numbers
-    log_likelihood: Numbers
 
 class FitSnaps(Answer):
     """snaps of the mean of the fit, run forward"""
@@ -466,12 +362,6 @@ class FitSurface(Answer):
     def wave_height(self) -> Estimate | None:
         """amplitude of the wave of height that would explain the likeliest wave of friction; null without one [m]"""
     @property
-    def wavelength(self) -> float:
-        """wavelength of the likeliest wave of friction [m]"""
-    @property
-    def wave_claimed(self) -> bool | None:
-        """the evidence supports the wave"""
-    @property
     def pixel_wanted(self) -> float:
         """pixel needed to see the wave by the paper's rule, ten pixels from crest to trough [m]"""
     @property
@@ -531,71 +421,6 @@ class FitImagedLength(Answer):
     def points(self) -> FitImagedLengthPointsTable:
         """points at which the length was imaged"""
 
-class FitSlipOrCrackCracks(Answer):
-    """explanation by cracks that arrest, friction free to vary"""
-
-    @property
-    def bic(self) -> float:
-        """Bayesian information criterion of the explanation [1]"""
-    @property
-    def friction(self) -> float:
-        """mean friction of the explanation [1]"""
-    @property
-    def stiffness_left(self) -> float:
-        """bending stiffness after the last drop divided by that before the first [1]"""
-
-class FitSlipOrCrackCracksConstant(Answer):
-    """explanation by cracks that arrest, friction constant"""
-
-    @property
-    def bic(self) -> float:
-        """Bayesian information criterion of the explanation [1]"""
-    @property
-    def friction(self) -> float:
-        """mean friction of the explanation [1]"""
-    @property
-    def stiffness_left(self) -> float:
-        """bending stiffness after the last drop divided by that before the first [1]"""
-
-class FitSlipOrCrackCracksRunning(Answer):
-    """explanation by cracks that grow during a rise"""
-
-    @property
-    def bic(self) -> float:
-        """Bayesian information criterion of the explanation [1]"""
-    @property
-    def friction(self) -> float:
-        """mean friction of the explanation [1]"""
-    @property
-    def stiffness_left(self) -> float:
-        """bending stiffness after the last drop divided by that before the first [1]"""
-
-class FitSlipOrCrackSlip(Answer):
-    """explanation by slips alone"""
-
-    @property
-    def bic(self) -> float:
-        """Bayesian information criterion of the explanation [1]"""
-    @property
-    def friction(self) -> float:
-        """mean friction of the explanation [1]"""
-    @property
-    def stiffness_left(self) -> float:
-        """bending stiffness after the last drop divided by that before the first [1]"""
-
-class FitSlipOrCrackSlipAndCracks(Answer):
-    """explanation by slips and cracks"""
-
-    @property
-    def bic(self) -> float:
-        """Bayesian information criterion of the explanation [1]"""
-    @property
-    def friction(self) -> float:
-        """mean friction of the explanation [1]"""
-    @property
-    def stiffness_left(self) -> float:
-        """bending stiffness after the last drop divided by that before the first [1]"""
-
 class FitSlipOrCrack(Answer):
     """what the rises between the drops say about slips and cracks; null if there are too few"""
 
@@ -606,29 +431,11 @@ class FitSlipOrCrack(Answer):
     def margin(self) -> float:
         """D*: BIC of the best explanation by cracks minus BIC of the best by slips [1]"""
     @property
-    def margin_arrested(self) -> float:
-        """D: like margin, without cracks that grow during a rise [1]"""
-    @property
     def rises(self) -> int:
         """number of rises between drops that are judged"""
     @property
     def stiffer_rises(self) -> int:
         """number of judged rises that grow stiffer towards their end"""
-    @property
-    def cracks(self) -> FitSlipOrCrackCracks:
-        """explanation by cracks that arrest, friction free to vary"""
-    @property
-    def cracks_constant(self) -> FitSlipOrCrackCracksConstant:
-        """explanation by cracks that arrest, friction constant"""
-    @property
-    def cracks_running(self) -> FitSlipOrCrackCracksRunning:
-        """explanation by cracks that grow during a rise"""
-    @property
-    def slip(self) -> FitSlipOrCrackSlip:
-        """explanation by slips alone"""
-    @property
-    def slip_and_cracks(self) -> FitSlipOrCrackSlipAndCracks:
-        """explanation by slips and cracks"""
 
 class FitDrops(Answer):
     """drops of the force"""
@@ -661,9 +468,6 @@ class FitDrops(Answer):
     def significance(self) -> float:
         """fall of the force beyond that of the smooth curve, in standard deviations of the noise [1]"""
     @property
-    def false_alarms(self) -> float:
-        """number of equally significant drops expected in a test of this length without slips [1]"""
-    @property
     def slip(self) -> str:
         """whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or moves_out"""
     @property
@@ -689,7 +493,6 @@ class FitDropsTable(Table[FitDrops]):
     force_after: Numbers
     force_fall: Numbers
     significance: Numbers
-    false_alarms: Numbers
     slip: Objects
     reading: Objects
     pulled_in: Objects
@@ -697,34 +500,18 @@ class FitDropsTable(Table[FitDrops]):
     mu_after: Numbers
 
 class FitSlipsSlips(Answer):
-    """drops that can be slips"""
+    """drops that can be slips, in the order of drops"""
 
-    @property
-    def row_before(self) -> int:
-        """row of the file before the slip"""
-    @property
-    def row_after(self) -> int:
-        """row of the file after the slip"""
     @property
     def length_before(self) -> float:
         """length between the supports before the slip: the span and what was pulled in [m]"""
     @property
     def length_after(self) -> float:
         """length between the supports after the slip: the span and what was pulled in [m]"""
-    @property
-    def mu_before(self) -> float:
-        """friction before the slip [1]"""
-    @property
-    def mu_after(self) -> float:
-        """friction after the slip [1]"""
 
 class FitSlipsSlipsTable(Table[FitSlipsSlips]):
-    row_before: Any
-    row_after: Any
     length_before: Numbers
     length_after: Numbers
-    mu_before: Numbers
-    mu_after: Numbers
 
 class FitSlips(Answer):
     """drops that can be slips at the stated bending stiffness, read off at that of the fit"""
@@ -743,14 +530,11 @@ class FitSlips(Answer):
         """median fall of friction in a slip [1]"""
     @property
     def slips(self) -> FitSlipsSlipsTable:
-        """drops that can be slips"""
+        """drops that can be slips, in the order of drops"""
 
 class FitTeethCompliance(Answer):
     """compliance of the supports that would explain the slopes of a stuck specimen"""
 
-    @property
-    def status(self) -> str:
-        """whether a compliance was found: ok, too_few_teeth or none_fits"""
     @property
     def value(self) -> float:
         """compliance of both supports together, if the specimen were stuck [m/N]"""
@@ -758,20 +542,11 @@ class FitTeethCompliance(Answer):
     def standard_error(self) -> float:
         """standard error of value, from scatter [m/N]"""
     @property
-    def systematic(self) -> float:
-        """error of value from EI, contact and load train [m/N]"""
-    @property
     def unit(self) -> str | None:
-        """unit of value and its errors"""
-    @property
-    def chi_squared(self) -> float:
-        """chi-squared of the slopes about the compliance [1]"""
-    @property
-    def freedom(self) -> int | None:
-        """degrees of freedom of chi_squared"""
+        """unit of value and its error"""
     @property
     def p_value(self) -> float:
-        """probability of a chi_squared at least this large for a stuck specimen [1]"""
+        """probability of slopes that scatter about the compliance at least as much, for a stuck specimen [1]"""
 
 class FitTeethTeeth(Answer):
     """rises between drops"""
@@ -783,26 +558,8 @@ class FitTeethTeeth(Answer):
     def last_row(self) -> int:
         """last row of the rise in the file"""
     @property
-    def length_before(self) -> float:
-        """length between the supports where the rise begins [m]"""
-    @property
-    def length_after(self) -> float:
-        """length between the supports where the rise ends [m]"""
-    @property
-    def q_before(self) -> float:
-        """mobilised friction where the rise begins [1]"""
-    @property
-    def q_after(self) -> float:
-        """mobilised friction where the rise ends [1]"""
-    @property
     def slope(self) -> Estimate:
         """mean slope of force over stage position in the rise [N/m]"""
-    @property
-    def stick_slope(self) -> float:
-        """slope of force over stage position for a specimen that sticks [N/m]"""
-    @property
-    def slide_slope(self) -> float:
-        """slope of force over stage position for a specimen that slides at constant friction [N/m]"""
     @property
     def position(self) -> Estimate:
         """position p of the slope between sliding (0) and sticking (1); its error from scatter [1]"""
@@ -818,30 +575,16 @@ class FitTeethTeeth(Answer):
     @property
     def compliant_position(self) -> float:
         """position p of a stuck specimen on supports that yield as fitted [1]"""
-    @property
-    def compliant_deviation(self) -> float:
-        """position minus compliant_position, in standard errors [1]"""
-    @property
-    def compliant_rejected(self) -> bool:
-        """the deviation is too large: the specimen slides even on such supports"""
 
 class FitTeethTeethTable(Table[FitTeethTeeth]):
     first_row: Any
     last_row: Any
-    length_before: Numbers
-    length_after: Numbers
-    q_before: Numbers
-    q_after: Numbers
     slope: Objects
-    stick_slope: Numbers
-    slide_slope: Numbers
     position: Objects
     position_systematic: Numbers
     advance: Objects
     verdict: Objects
     compliant_position: Numbers
-    compliant_deviation: Numbers
-    compliant_rejected: Objects
 
 class FitTeeth(Answer):
     """whether the specimen sticks or slides between the drops; null if that was not asked"""
@@ -895,25 +638,6 @@ class FitSuspectsTable(Table[FitSuspects]):
     length: Numbers
     mu: Numbers
     mu_error: Numbers
-
-class FitSuspectCriteria(Answer):
-    """criteria by which suspects were found"""
-
-    @property
-    def limit(self) -> float:
-        """limit above which friction is implausible [1]"""
-    @property
-    def points_judged(self) -> int:
-        """number of points judged, at deflections beyond a tenth of the span"""
-    @property
-    def points_above_limit(self) -> int:
-        """number of judged points above the limit"""
-    @property
-    def points_above_limit_beyond_error(self) -> int:
-        """number of judged points above the limit by more than 1.96 standard errors"""
-    @property
-    def points_above_euler_bernoulli(self) -> int:
-        """number of judged points with a force above 48 EI w/L³, the criterion of the paper"""
 
 class FitEnergy(Answer):
     """where the work went, from contact to failure, computed from the measured points at the bending stiffness of the fit"""
@@ -978,9 +702,6 @@ class FitCyclesCorrelation(Answer):
     @property
     def high(self) -> float:
         """upper end of the 95 % interval of value [1]"""
-    @property
-    def effective_points(self) -> float:
-        """effective number of independent places [1]"""
 
 class FitCyclesBuildUpLength(Answer):
     """length over which friction builds up after a reversal (Dahl); null without a reversal"""
@@ -994,9 +715,6 @@ class FitCyclesBuildUpLength(Answer):
     @property
     def least(self) -> float:
         """smallest build-up length that could be detected [m]"""
-    @property
-    def reversals(self) -> int:
-        """number of reversals used"""
     @property
     def told(self) -> bool:
         """the build-up length differs significantly from zero"""
@@ -1021,74 +739,6 @@ class FitCyclesLoopsUnloading(Answer):
     def last_row(self) -> int:
         """last row of the leg in the file"""
 
-class FitCyclesLoopsCornersStart(Answer):
-    """first sliding point of the loading"""
-
-    @property
-    def row(self) -> int:
-        """row of the file"""
-    @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
-    def q(self) -> float:
-        """mobilised friction [1]"""
-
-class FitCyclesLoopsCornersTurn(Answer):
-    """point at which the stage turned back"""
-
-    @property
-    def row(self) -> int:
-        """row of the file"""
-    @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
-    def q(self) -> float:
-        """mobilised friction [1]"""
-
-class FitCyclesLoopsCornersSlidesBack(Answer):
-    """point at which the specimen began to slide out"""
-
-    @property
-    def row(self) -> int:
-        """row of the file"""
-    @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
-    def q(self) -> float:
-        """mobilised friction [1]"""
-
-class FitCyclesLoopsCornersEnd(Answer):
-    """last point of the unloading"""
-
-    @property
-    def row(self) -> int:
-        """row of the file"""
-    @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
-    def q(self) -> float:
-        """mobilised friction [1]"""
-
-class FitCyclesLoopsCorners(Answer):
-    """corners of the loop of friction over length; null if it has none"""
-
-    @property
-    def start(self) -> FitCyclesLoopsCornersStart | None:
-        """first sliding point of the loading"""
-    @property
-    def turn(self) -> FitCyclesLoopsCornersTurn | None:
-        """point at which the stage turned back"""
-    @property
-    def slides_back(self) -> FitCyclesLoopsCornersSlidesBack | None:
-        """point at which the specimen began to slide out"""
-    @property
-    def end(self) -> FitCyclesLoopsCornersEnd | None:
-        """last point of the unloading"""
-
 class FitCyclesLoopsCorrelation(Answer):
     """correlation of the bumps of friction in the two directions"""
 
@@ -1101,9 +751,6 @@ class FitCyclesLoopsCorrelation(Answer):
     @property
     def high(self) -> float:
         """upper end of the 95 % interval of value [1]"""
-    @property
-    def effective_points(self) -> float:
-        """effective number of independent places [1]"""
 
 class FitCyclesLoopsEnergy(Answer):
     """work on the specimen, beyond the deflection at which friction shows"""
@@ -1127,32 +774,6 @@ class FitCyclesLoopsEnergy(Answer):
     def friction(self) -> float:
         """heat of friction during sliding [J]"""
 
-class FitCyclesLoopsProfile(Answer):
-    """friction along the specimen, supported by both directions"""
-
-    @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
-    def drawn_in(self) -> float:
-        """length pulled in (both supports) [m]"""
-    @property
-    def position(self) -> float:
-        """position of the support along the specimen, from midspan: half of length, on edges [m]"""
-    @property
-    def mu(self) -> float:
-        """friction at this place [1]"""
-    @property
-    def mu_error(self) -> float:
-        """standard error of mu [1]"""
-
-class FitCyclesLoopsProfileTable(Table[FitCyclesLoopsProfile]):
-    length: Numbers
-    drawn_in: Numbers
-    position: Numbers
-    mu: Numbers
-    mu_error: Numbers
-
 class FitCyclesLoops(Answer):
     """loops: each loading with the unloading that follows"""
 
@@ -1172,9 +793,6 @@ class FitCyclesLoops(Answer):
     def contact(self) -> Estimate:
         """stage position of the contact [m]"""
     @property
-    def corners(self) -> FitCyclesLoopsCorners:
-        """corners of the loop of friction over length; null if it has none"""
-    @property
     def stick_advance(self) -> float:
         """length pulled in after the turn, while the specimen should stick: 0 in the model [m]"""
     @property
@@ -1187,9 +805,6 @@ class FitCyclesLoops(Answer):
     def mu_out(self) -> Estimate | None:
         """mean friction while sliding out, over the places [1]"""
     @property
-    def mean_difference(self) -> Estimate | None:
-        """mean difference between the two directions, after EI and contact were chosen so that they agree [1]"""
-    @property
     def rms_difference(self) -> Estimate | None:
         """root mean square difference between the two directions from place to place [1]"""
     @property
@@ -1201,9 +816,6 @@ class FitCyclesLoops(Answer):
     @property
     def replay_rms(self) -> float:
         """rms residual of one profile for all loops, run forward, as a share of the greatest force [1]"""
-    @property
-    def profile(self) -> FitCyclesLoopsProfileTable:
-        """friction along the specimen, supported by both directions"""
 
 class FitCyclesLoopsTable(Table[FitCyclesLoops]):
     first_row: Any
@@ -1211,17 +823,14 @@ class FitCyclesLoopsTable(Table[FitCyclesLoops]):
     loading: Objects
     unloading: Objects
     contact: Objects
-    corners: Objects
     stick_advance: Numbers
     places: Any
     mu_in: Objects
     mu_out: Objects
-    mean_difference: Objects
     rms_difference: Objects
     correlation: Objects
     energy: Objects
     replay_rms: Numbers
-    profile: Objects
 
 class FitCyclesLoadingStiffness(Answer):
     """stiffness of each loading compared with the first"""
@@ -1378,93 +987,12 @@ class FitScanTable(Table[FitScan]):
     wavelength: Numbers
     log_evidence_gain: Numbers
 
-class FitSmallDeflectionChord(Answer):
-    """chord of ISO 178; null if the record does not cover both strains"""
-
-    @property
-    def strain(self) -> Numbers:
-        """flexural strains between which the chord is drawn [1]"""
-    @property
-    def deflection(self) -> Numbers:
-        """deflections at the ends of the chord, from the origin [m]"""
-    @property
-    def stiffness(self) -> Estimate:
-        """force over deflection between the ends of the chord [N/m]"""
-    @property
-    def modulus(self) -> Estimate | None:
-        """flexural modulus of the chord, as defined by ISO 178 [Pa]"""
-
-class FitSmallDeflectionWindow(Answer):
-    """straight part of the curve"""
-
-    @property
-    def from_(self) -> float:
-        """beginning of the straight part, as a share of of_force [1]"""
-    @property
-    def up_to(self) -> float:
-        """end of the straight part, as a share of of_force [1]"""
-    @property
-    def of_force(self) -> float:
-        """greatest force reached at a small deflection [N]"""
-    @property
-    def rows(self) -> Numbers:
-        """first and last row of the straight part in the file [1]"""
-
 class FitSmallDeflection(Answer):
-    """numbers of the bending standards"""
+    """the straight part of the curve, beside the fit"""
 
-    @property
-    def status(self) -> str:
-        """whether there are numbers: ok, or no_straight_part"""
-    @property
-    def stiffness(self) -> Estimate | None:
-        """force over deflection, slope of the straight part [N/m]"""
-    @property
-    def bending_stiffness(self) -> Estimate | None:
-        """EI = F L³/(48 δ); null without a span [N m^2]"""
-    @property
-    def modulus(self) -> Estimate | None:
-        """flexural modulus F L³/(48 I δ); null without a section [Pa]"""
-    @property
-    def chord(self) -> FitSmallDeflectionChord | None:
-        """chord of ISO 178; null if the record does not cover both strains"""
-    @property
-    def window(self) -> FitSmallDeflectionWindow | None:
-        """straight part of the curve"""
-    @property
-    def origin(self) -> Quantity | None:
-        """deflection at which the straight part would meet zero force [m]"""
-    @property
-    def greatest_force(self) -> Quantity | None:
-        """greatest force [N]"""
-    @property
-    def deflection(self) -> Quantity | None:
-        """deflection at the greatest force, from the origin [m]"""
-    @property
-    def stress(self) -> Quantity | None:
-        """flexural stress at the greatest force, F L depth/(8 I) [Pa]"""
-    @property
-    def strain(self) -> Quantity | None:
-        """flexural strain at the greatest force, 6 δ depth/L² [1]"""
-    @property
-    def deflection_large(self) -> bool | None:
-        """the deflection exceeds a tenth of the span, so stress and strain of the standards do not hold"""
-    @property
-    def supports_share(self) -> float:
-        """share that rollers and thickness, which are neglected, add to the stiffness between the deflections of chord or straight part, without
-        friction [1]"""
-    @property
-    def modulus_less_supports(self) -> Estimate | None:
-        """modulus of the chord, or else of the straight part, without that share [Pa]"""
-    @property
-    def shear_share(self) -> float:
-        """share that shear, which is neglected, adds to a small deflection [1]"""
     @property
     def over_fit(self) -> float:
         """bending stiffness of the straight part divided by that of the fit [1]"""
-    @property
-    def disagrees_with_fit(self) -> bool | None:
-        """95 % intervals of straight part and fit do not overlap"""
 
 class FitMeasurement(Answer):
     """part of the file that is evaluated"""
@@ -1733,18 +1261,6 @@ class FitFields(Answer):
     def suspect(self) -> bool:
         """judgement.standing is suspect or untrusted, or no sliding explains the record"""
     @property
-    def stiffness_over_initial_slope(self) -> float:
-        """bending stiffness used divided by that of the initial slope [1]"""
-    @property
-    def force_over_frictionless(self) -> FitForceOverFrictionless:
-        """measured force divided by the force without friction, beyond a deflection of a tenth of the span; no friction explains values below 1"""
-    @property
-    def model_implausible(self) -> bool:
-        """no sliding with friction explains the record"""
-    @property
-    def stiffness_implausible(self) -> bool:
-        """the bending stiffness differs from that of the initial slope by more than 40 % and twice its error"""
-    @property
     def parameters(self) -> FitParameters:
         """fitted parameters of the friction model"""
     @property
@@ -1755,13 +1271,10 @@ class FitFields(Answer):
         """root mean square difference between the force and the mean of the fit run forward [N]"""
     @property
     def checks(self) -> FitChecksTable:
-        """checks of the fit; each lists the numbers that it has"""
+        """checks of the fit; findings have their numbers"""
     @property
     def wave(self) -> FitWave | None:
         """likeliest wave of friction, claimed or not; null without one"""
-    @property
-    def one_side_at_a_time(self) -> FitOneSideAtATimeTable:
-        """lengths along the specimen if it slid over one support at a time"""
     @property
     def explanations(self) -> FitExplanationsTable:
         """explanations that the answer averages over, the likeliest first"""
@@ -1796,9 +1309,6 @@ class FitFields(Answer):
     def suspects(self) -> FitSuspectsTable:
         """points that need implausibly high friction, at the stated bending stiffness"""
     @property
-    def suspect_criteria(self) -> FitSuspectCriteria:
-        """criteria by which suspects were found"""
-    @property
     def energy(self) -> FitEnergy | None:
         """where the work went, from contact to failure, computed from the measured points at the bending stiffness of the fit"""
     @property
@@ -1815,7 +1325,7 @@ class FitFields(Answer):
         """evidence that a wave of each length would add"""
     @property
     def small_deflection(self) -> FitSmallDeflection:
-        """numbers of the bending standards"""
+        """the straight part of the curve, beside the fit"""
     @property
     def measurement(self) -> FitMeasurement:
         """part of the file that is evaluated"""

@@ -36,37 +36,17 @@ struct SuspectPoint {
 
 Fields<Slip> slip_fields() {
   return Fields<Slip>()
-      .row("row_before", "row of the file before the slip", [](const Slip& slip) { return slip.drop.before; })
-      .row("row_after", "row of the file after the slip", [](const Slip& slip) { return slip.drop.after; })
       .number("length_before", kind::length,
               "length between the supports before the slip: the span and what was pulled in", &Slip::S_before)
       .number("length_after", kind::length,
-              "length between the supports after the slip: the span and what was pulled in", &Slip::S_after)
-      .number("mu_before", "friction before the slip", &Slip::mu_before)
-      .number("mu_after", "friction after the slip", &Slip::mu_after);
-}
-
-Fields<RiseExplanation> rise_fields() {
-  return Fields<RiseExplanation>()
-      .number("bic", "Bayesian information criterion of the explanation", &RiseExplanation::bic)
-      .number("friction", "mean friction of the explanation", &RiseExplanation::friction)
-      .number("stiffness_left", "bending stiffness after the last drop divided by that before the first",
-              &RiseExplanation::left);
+              "length between the supports after the slip: the span and what was pulled in", &Slip::S_after);
 }
 
 Fields<Tooth> tooth_fields() {
   return Fields<Tooth>()
       .row("first_row", "first row of the rise in the file", &Tooth::first)
       .row("last_row", "last row of the rise in the file", [](const Tooth& tooth) { return tooth.last - 1; })
-      .number("length_before", kind::length, "length between the supports where the rise begins", &Tooth::S_begin)
-      .number("length_after", kind::length, "length between the supports where the rise ends", &Tooth::S_end)
-      .number("q_before", "mobilised friction where the rise begins", &Tooth::q_begin)
-      .number("q_after", "mobilised friction where the rise ends", &Tooth::q_end)
       .estimate("slope", kind::stiffness, "mean slope of force over stage position in the rise", &Tooth::slope)
-      .number("stick_slope", kind::stiffness, "slope of force over stage position for a specimen that sticks",
-              &Tooth::stick_slope)
-      .number("slide_slope", kind::stiffness,
-              "slope of force over stage position for a specimen that slides at constant friction", &Tooth::slide_slope)
       .estimate("position", kind::number,
                 "position p of the slope between sliding (0) and sticking (1); its error from scatter",
                 &Tooth::position)
@@ -76,32 +56,20 @@ Fields<Tooth> tooth_fields() {
       .words("verdict", "what the specimen does during the rise: sliding, as_if_stuck or undecided",
              [](const Tooth& tooth) { return name_of(tooth.verdict); })
       .number("compliant_position", "position p of a stuck specimen on supports that yield as fitted",
-              &Tooth::compliant_position)
-      .number("compliant_deviation", "position minus compliant_position, in standard errors",
-              &Tooth::compliant_deviation)
-      .yes_no("compliant_rejected", "the deviation is too large: the specimen slides even on such supports",
-              &Tooth::compliant_rejected);
+              &Tooth::compliant_position);
 }
 
 Fields<SupportCompliance> compliance_fields() {
   return Fields<SupportCompliance>()
-      .words(
-          "status", "whether a compliance was found: ok, too_few_teeth or none_fits",
-          [](const SupportCompliance& compliance) {
-            return name_in_order<ComplianceStatus::none_fits>(compliance.status, {"ok", "too_few_teeth", "none_fits"});
-          })
-      .only_where([](const SupportCompliance& compliance) { return compliance.status == ComplianceStatus::ok; })
+      .only_where([](const SupportCompliance& compliance) { return compliance.is_found(); })
       .number("value", kind::compliance, "compliance of both supports together, if the specimen were stuck",
               [](const SupportCompliance& compliance) { return compliance.estimate.value; })
       .number("standard_error", kind::compliance, "standard error of value, from scatter",
               [](const SupportCompliance& compliance) { return compliance.estimate.standard_error; })
-      .number("systematic", kind::compliance, "error of value from EI, contact and load train",
-              &SupportCompliance::systematic)
-      .words("unit", "unit of value and its errors",
+      .words("unit", "unit of value and its error",
              [](const SupportCompliance&, const Frame& frame) { return unit_of(kind::compliance, frame.reduced); })
-      .number("chi_squared", "chi-squared of the slopes about the compliance", &SupportCompliance::chi_squared)
-      .count("freedom", "degrees of freedom of chi_squared", &SupportCompliance::freedom)
-      .number("p_value", "probability of a chi_squared at least this large for a stuck specimen",
+      .number("p_value",
+              "probability of slopes that scatter about the compliance at least as much, for a stuck specimen",
               &SupportCompliance::p_value);
 }
 
@@ -124,8 +92,6 @@ Fields<DropOf> drop_fields() {
       .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
       .number("significance", "fall of the force beyond that of the smooth curve, in standard deviations of the noise",
               [](D drop) { return drop.slip.drop.significance; })
-      .number("false_alarms", "number of equally significant drops expected in a test of this length without slips",
-              [](D drop) { return drop.slip.drop.false_alarms; })
       .words("slip",
              "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
              "moves_out",
@@ -151,7 +117,7 @@ Fields<TestAnalysis> slips_fields() {
               "mean length of specimen that passes over each support from one slip to the next",
               summary(&SlipSummary::mean_spacing))
       .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
-      .list("slips", "drops that can be slips", slip_fields(), [](const TestAnalysis& analysis) {
+      .list("slips", "drops that can be slips, in the order of drops", slip_fields(), [](const TestAnalysis& analysis) {
         std::vector<Slip> possible;
         for (const Slip& slip : analysis.slips)
           if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
@@ -160,22 +126,14 @@ Fields<TestAnalysis> slips_fields() {
 }
 
 Fields<SlipOrCrack> slip_or_crack_fields() {
-  const Fields<RiseExplanation> rise = rise_fields();
   return Fields<SlipOrCrack>()
       .words("verdict", "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told",
              [](const SlipOrCrack& judged) { return name_of(judged.verdict); })
       .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
               &SlipOrCrack::margin)
-      .number("margin_arrested", "D: like margin, without cracks that grow during a rise",
-              &SlipOrCrack::margin_arrested)
       .count("rises", "number of rises between drops that are judged", &SlipOrCrack::rises)
-      .count("stiffer_rises", "number of judged rises that grow stiffer towards their end", &SlipOrCrack::stiffer_rises)
-      .group("cracks", "explanation by cracks that arrest, friction free to vary", rise, &SlipOrCrack::cracks)
-      .group("cracks_constant", "explanation by cracks that arrest, friction constant", rise,
-             &SlipOrCrack::cracks_constant)
-      .group("cracks_running", "explanation by cracks that grow during a rise", rise, &SlipOrCrack::cracks_running)
-      .group("slip", "explanation by slips alone", rise, &SlipOrCrack::slip)
-      .group("slip_and_cracks", "explanation by slips and cracks", rise, &SlipOrCrack::slip_and_cracks);
+      .count("stiffer_rises", "number of judged rises that grow stiffer towards their end",
+             &SlipOrCrack::stiffer_rises);
 }
 
 Fields<FittedTest> teeth_fields() {
@@ -226,20 +184,6 @@ Fields<SuspectPoint> suspect_fields() {
               read(&ProfilePoint::S))
       .number("mu", "friction that the point needs", read(&ProfilePoint::mu))
       .number("mu_error", "standard error of mu", read(standard_error));
-}
-
-Fields<SuspectReport> suspect_criteria_fields() {
-  return Fields<SuspectReport>()
-      .number("limit", "limit above which friction is implausible", &SuspectReport::limit)
-      .count("points_judged", "number of points judged, at deflections beyond a tenth of the span",
-             &SuspectReport::points_judged)
-      .count("points_above_limit", "number of judged points above the limit",
-             [](const SuspectReport& report) { return report.points.size(); })
-      .count("points_above_limit_beyond_error",
-             "number of judged points above the limit by more than 1.96 standard errors", &SuspectReport::beyond_error)
-      .count("points_above_euler_bernoulli",
-             "number of judged points with a force above 48 EI w/L³, the criterion of the paper",
-             &SuspectReport::above_euler_bernoulli);
 }
 
 // ---- Friction: parameters, waves, explanations, checks
@@ -314,10 +258,7 @@ Fields<Explanation> explanation_fields() {
              [](const Explanation& each) { return name_of(each.kernel); })
       .numbers("wavelengths", kind::length, "wavelengths of the waves in the explanation",
                [](const Explanation& each) { return each.wavelengths; })
-      .number("weight", "weight of the explanation; all weights add up to 1", &Explanation::weight)
-      .number("log_evidence", "ln of the evidence of the explanation", &Explanation::log_evidence)
-      .number("log_likelihood", "ln of the likelihood of the explanation at the maximum of its posterior",
-              &Explanation::log_likelihood);
+      .number("weight", "weight of the explanation; all weights add up to 1", &Explanation::weight);
 }
 
 // All of the fit that is made of the bands along the fibre.
@@ -341,51 +282,13 @@ Fields<FittedTest> band_fields() {
 }
 
 Fields<Check> check_fields() {
-  Fields<Check> fields;
-  fields
+  return Fields<Check>()
       .words("name", "name of the check: residuals, drops, whiteness, nesting, friction, stability or stiffness",
              [](const Check& check) { return name_of(check.kind); })
-      .yes_no("passed", "whether the check passed; null if it was not possible",
-              [](const Check& check) {
-                return check.outcome == CheckOutcome::not_possible
-                           ? std::nullopt
-                           : std::optional(check.outcome == CheckOutcome::passed);
-              })
-      .left_out_where_missing();
-  struct Number {
-    std::string_view name;
-    const Kind& kind;
-    std::string_view meaning;
-  };
-  for (const auto& [name, kind, meaning] :
-       {Number{"residual_rms", kind::force,
-               "root mean square difference between the force and the mean of the fit run forward"},
-        Number{"greatest_force", kind::force, "greatest force measured"},
-        Number{"threshold", kind::force, "smallest fall that counts as a drop"},
-        Number{"record", kind::number, "number of drops in the record"},
-        Number{"draws_low", kind::number, "fewest drops with a profile drawn from the fit"},
-        Number{"draws_median", kind::number, "median number of drops with profiles drawn from the fit"},
-        Number{"draws_high", kind::number, "most drops with a profile drawn from the fit"},
-        Number{"record_fall", kind::force, "mean fall of the force in the drops of the record"},
-        Number{"draws_fall", kind::force, "mean fall of the force in the drops with profiles drawn from the fit"},
-        Number{"ljung_box", kind::number, "Ljung-Box statistic of the residuals"},
-        Number{"lags", kind::number, "number of lags in the Ljung-Box statistic"},
-        Number{"p_value", kind::number, "probability of a value at least this large from noise alone"},
-        Number{"most_below", kind::number,
-               "largest amount by which ln L of an explanation lies below that of one that it contains"},
-        Number{"mu0_high", kind::number, "upper end of the 95 % interval of mu0"},
-        Number{"mu0_moved", kind::number,
-               "shift of mu0, in standard errors, when the force changes in its ninth digit"},
-        Number{"same_explanation", kind::number,
-               "1 if the likeliest explanation stays when the force changes in its ninth digit, else 0"},
-        Number{"fitted_over_nominal", kind::number, "bending stiffness of the fit divided by the nominal one"},
-        Number{"errors", kind::number, "difference between the two bending stiffnesses, in errors of the nominal one"}})
-    fields.number(name, kind, meaning, [name = name](const Check& check) {
-      const auto found = std::find_if(check.numbers.begin(), check.numbers.end(),
-                                      [&](const CheckNumber& number) { return number.name == name; });
-      return found == check.numbers.end() ? std::nullopt : std::optional(found->value);
-    });
-  return fields;
+      .yes_no("passed", "whether the check passed; null if it was not possible", [](const Check& check) {
+        return check.outcome == CheckOutcome::not_possible ? std::nullopt
+                                                           : std::optional(check.outcome == CheckOutcome::passed);
+      });
 }
 
 // ---- The surface that would explain it, and a trace it is held against
@@ -449,13 +352,6 @@ Fields<FittedTest> implied_fields() {
       .estimate("wave_height", kind::length,
                 "amplitude of the wave of height that would explain the likeliest wave of friction; null without one",
                 of_wave([](const WaveEstimate& wave) { return wave.height; }))
-      .number("wavelength", kind::length, "wavelength of the likeliest wave of friction",
-              of_wave([](const WaveEstimate& wave) { return wave.wavelength.value; }))
-      .yes_no("wave_claimed", "the evidence supports the wave",
-              [](T test) {
-                const FrictionFit& fit = test.analysis.fit;
-                return fit.waves.empty() ? std::nullopt : std::optional(fit.wave_claimed);
-              })
       .number("pixel_wanted", kind::length,
               "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
               of_wave([](const WaveEstimate& wave) { return wanted_image(1, 2 * wave.height.value).pixel; }))
@@ -504,13 +400,11 @@ using L = const LoopOf&;
 // A place of a table of friction.
 struct LoopPlace {
   double S, mu;
-  std::optional<double> error;
 };
 
-std::vector<LoopPlace> places_of(const FrictionTable& table, const std::vector<double>& errors = {}) {
+std::vector<LoopPlace> places_of(const FrictionTable& table) {
   std::vector<LoopPlace> places;
-  for (std::size_t i = 0; i < table.S.size(); ++i)
-    places.push_back({table.S[i], table.mu[i], errors.empty() ? std::nullopt : std::optional(errors[i])});
+  for (std::size_t i = 0; i < table.S.size(); ++i) places.push_back({table.S[i], table.mu[i]});
   return places;
 }
 
@@ -528,30 +422,13 @@ Fields<BumpCorrelation> correlation_fields() {
   return Fields<BumpCorrelation>()
       .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
       .number("low", "lower end of the 95 % interval of value", &BumpCorrelation::low)
-      .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high)
-      .number("effective_points", "effective number of independent places", &BumpCorrelation::effective_points);
+      .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high);
 }
 
 Fields<Leg> leg_fields() {
   return Fields<Leg>()
       .row("first_row", "first row of the leg in the file", &Leg::first)
       .row("last_row", "last row of the leg in the file", [](const Leg& leg) { return leg.last - 1; });
-}
-
-Fields<LoopCorner> corner_fields() {
-  return Fields<LoopCorner>()
-      .row("row", "row of the file", &LoopCorner::index)
-      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopCorner::S)
-      .number("q", "mobilised friction", &LoopCorner::q);
-}
-
-Fields<FrictionLoop> corners_fields() {
-  const Fields<LoopCorner> corner = corner_fields();
-  return Fields<FrictionLoop>()
-      .group("start", "first sliding point of the loading", corner, &FrictionLoop::start)
-      .group("turn", "point at which the stage turned back", corner, &FrictionLoop::turn)
-      .group("slides_back", "point at which the specimen began to slide out", corner, &FrictionLoop::slides_back)
-      .group("end", "last point of the unloading", corner, &FrictionLoop::end);
 }
 
 Fields<LoopEnergy> loop_energy_fields() {
@@ -589,9 +466,6 @@ Fields<LoopOf> loop_fields() {
       .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
       .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
       .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
-      .group(
-          "corners", "corners of the loop of friction over length; null if it has none", corners_fields(),
-          [](L loop) -> const auto& { return loop.loop(); })
       .number("stick_advance", kind::length,
               "length pulled in after the turn, while the specimen should stick: 0 in the model",
               part(&FrictionLoop::stick_advance))
@@ -599,9 +473,6 @@ Fields<LoopOf> loop_fields() {
       .only_where([](L loop) { return loop.loop().places > 0; })
       .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
       .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
-      .estimate("mean_difference", kind::number,
-                "mean difference between the two directions, after EI and contact were chosen so that they agree",
-                part(&FrictionLoop::mean_difference))
       .estimate("rms_difference", kind::number,
                 "root mean square difference between the two directions from place to place",
                 part(&FrictionLoop::rms_difference))
@@ -615,10 +486,7 @@ Fields<LoopOf> loop_fields() {
               [](L loop) {
                 const auto& rms = loop.test.cycles->replay.residual_rms;
                 return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
-              })
-      .list("profile", "friction along the specimen, supported by both directions",
-            place_fields().number("mu_error", "standard error of mu", &LoopPlace::error),
-            [](L loop) { return places_of(loop.loop().table, loop.loop().error); });
+              });
 }
 
 Fields<LoadingStiffness> loading_fields() {
@@ -671,7 +539,6 @@ Fields<BuildUpLength> build_up_fields() {
               "standard error from the scatter between reversals; null for a single one",
               [](const BuildUpLength& build_up) { return build_up.length.standard_error; })
       .number("least", kind::length, "smallest build-up length that could be detected", &BuildUpLength::least)
-      .count("reversals", "number of reversals used", &BuildUpLength::reversals)
       .yes_no("told", "the build-up length differs significantly from zero", &BuildUpLength::is_told);
 }
 
@@ -740,8 +607,6 @@ Fields<FittedTest> cycles_fields() {
 }
 
 // ---- All of it
-
-bool is_not_explained(T test) { return test.analysis.status == AnalysisStatus::not_explained; }
 
 Fields<ImagedPoint> imaged_point_fields() {
   return Fields<ImagedPoint>()
@@ -946,21 +811,6 @@ Fields<FittedTest> every_fit_field() {
              [](T test) { return name_of(test.analysis.category); })
       .yes_no("suspect", "judgement.standing is suspect or untrusted, or no sliding explains the record",
               [](T test) { return standing_of(findings_of(test)) >= Standing::suspect; })
-      .number("stiffness_over_initial_slope", "bending stiffness used divided by that of the initial slope",
-              analysis(&TestAnalysis::stiffness_over_slope))
-      .group(
-          "force_over_frictionless",
-          "measured force divided by the force without friction, beyond a deflection of a tenth of the span; no "
-          "friction explains values below 1",
-          Fields<OverFrictionless>()
-              .number("median", "median over the points", &OverFrictionless::median)
-              .number("least", "smallest of the points", &OverFrictionless::least),
-          [](T test) -> const auto& { return test.analysis.over_frictionless; })
-      .yes_no("model_implausible", "no sliding with friction explains the record",
-              [](T test) { return is_not_explained(test) || test.analysis.model_implausible; })
-      .yes_no("stiffness_implausible",
-              "the bending stiffness differs from that of the initial slope by more than 40 % and twice its error",
-              analysis(&TestAnalysis::stiffness_implausible))
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
       .group(
           "friction_read",
@@ -971,16 +821,9 @@ Fields<FittedTest> every_fit_field() {
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
-      .list("checks", "checks of the fit; each lists the numbers that it has", check_fields(),
-            analysis(&TestAnalysis::checks))
+      .list("checks", "checks of the fit; findings have their numbers", check_fields(), analysis(&TestAnalysis::checks))
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
-      .list("one_side_at_a_time", "lengths along the specimen if it slid over one support at a time",
-            Fields<FittedLength>()
-                .words("name", "name of the parameter", &FittedLength::name)
-                .number("value", kind::length, "value of the parameter if one side slid at a time",
-                        [](const FittedLength& length) { return one_side_at_a_time * length.value; }),
-            [](T test) { return is_fitted(test) ? lengths_of(test.analysis.fit) : std::vector<FittedLength>(); })
       .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),
             [](T test) { return test.analysis.fit.explanations; })
       .list("snaps", "snaps of the mean of the fit, run forward", snap_fields(),
@@ -1008,8 +851,6 @@ Fields<FittedTest> every_fit_field() {
              teeth_fields(), [](T test) { return is_fitted(test) && test.analysis.teeth ? &test : nullptr; })
       .list("suspects", "points that need implausibly high friction, at the stated bending stiffness", suspect_fields(),
             suspects_of)
-      .group("suspect_criteria", "criteria by which suspects were found", suspect_criteria_fields(),
-             analysis(&TestAnalysis::suspects))
       .only_where(is_fitted)
       .group("energy",
              "where the work went, from contact to failure, computed from the measured points at the bending stiffness "
@@ -1025,19 +866,13 @@ Fields<FittedTest> every_fit_field() {
                 .number("wavelength", kind::length, "wavelength of the wave", &ScannedWave::wavelength)
                 .number("log_evidence_gain", "ln of the evidence that the wave adds", &ScannedWave::gain),
             [](T test) { return test.analysis.fit.scan; })
-      .group("small_deflection", "numbers of the bending standards",
-             Fields<FittedTest>()
-                 .all_of(standard_fields(), [](T test) { return standard_test(test); })
-                 .number("over_fit", "bending stiffness of the straight part divided by that of the fit",
-                         [](T test) {
-                           const auto beside = small_deflection_beside_fit(test);
-                           return beside ? std::optional(beside->ratio) : std::nullopt;
-                         })
-                 .yes_no("disagrees_with_fit", "95 % intervals of straight part and fit do not overlap",
-                         [](T test) {
-                           const auto beside = small_deflection_beside_fit(test);
-                           return beside ? std::optional(beside->disagrees) : std::nullopt;
-                         }))
+      .group(
+          "small_deflection", "the straight part of the curve, beside the fit",
+          Fields<FittedTest>().number("over_fit", "bending stiffness of the straight part divided by that of the fit",
+                                      [](T test) {
+                                        const auto beside = small_deflection_beside_fit(test);
+                                        return beside ? std::optional(beside->ratio) : std::nullopt;
+                                      }))
       .group("measurement", "part of the file that is evaluated", measurement_fields())
       .list("preparation", "steps from the file to the record", preparation_fields(),
             [](T test) { return test.measurement.preparation.steps; })

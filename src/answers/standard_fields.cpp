@@ -86,7 +86,7 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
                    straight.high < unit * fitted.low || straight.low > unit * fitted.high};
 }
 
-Fields<StandardTest> standard_fields() {
+Fields<StandardTest> modulus_fields() {
   const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
       .words("status", "whether there are numbers: ok, or no_straight_part",
@@ -122,7 +122,11 @@ Fields<StandardTest> standard_fields() {
       .own_estimate("modulus_less_supports", kind::pressure,
                     "modulus of the chord, or else of the straight part, without that share", modulus_less_supports)
       .number("shear_share", "share that shear, which is neglected, adds to a small deflection",
-              [](const StandardTest& t) { return t.numbers.shear_share; });
+              [](const StandardTest& t) { return t.numbers.shear_share; })
+      .anywhere()
+      .list(
+          "preparation", "steps from the file to the record", preparation_fields(),
+          [](const StandardTest& t) -> const auto& { return t.measurement.preparation.steps; });
 }
 
 Fields<PreparationStep> preparation_fields() {
@@ -149,13 +153,6 @@ Fields<PreparationStep> preparation_fields() {
              [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; })
       .words("flag", "flag of the command line that has the step done otherwise",
              [](S step) { return step.otherwise ? std::optional(step.otherwise->flag()) : std::nullopt; });
-}
-
-Fields<StandardTest> modulus_fields() {
-  Fields<StandardTest> fields = standard_fields();
-  return fields.anywhere().list(
-      "preparation", "steps from the file to the record", preparation_fields(),
-      [](const StandardTest& t) -> const auto& { return t.measurement.preparation.steps; });
 }
 
 Frame frame_of(const StandardTest& test) {

@@ -34,10 +34,9 @@ struct BesideFit {
 // Nothing where one of the two is not known.
 std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test);
 
-Fields<StandardTest> standard_fields();
 Fields<PreparationStep> preparation_fields();
 
-// Of `modulus --json`: the former, and "preparation".
+// Of `modulus --json`.
 Fields<StandardTest> modulus_fields();
 Frame frame_of(const StandardTest& test);
 

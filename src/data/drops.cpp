@@ -88,14 +88,13 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   Drops result{.status = DropStatus::ok, .drops = {}, .step_noise = noise, .smallest_fall = needed * noise};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
-    Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0, .false_alarms = 0};
+    Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};
     for (; i < points && significance[i] > 0; ++i) {
       drop.after = i;
       drop.significance = std::max(drop.significance, significance[i]);
     }
     drop.force_fall = force[drop.before] - force[drop.after];
     drop.advance = record.deflection[drop.after] - record.deflection[drop.before];
-    drop.false_alarms = false_alarms(drop.significance);
     result.drops.push_back(drop);
   }
   return result;

@@ -20,7 +20,6 @@ struct Drop {
   double advance;      // [m] deflection[after] - deflection[before]
   double
       significance;  // [1] fall beyond that of the smooth curve, in standard deviations of the noise; of the steepest part
-  double false_alarms;  // [1] drops as significant to be expected in a test of this length without slips
 };
 
 enum class DropStatus {

@@ -39,7 +39,7 @@ bool presumes_too_much(T test) {
   return test.analysis.stiffness_implausible || test.analysis.model_implausible || lost_stiffness(*test.judgement);
 }
 
-Finding checked(const Check& check, std::string passed, std::string failed, std::string short_form,
+Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
                 std::string remedy) {
   Finding finding{.severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
                   .sentence = check.outcome == CheckOutcome::passed ? std::move(passed) : std::move(failed)};
@@ -47,7 +47,9 @@ Finding checked(const Check& check, std::string passed, std::string failed, std:
     finding.short_form = std::move(short_form);
     finding.remedy = std::move(remedy);
   }
-  for (const CheckNumber& number : check.numbers) finding.numbers.push_back({number.name, number.value});
+  for (const auto& [name, value, is_force] : check.numbers)
+    finding.numbers.push_back(is_force ? FindingNumber{name, test.analysis.scales.physical_force(value), kind::force}
+                                       : FindingNumber{name, value});
   return finding;
 }
 
@@ -352,7 +354,7 @@ Found misses_force(T test) {
   const std::string misses =
       fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
                   100 * max_residual);
-  return checked(*check, misses, misses, "the fit misses the force",
+  return checked(test, *check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }
 
@@ -369,7 +371,7 @@ Found drops_differ(T test) {
       fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
                   low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
                   number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
-  return checked(*check, sentence, sentence,
+  return checked(test, *check, sentence, sentence,
                  fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
                  "See in the table of drops which ones can be cracks.");
 }
@@ -384,7 +386,7 @@ Found coloured_noise(T test) {
   const std::string probability =
       p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise) : fmt::format("p = {}", format_significant(p, 2));
   return checked(
-      *check,
+      test, *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
       fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise),
       "residuals are not noise", "Something is not in the model; a simulated record without noise fails here, too.");
@@ -396,7 +398,7 @@ Found simpler_fits_better(T test) {
   if (presumes_too_much(test)) return unjudged("The fit cannot be used, so simpler explanations are not compared.");
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("The likeliest explanation contains no simpler one.");
-  return checked(*check, "No simpler explanation fits better.",
+  return checked(test, *check, "No simpler explanation fits better.",
                  fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
                              std::max(number_of(*check, "most_below"), 0.0)),
                  "a simpler explanation fits better",
@@ -407,13 +409,13 @@ Found unstable(T test) {
   const Check* check = check_of(test, CheckKind::stability);
   if (!check) return std::nullopt;
   if (check->numbers.empty())
-    return checked(*check, "", "With the force changed in its ninth digit there is no fit.",
+    return checked(test, *check, "", "With the force changed in its ninth digit there is no fit.",
                    "no fit if the ninth digit changes", "Check the record.");
   const std::string moves =
       fmt::format("With the force changed in its ninth digit, friction moves by {:.1g} of its error{}.",
                   number_of(*check, "mu0_moved"),
                   number_of(*check, "same_explanation") > 0 ? "" : ", and another explanation is the likeliest");
-  return checked(*check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
+  return checked(test, *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
 }
 
 Found falling_friction(T test) {
@@ -515,7 +517,7 @@ Found unexpected_stiffness(T test) {
                   test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
                   max_stiffness_errors);
   return checked(
-      *check, sentence, sentence + late_beginning(test),
+      test, *check, sentence, sentence + late_beginning(test),
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
       find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
@@ -525,7 +527,7 @@ Found unexpected_stiffness(T test) {
 Found only_a_limit(T test) {
   const Check* check = check_of(test, CheckKind::friction);
   if (!check || presumes_too_much(test)) return std::nullopt;
-  Finding finding = checked(*check, "Friction can be distinguished from zero.",
+  Finding finding = checked(test, *check, "Friction can be distinguished from zero.",
                             fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
                                         format_significant(number_of(*check, "mu0_high"), 2)),
                             "only a limit", "Bend farther, or state the bending stiffness more exactly.");

@@ -322,17 +322,17 @@ Pairs pair_directions(const Block& block) {
   return places;
 }
 
-// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions; each and its regressors to ln EI and
-// contact: ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
-std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
+// Friction μ at the rows of a block as all of them support it, then the difference δ of the directions:
+// ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
+std::vector<KnownState<2, 1>> smooth(const Block& block, const Noise& noise) {
   constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
   const double power = noise.difference * noise.difference;
   const std::size_t n = block.rows.size();
-  std::vector<PassedState<2, 3>> passed;
+  std::vector<PassedState<2, 1>> passed;
   passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row& row = block.rows[i];
-    PassedState<2, 3> here;
+    PassedState<2, 1> here;
     if (i == 0) {
       here.step.transition.setIdentity();
       here.step.added.setZero();
@@ -346,7 +346,7 @@ std::vector<KnownState<2, 3>> smooth(const Block& block, const Noise& noise) {
       here.expected = stepped(passed.back().known, here.step);
     }
     const double variance = noise.force * noise.force * row.variance_of_unit + min_noise * min_noise;
-    const Eigen::RowVector3d y(row.y[0], row.y[1], row.y[2]);
+    const Eigen::Matrix<double, 1, 1> y(row.y[0]);
     here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
     passed.push_back(here);
   }
@@ -494,33 +494,19 @@ double systematic(const std::array<double, 2>& slopes, const Eigen::Matrix2d& co
   return g.dot(covariance * g);
 }
 
-LoopCorner corner(const Point& point) { return {point.index, point.S, point.q}; }
-
-FrictionLoop with_corners(FrictionLoop loop, std::span<const Point> points, std::size_t legs) {
+double stick_advance(const FrictionLoop& loop, std::span<const Point> points, std::size_t legs) {
+  if (!loop.loading || !loop.unloading) return not_a_number;
   const auto starts = leg_starts(points, legs);
-  loop.stick_advance = not_a_number;
-  if (loop.loading) {
-    const std::size_t first = starts[*loop.loading];
-    const std::size_t last = starts[*loop.loading + 1];
-    for (std::size_t i = first; i < last && !loop.start; ++i)
-      if (points[i].slides) loop.start = corner(points[i]);
-    if (last > first) loop.turn = corner(points[last - 1]);
-  }
-  if (!loop.unloading) return loop;
-  const std::size_t first = starts[*loop.unloading];
-  const std::size_t last = starts[*loop.unloading + 1];
-  for (std::size_t i = first; i < last && !loop.slides_back; ++i)
-    if (points[i].slides) loop.slides_back = corner(points[i]);
-  if (!loop.slides_back) return loop;
-  loop.end = corner(points[last - 1]);
-  if (!loop.turn) return loop;
-  const double half = 0.5 * (loop.turn->q + loop.slides_back->q);
-  for (std::size_t i = first; i < last; ++i)
-    if (points[i].q <= half) {
-      loop.stick_advance = points[i].S - loop.turn->S;
-      break;
-    }
-  return loop;
+  const auto leg = [&](std::size_t i) { return points.subspan(starts[i], starts[i + 1] - starts[i]); };
+  const auto loading = leg(*loop.loading), unloading = leg(*loop.unloading);
+  const auto slides_back =
+      std::find_if(unloading.begin(), unloading.end(), [](const Point& point) { return point.slides; });
+  if (loading.empty() || slides_back == unloading.end()) return not_a_number;
+  const Point& turn = loading.back();
+  const double half = 0.5 * (turn.q + slides_back->q);
+  const auto halfway =
+      std::find_if(unloading.begin(), unloading.end(), [&](const Point& point) { return point.q <= half; });
+  return halfway == unloading.end() ? not_a_number : halfway->S - turn.S;
 }
 
 FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise& noise,
@@ -542,10 +528,6 @@ FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise&
   std::vector<double> difference(loop.places);
   for (std::size_t i = 0; i < loop.places; ++i) difference[i] = pairs.in[i] - pairs.out[i];
   loop.rms_difference = root_mean_square(difference);
-  const double mean = mean_of(difference);
-  for (double& value : difference) value -= mean;
-  const double spread = root_mean_square(difference).value;
-  loop.mean_difference = normal_estimate(mean, spread / std::sqrt(effective_count(difference, difference)));
   std::vector<double> variance;
   variance.reserve(loop.places);
   for (const double unit : pairs.noise_of_unit) variance.push_back(noise.force * noise.force * unit);
@@ -554,20 +536,17 @@ FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise&
 }
 
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
-FrictionLoop with_table(FrictionLoop loop, const Block& block, const Noise& noise, const Eigen::Matrix2d& covariance,
-                        const Fibre& fibre) {
+FrictionTable table_of(const Block& block, const Noise& noise, const Fibre& fibre) {
+  FrictionTable table;
   const auto states = smooth(block, noise);
   const double min_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
-    if (!loop.table.S.empty() && S - loop.table.S.back() < min_distance) continue;
-    loop.table.S.push_back(S);
-    const Eigen::RowVector3d mu = states[i].mean.row(0);
-    loop.table.mu.push_back(held_friction(fibre, mu[0]));
-    const double variance = std::max(states[i].covariance(0, 0), 0.0);
-    loop.error.push_back(std::sqrt(variance + systematic({mu[1], mu[2]}, covariance)));
+    if (!table.S.empty() && S - table.S.back() < min_distance) continue;
+    table.S.push_back(S);
+    table.mu.push_back(held_friction(fibre, states[i].mean(0, 0)));
   }
-  return loop;
+  return table;
 }
 
 // The mean of the tables that reach a length.
@@ -903,23 +882,15 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
         .loading = loops[i].loading,
         .unloading = loops[i].unloading,
         .contact = normal_estimate(fit.calibration.contact[loops[i].column], std::sqrt(covariance(at, at))),
-        .start = {},
-        .turn = {},
-        .slides_back = {},
-        .end = {},
         .stick_advance = not_a_number,
         .places = 0,
         .mu_in = normal_estimate(not_a_number, not_a_number),
         .mu_out = normal_estimate(not_a_number, not_a_number),
-        .mean_difference = normal_estimate(not_a_number, not_a_number),
         .rms_difference = normal_estimate(not_a_number, not_a_number),
         .correlation = {},
-        .table = {},
-        .error = {}};
-    const auto errors = covariance_with(loops[i].column);
-    loop = with_corners(std::move(loop), fit.points, legs.size());
-    loop = with_directions(std::move(loop), fit.blocks[i], fit.noise, errors);
-    loop = with_table(std::move(loop), fit.blocks[i], fit.noise, errors, rig.fibre);
+        .table = table_of(fit.blocks[i], fit.noise, rig.fibre)};
+    loop.stick_advance = stick_advance(loop, fit.points, legs.size());
+    loop = with_directions(std::move(loop), fit.blocks[i], fit.noise, covariance_with(loops[i].column));
     result.loops.push_back(std::move(loop));
   }
   std::vector<BumpCorrelation> correlations;

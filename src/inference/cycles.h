@@ -60,26 +60,18 @@ struct CyclicPoint {
   LegMotion motion;
 };
 
-struct LoopCorner {
-  std::size_t index;  // in the record
-  double S;           // [L]
-  double q;           // [1]
-};
-
 // One loading and the unloading after it. Directions are compared at places where both have points.
 struct FrictionLoop {
   std::optional<std::size_t> loading, unloading;  // legs; not given: the record has none
   Estimate contact;                               // [L] stage position of the contact
-  std::optional<LoopCorner> start, turn;          // first point of the loading that slides; where the stage turned back
-  std::optional<LoopCorner> slides_back, end;     // end of stick, and of the unloading; not given: it never slid back
-  double stick_advance;    // [L] of S while q fell halfway from turn to slides_back: 0 in the model; NaN if it did not
+  // [L] of S while q fell halfway from where the stage turned back to where the fibre slides back: 0 in the model; NaN if it did not
+  double stick_advance;
   std::size_t places;      // compared, evenly over what both directions passed; 0: nothing on the directions is valid
   Estimate mu_in, mu_out;  // [1] means; errors are of EI, contact and noise, mostly common and of opposite sign
-  Estimate mean_difference;     // [1] of μ_in - μ_out after calibration, which has made them alike as far as it can
-  Estimate rms_difference;      // [1] of the same, noise of the readings included
+  // [1] of μ_in - μ_out after calibration, which has made them alike as far as it can, noise of the readings included
+  Estimate rms_difference;
   BumpCorrelation correlation;  // of μ_in with μ_out
   FrictionTable table;          // μ as both directions support it; empty where nothing slid
-  std::vector<double> error;    // [1] standard deviations of table.mu
 };
 
 enum class CyclesStatus {

@@ -103,8 +103,7 @@ std::optional<BuildUpLength> measure_build_up(std::span<const Leg> legs, std::sp
     most = std::max(most, *std::max_element(reversal.way.begin(), reversal.way.end()));
   if (!(most > 0)) return std::nullopt;
   const Found found = best_length(reversals, most);
-  BuildUpLength result{normal_estimate(found.length, not_a_number), resolution(reversals, found.window),
-                       reversals.size()};
+  BuildUpLength result{normal_estimate(found.length, not_a_number), resolution(reversals, found.window)};
   if (reversals.size() < 2) return result;
   // Jackknife.
   double sum = 0, squares = 0;

@@ -21,7 +21,6 @@ namespace flexslip {
 struct BuildUpLength {
   Estimate length;  // [L] of S, as both sides slide; its error from reversal to reversal, NaN of a single one
   double least;     // [L] that can be told: what is slid from row to row, and five times its noise
-  std::size_t reversals;
 
   // Is it told from none?
   bool is_told() const { return length.value > least && length.value > 2 * length.standard_error; }

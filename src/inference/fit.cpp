@@ -274,13 +274,9 @@ double weight_without_roughness(const FrictionFit& fit) {
   return fit.model == ProfileModel::roughness ? weight : 0;
 }
 
-std::vector<FittedLength> lengths_of(const FrictionFit& fit) {
-  std::vector<FittedLength> lengths;
-  if (fit.wave_claimed)
-    for (const auto& wave : fit.waves) lengths.push_back({"wavelength", wave.wavelength.value});
-  const bool is_rough = fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5);
-  if (is_rough) lengths.push_back({"correlation_length", fit.length.value});
-  return lengths;
+bool tells_lengths(const FrictionFit& fit) {
+  return (fit.wave_claimed && !fit.waves.empty()) ||
+         (fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5));
 }
 
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {

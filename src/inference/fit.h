@@ -107,10 +107,6 @@ enum class FrictionFitStatus {
   not_explained,  // fewer than 20 of them, or than two in three, are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
 };
 
-// A record tells how much of the fibre lies between the supports, and lengths along it as if it slid over both at once. Where it slides over one
-// at a time they are up to so many times as long (theory.md, "Two supports").
-inline constexpr double one_side_at_a_time = 2;
-
 struct FrictionFit {
   FrictionFitStatus status;
   ProfileModel model;
@@ -150,13 +146,9 @@ struct FrictionFit {
 // The weight of the explanations without roughness; 0 of a model that has none by itself.
 double weight_without_roughness(const FrictionFit& fit);
 
-// A length along the fibre that a fit tells.
-struct FittedLength {
-  std::string_view name;  // "wavelength" or "correlation_length"
-  double value;           // [L]
-};
-// Of each wave that is claimed, and of roughness where there is some: a fit whose explanations have none by more than half tells none.
-std::vector<FittedLength> lengths_of(const FrictionFit& fit);
+// Does it tell a length along the fibre? A wave that is claimed does, and roughness where there is some: a fit whose explanations have none by more
+// than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
+bool tells_lengths(const FrictionFit& fit);
 
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
 // Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.

@@ -142,16 +142,9 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit) {
   SuspectReport report{.limit = limit};
-  for (std::size_t i = 0; i < record.force.size(); ++i) {
-    if (!(record.deflection[i] > judged_from)) continue;
-    ++report.points_judged;
-    report.above_euler_bernoulli += record.force[i] > 48 * record.deflection[i];
-  }
-  for (const auto& point : profile.points) {
-    if (!(record.deflection[point.index] > judged_from) || !(point.mu > limit)) continue;
-    report.points.push_back(point.index);
-    report.beyond_error += point.mu - two_sided_95 * standard_error(point) > limit;
-  }
+  for (const double deflection : record.deflection) report.points_judged += deflection > judged_from;
+  for (const auto& point : profile.points)
+    if (record.deflection[point.index] > judged_from && point.mu > limit) report.points.push_back(point.index);
   report.suspect = 20 * report.points.size() > report.points_judged;
   return report;
 }

@@ -80,12 +80,10 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 
 // Is a measured curve plausible as sliding with friction below a limit?
 struct SuspectReport {
-  double limit;                           // [1]
-  std::vector<std::size_t> points{};      // of the record, past the deflection 0.1, where μ exceeds the limit
-  std::size_t beyond_error = 0;           // of these, how many do so by more than 1.96 standard errors
-  std::size_t points_judged = 0;          // past the deflection 0.1
-  bool suspect = false;                   // more than 5 % of them exceed it
-  std::size_t above_euler_bernoulli = 0;  // the paper's criterion: points past 0.1 with F > 48 w
+  double limit;                       // [1]
+  std::vector<std::size_t> points{};  // of the record, past the deflection 0.1, where μ exceeds the limit
+  std::size_t points_judged = 0;      // past the deflection 0.1
+  bool suspect = false;               // more than 5 % of them exceed it
 };
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit = 1.0);
 

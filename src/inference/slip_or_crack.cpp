@@ -153,10 +153,10 @@ class Rises {
     const double mu = best.at[0], d = best.at[1], rho = best.at[2], arrested_variance = variance_;
     // μ, ρ
     const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
-    out.cracks_constant =
-        explanation(constant, least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2}), m + 3);
+    const Least of_constant = least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
+    out.cracks_constant = explanation(constant, of_constant, m + 3);
     out.rises = size();
-    out.stiffer_rises = stiffer_rises(out.cracks_constant.friction);
+    out.stiffer_rises = stiffer_rises(of_constant.at[0]);
     // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
     const Function running = [&](std::span<const double> p) { return running_cracks(p); };
     out.cracks_running = explanation(
@@ -169,13 +169,11 @@ class Rises {
     variance_ = of_slips;
     const Function slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], 0); };
     out.slip = explanation(slips, polished(slips, {{0, 0.3, 0}, {0, 0.3, 2}, {0.03, 0.6, -2}}, {0.03, 0.2, 1}), m + 4);
-    out.slip.friction = level_;
     variance_ = of_slips;
     const Function both = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], p[3]); };
     out.slip_and_cracks = explanation(
         both, polished(both, {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}}, {0.03, 0.2, 1, 0.01}),
         m + 5);
-    out.slip_and_cracks.friction = level_;
     return out;
   }
 
@@ -198,7 +196,7 @@ class Rises {
   }
   RiseExplanation explanation(const Function& f, const Least& best, double numbers) {
     f(best.at);  // for what is left of EI there
-    return {2 * best.value + numbers * elementary::log(static_cast<double>(n_)), best.at[0], left_};
+    return {2 * best.value + numbers * elementary::log(static_cast<double>(n_)), left_};
   }
 
   // The rows of a series made independent of those before, within each rise.
@@ -320,7 +318,7 @@ class Rises {
       return impossible;
     std::vector<double>&S = x_, &y = y_, &level = z_;
     constexpr double greatest = 1.5;
-    double total = 0, e = 0;
+    double e = 0;
     for (std::size_t i = 0; i < n_; ++i) {
       const Row& row = rows_[i];
       if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
@@ -331,9 +329,7 @@ class Rises {
       S[i] = evaluate(row.length, row.F / e).value;
       y[i] = gain * q;
       level[i] = gain;
-      total += q / static_cast<double>(n_);
     }
-    level_ = total;
     left_ = elementary::exp((rows_.back().drops_before - rows_.front().drops_before) * elementary::log(1 - loss));
     for (std::size_t j = 0; j < size(); ++j) {
       double middle = 0;
@@ -377,9 +373,9 @@ class Rises {
   std::vector<Row> rows_;
   std::vector<std::size_t> begin_;  // of each rise
   std::size_t n_ = 0;
-  double S_mean_ = 0;                          // [L]
-  double variance_ = 0;                        // of a row, as far as it is known from the round before
-  double squares_ = 0, left_ = 1, level_ = 0;  // of the last evaluation
+  double S_mean_ = 0;              // [L]
+  double variance_ = 0;            // of a row, as far as it is known from the round before
+  double squares_ = 0, left_ = 1;  // of the last evaluation
   std::vector<double> x_, y_, z_;
 };
 

@@ -29,9 +29,8 @@ std::string_view name_of(CrackVerdict verdict);
 
 // A way to explain the rows of all rises.
 struct RiseExplanation {
-  double bic;       // Bayes' information criterion
-  double friction;  // [1] mean of it: μ, or of a_j
-  double left;      // [1] of the bending stiffness after the last drop, over that before the first
+  double bic;   // Bayes' information criterion
+  double left;  // [1] of the bending stiffness after the last drop, over that before the first
 };
 
 inline constexpr double cracks_ruled_out = 12;  // of D*, where most rises grow stiffer

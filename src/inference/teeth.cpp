@@ -183,43 +183,29 @@ double common_compliance(std::span<const Middle> middles) {
   return best;
 }
 
-SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig, std::span<const Shift> shifts) {
+SupportCompliance fit_compliance(std::span<const Rise> rises, const Rig& rig) {
   SupportCompliance result;
   if (rises.size() < 2) return result;
-  const auto middles_at = [&](const Shift& shift) {
-    std::vector<Middle> middles;
-    middles.reserve(rises.size());
-    for (const Rise& rise : rises)
-      if (const auto middle = middle_of(rise, rig, shift); middle && middle->slope_error > 0)
-        middles.push_back(*middle);
-    return middles;
-  };
-  const auto middles = middles_at({});
+  std::vector<Middle> middles;
+  middles.reserve(rises.size());
+  for (const Rise& rise : rises)
+    if (const auto middle = middle_of(rise, rig, {}); middle && middle->slope_error > 0) middles.push_back(*middle);
   if (middles.size() < 2) return result;
   const double C = common_compliance(middles);
-  result.status = std::isfinite(C) ? ComplianceStatus::ok : ComplianceStatus::none_fits;
-  if (result.status != ComplianceStatus::ok) return result;
+  if (!std::isfinite(C)) return result;
 
   double information = 0;
   for (const Middle& m : middles) information += std::pow(compliance_slope(m, C) / m.slope_error, 2);
   result.estimate = normal_estimate(C, 1 / std::sqrt(information));
-  // What moves EI by a factor moves the unit of C by it as well.
-  result.systematic = systematic_error(shifts, C, [&](const Shift& shift) {
-    return common_compliance(middles_at(shift)) * elementary::exp(-shift.log_stiffness);
-  });
-  result.chi_squared = chi_squared_of(middles, C);
-  result.freedom = middles.size() - 1;
-  result.p_value = chi_squared_beyond(result.chi_squared, static_cast<double>(result.freedom));
+  result.p_value = chi_squared_beyond(chi_squared_of(middles, C), static_cast<double>(middles.size() - 1));
   return result;
 }
 
-FibreState state_at(const ReducedRecord& record, const Fibre& fibre, std::size_t row) {
+double length_at(const ReducedRecord& record, const Fibre& fibre, std::size_t row) {
   const double w = record.deflection[row], F = record.force[row];
-  if (w > 0 && F > 0)
-    if (const auto state = fibre.state_from_force(w, F); state.status == FibreStatus::ok) return state;
-  FibreState unknown{};
-  unknown.S = unknown.q = not_a_number;
-  return unknown;
+  if (!(w > 0 && F > 0)) return not_a_number;
+  const auto state = fibre.state_from_force(w, F);
+  return state.status == FibreStatus::ok ? state.S : not_a_number;
 }
 
 }  // namespace
@@ -234,7 +220,6 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
   const std::array<Shift, 3> shifts{Shift{.log_stiffness = errors.bending_stiffness}, Shift{.contact = errors.contact},
                                     Shift{.log_load_train = stiffness_error}};
   const double one_sided = elementary::gaussian_quantile(tooth_confidence);
-  const double two_sided = elementary::gaussian_quantile(0.5 + 0.5 * tooth_confidence);
 
   Teeth result;
   std::vector<Rise> rises;
@@ -250,7 +235,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     else
       ++result.unexplained;
   }
-  result.compliance = fit_compliance(rises, rig, shifts);
+  result.compliance = fit_compliance(rises, rig);
 
   for (const Rise& rise : rises) {
     const Middle middle = *middle_of(rise, rig, {});
@@ -258,19 +243,14 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
       const auto shifted = middle_of(rise, rig, shift);
       return shifted ? value(*shifted) : not_a_number;
     };
-    const FibreState begin = state_at(record, rig.fibre, rise.first), end = state_at(record, rig.fibre, rise.last - 1);
     const auto advance = [&](const Middle& m) { return (1 - m.position()) / m.G_S * rise.travel; };
     const double width = middle.stick() - middle.slide();
     const double nu = static_cast<double>(rise.last - rise.first) - 2;
     Tooth tooth{.first = rise.first,
                 .last = rise.last,
-                .S_begin = begin.S,
-                .q_begin = begin.q,
-                .S_end = end.S,
-                .q_end = end.q,
+                .S_begin = length_at(record, rig.fibre, rise.first),
+                .S_end = length_at(record, rig.fibre, rise.last - 1),
                 .slope = student_estimate(rise.slope, rise.slope_error, nu),
-                .stick_slope = middle.stick(),
-                .slide_slope = middle.slide(),
                 .position = student_estimate(middle.position(), rise.slope_error / width, nu),
                 .position_systematic = systematic_error(
                     shifts, middle.position(),
@@ -290,14 +270,8 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
     if (share - bound > options.min_share) tooth.verdict = ToothVerdict::sliding;
     if (share + bound < options.min_share) tooth.verdict = ToothVerdict::as_if_stuck;
 
-    if (result.compliance.status == ComplianceStatus::ok) {
+    if (result.compliance.is_found())
       tooth.compliant_position = middle.compliant_position(result.compliance.estimate.value);
-      const double off = tooth.position.value - tooth.compliant_position;
-      tooth.compliant_deviation = off / elementary::length(tooth.position.standard_error, tooth.position_systematic);
-      tooth.compliant_rejected =
-          std::abs(off) > elementary::length(student_quantile(two_sided, nu) * tooth.position.standard_error,
-                                             two_sided * tooth.position_systematic);
-    }
     result.teeth.push_back(tooth);
   }
   return result;

@@ -41,34 +41,23 @@ enum class ToothVerdict {
 std::string_view name_of(ToothVerdict verdict);
 
 struct Tooth {
-  std::size_t first, last;          // rows [first, last) of the record: from the end of a drop to the begin of the next
-  double S_begin, q_begin;          // [L], [1] at row first; NaN where no friction explains the row
-  double S_end, q_end;              // [L], [1] at row last - 1; likewise
-  Estimate slope;                   // [EI/L^3] dF/d(stage), mean of the rise
-  double stick_slope, slide_slope;  // [EI/L^3] the limits, at the middle of the rise
-  Estimate position;                // [1] p, its error from scatter
-  double position_systematic;       // [1] from EI, contact and load train together: common to all teeth of a test
-  Estimate advance;                 // [L] of S over the rise, its error with all parts
+  std::size_t first, last;     // rows [first, last) of the record: from the end of a drop to the begin of the next
+  double S_begin, S_end;       // [L] at rows first and last - 1; NaN where no friction explains the row
+  Estimate slope;              // [EI/L^3] dF/d(stage), mean of the rise
+  Estimate position;           // [1] p, its error from scatter
+  double position_systematic;  // [1] from EI, contact and load train together: common to all teeth of a test
+  Estimate advance;            // [L] of S over the rise, its error with all parts
   ToothVerdict verdict = ToothVerdict::undecided;
   double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
-  // [standard errors] of the position from that; the error of the compliance is left out
-  double compliant_deviation = NAN;
-  bool compliant_rejected = false;  // that deviation is beyond the two-sided confidence: the tooth slides all the same
 };
 
-enum class ComplianceStatus {
-  ok,
-  too_few_teeth,  // fewer than two: nothing to compare
-  none_fits,      // no positive compliance describes any tooth
-};
-
+// NaN of fewer than two teeth, and where no positive compliance describes any.
 struct SupportCompliance {
-  ComplianceStatus status = ComplianceStatus::too_few_teeth;  // nothing else is valid unless ok
-  Estimate estimate;  // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
-  double systematic = NAN;   // [L^3/EI] from EI, contact and load train
-  double chi_squared = NAN;  // [1] of the slopes about it, from scatter alone
-  std::size_t freedom = 0;   // teeth - 1
-  double p_value = NAN;      // [1] of so large a chi_squared if it were the same fibre, stuck, on each tooth
+  // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
+  Estimate estimate = normal_estimate(NAN, NAN);
+  double p_value = NAN;  // [1] of slopes that scatter so much about it, if the fibre were stuck on each tooth
+
+  bool is_found() const { return std::isfinite(estimate.value); }
 };
 
 struct Teeth {

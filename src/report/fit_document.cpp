@@ -148,8 +148,7 @@ Chapter wave_chapter(T test) {
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
   chapter.blocks.insert(chapter.blocks.end(),
                         {explanation_table(test),
-                         listed(test, "one_side_at_a_time", {{"One side at a time", "name"}, {"Length", "value"}}),
-                         lengths_of(test.analysis.fit).empty()
+                         !tells_lengths(test.analysis.fit)
                              ? std::string()
                              : std::string("Where the supports are not alike or friction falls, the specimen slides "
                                            "over one at a time: friction is then that of the weaker side. Images of "
@@ -172,7 +171,6 @@ Chapter checks_chapter(T test, const Answer& answer) {
     rows.push_back({std::string(name_of(finding.severity)), with_remedy(finding)});
   Chapter chapter{"What was checked", {rows}};
   if (!is_fitted(test)) return chapter;
-  chapter.blocks.emplace_back(numbers(test, "suspect_criteria"));
   chapter.blocks.emplace_back(
       std::string("A test is suspect where more than 5 % of the points judged are above the limit. Friction alone "
                   "lifts a sound curve above the Euler–Bernoulli line, by 5 % at μ = 0.6."));
@@ -229,8 +227,6 @@ Chapter teeth_chapter(T test) {
   chapter.blocks.emplace_back(listed(test, "teeth.teeth",
                                      {{.heading = "Rows", .field = "first_row", .last = "last_row"},
                                       {"Slope", "slope"},
-                                      {"if stuck", "stick_slope"},
-                                      {"if sliding", "slide_slope"},
                                       {"Position p", "position"},
                                       {"common error", "position_systematic", 2},
                                       {"Pulled in (both supports)", "advance", 3},

@@ -163,7 +163,7 @@ TEST_CASE("identity: what is called sliding lies on q = ±μ, what is called stu
 TEST_CASE("oracle: in 95 of 100 noisy simulations the 95 % intervals hold the truth, give or take chance") {
   const auto truth = usual();
   const auto simulated = simulate(truth, two_cycles);
-  int stiffness = 0, contact = 0, symmetric = 0, mean_in = 0, mu = 0, places = 0;
+  int stiffness = 0, contact = 0, symmetric = 0;
   constexpr int runs = 100;
   for (int seed = 1; seed <= runs; ++seed) {
     const auto record = with_noise(simulated, data_noise, static_cast<std::uint64_t>(seed));
@@ -173,21 +173,12 @@ TEST_CASE("oracle: in 95 of 100 noisy simulations the 95 % intervals hold the tr
     contact += covers(found.loops[0].contact, truth.contact);
     symmetric += covers(found.asymmetry, 0);
     CHECK(found.force_noise == doctest::Approx(data_noise).epsilon(0.2));
-    const auto& loop = found.loops[0];
-    for (std::size_t i = 5; i < loop.table.S.size(); i += 50) {
-      ++places;
-      mu += covers({loop.table.mu[i], loop.error[i]}, bumpy(loop.table.S[i]));
-    }
-    mean_in += std::abs(loop.mean_difference.value) < 0.02;
   }
-  MESSAGE("of 100 intervals: ln EI " << stiffness << ", contact " << contact << ", asymmetry " << symmetric << ", mu "
-                                     << 100.0 * mu / places);
+  MESSAGE("of 100 intervals: ln EI " << stiffness << ", contact " << contact << ", asymmetry " << symmetric);
   // Binomial: with 95 % true, fewer than 88 happens once in 500 times.
   CHECK(stiffness >= 88);
   CHECK(contact >= 88);
   CHECK(symmetric >= 88);
-  CHECK(mean_in == runs);
-  CHECK(mu >= 0.88 * places);
 }
 
 TEST_CASE("oracle: friction that is lower sliding out is found, and by how much") {
@@ -301,7 +292,7 @@ TEST_CASE("limit: an unloading too short to slide back leaves bounds, and no cal
   CHECK(found.status == CyclesStatus::no_mirror);
   REQUIRE(found.loops.size() == 1);
   CHECK(found.loops[0].unloading.has_value());
-  CHECK_FALSE(found.loops[0].slides_back.has_value());
+  CHECK(std::isnan(found.loops[0].stick_advance));
   CHECK(found.loops[0].places == 0);
   for (const auto& point : found.points)
     if (point.leg == 1) {
@@ -354,9 +345,6 @@ TEST_CASE("oracle: reloading before contact is lost, growing amplitudes and hold
   CHECK(found.loops[2].contact.value == found.loops[1].contact.value);
   for (const std::size_t i : {0U, 1U}) {
     const auto& loop = found.loops[i];
-    REQUIRE((loop.turn && loop.slides_back && loop.end));
-    CHECK(std::abs(loop.turn->q - bumpy(loop.turn->S)) < 0.1);  // one reading: 4 standard deviations
-    CHECK(std::abs(loop.slides_back->q + bumpy(loop.slides_back->S)) < 0.1);
     CHECK(std::abs(loop.stick_advance) < 1e-3);
   }
   for (const auto& point : found.points) {

@@ -13,7 +13,7 @@ inline constexpr double tooth_wavelength = 12.0 / 1278;  // [L]
 
 inline Friction toothed() { return Friction::sinusoid(0.6, 0.3, tooth_wavelength, 1.0); }
 
-inline Drop drop_between(std::size_t before, std::size_t after) { return {before, after, 0, 0, 0, 0}; }
+inline Drop drop_between(std::size_t before, std::size_t after) { return {before, after, 0, 0, 0}; }
 
 inline std::vector<Drop> plain_drops(const ReducedRecord& record) {
   std::vector<Drop> drops;

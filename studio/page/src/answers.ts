@@ -20,12 +20,12 @@ export interface FitAnswer {
   judgement: { standing: string; drops: string | null; stiffness_lost: number | null; stiffness_lost_error: number | null; stiffness_for_no_snap: number | null } | null;
   slip_or_crack: { verdict: string; margin: number; rises: number; stiffer_rises: number } | null;
   drops: Drop[]; slips: { count: number; median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
-  teeth: { sliding: number; as_if_stuck: number; undecided: number; too_short: number; compliance: { status: string; p_value: number | null } | null } | null;
-  force_over_frictionless: { median: number | null; least: number | null } | null; suspects: { row: number }[]; suspect_criteria: { limit: number; points_judged: number; points_above_limit: number };
+  teeth: { sliding: number; as_if_stuck: number; undecided: number; too_short: number; compliance: { p_value: number | null } | null } | null;
+  suspects: { row: number }[];
   energy: { work_of_fracture: number; friction_share: number } | null;
   cycles: { status: string; loading_stiffness: { ratio: Estimate | null; verdict: string | null; status: string }[] } | null;
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
-  small_deflection: { over_fit: number | null; bending_stiffness: Estimate | null } | null;
+  small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
   preparation: Step[]; contact: { source: string; taken_off: number; line_offset: Estimate } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
