@@ -233,7 +233,7 @@ std::string in_text(const std::vector<Chapter>& chapters, std::size_t width) {
     }
     if (words.empty()) continue;
     if (!out.empty() || !chapter.title.empty()) out += '\n';
-    if (!chapter.title.empty()) out += fmt::format("[[{}]]\n", chapter.title);
+    if (!chapter.title.empty()) out += chapter.title + "\n";
     out += words;
   }
   return out;

@@ -142,7 +142,7 @@ class Simulated(CyclicRecords):
     def test_text_and_report(self):
         case = self.record(self.readings())
         text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
-        for words in ("2 loadings: friction", "[[Load and unload]]", "[[Stick or slide]]", "[[Where the work of the first loading went]]"):
+        for words in ("2 loadings: friction", "\nLoad and unload\n", "\nStick or slide\n", "\nWhere the work of the first loading went\n"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         for words in ("<h2>Load and unload</h2>", "<h2>Stick or slide</h2>"):

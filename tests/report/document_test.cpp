@@ -35,7 +35,7 @@ std::vector<Chapter> small_document() {
 
 TEST_CASE("by hand: a terminal shows words, rows and tables, no pictures, nothing that says nothing") {
   CHECK(in_text(small_document(), 40) ==
-        "\n[[Friction & wear]]\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
+        "\nFriction & wear\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
         "a < "
         "b\n\n   "
         "Test   Doubts\n   a <b>  one doubt; another doubt; a …\n");
