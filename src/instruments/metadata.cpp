@@ -23,6 +23,13 @@ bool has_any(std::string_view text, std::initializer_list<std::string_view> word
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return has(text, word); });
 }
 
+// Whether a dimension is that of the rig: of rollers, supports, the nose.
+bool is_of_the_rig(std::string_view name) {
+  return has_any(name, {"roller", "nose",    "support", "pin",      "punch",   "anvil",   "rolle", "auflage",
+                        "finne",  "stempel", "appui",   "poinçon",  "rouleau", "rodillo", "apoyo", "punzón",
+                        "rull",   "appoggi", "punzone", "coltello", "mesnet",  "支点",    "圧子"});
+}
+
 // "10.00000 mm/min", or "10.00000" with the unit in the name, "Span (mm)". [SI]
 std::optional<double> quantity_in(const Metadatum& datum, const NumberFormat& format, const Dimension& dimension) {
   const std::string_view value = trimmed(datum.value);
@@ -78,18 +85,20 @@ ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& fo
   ExportedTest test;
   test.span = agreed(metadata, format, length, [](std::string_view name) {
     return has_any(name, {"span", "stützweite", "spannweite", "auflagerabstand", "auflageabstand", "portée", "entraxe",
-                          "distance between supports", "support distance", "luce", "支点間"}) &&
+                          "entre appuis", "distance between supports", "support distance", "luce", "支点間"}) &&
            !has(name, "spannung");
   });
   test.diameter = agreed(metadata, format, length, [](std::string_view name) {
     return has_any(name, {"diameter", "durchmesser", "diamètre", "diámetro", "diametro", "çap", "直径"}) &&
-           !has_any(name, {"roller", "nose", "support", "pin"});
+           !is_of_the_rig(name);
   });
   test.width = agreed(metadata, format, length, [](std::string_view name) {
-    return has_any(name, {"width", "breite", "largeur", "anchura", "larghezza", "genişlik", "幅"});
+    return has_any(name, {"width", "breite", "largeur", "anchura", "larghezza", "genişlik", "幅"}) &&
+           !is_of_the_rig(name);
   });
   test.thickness = agreed(metadata, format, length, [](std::string_view name) {
-    return has_any(name, {"thickness", "dicke", "épaisseur", "espesor", "spessore", "kalınlık", "厚さ", "厚み"});
+    return has_any(name, {"thickness", "dicke", "épaisseur", "espesor", "spessore", "kalınlık", "厚さ", "厚み"}) &&
+           !is_of_the_rig(name);
   });
   test.rate = agreed(metadata, format, of_speed, [](std::string_view name) {
     return name == "v1" || name == "v2" ||

@@ -41,3 +41,17 @@ TEST_CASE("metadata: quantities of the test in SI, those that contradict each ot
   CHECK(test.thickness.value() == doctest::Approx(4e-3).epsilon(ulp));
   CHECK(test.rate.value() == doctest::Approx(0.01 / 60).epsilon(ulp));
 }
+
+TEST_CASE("metadata: a dimension of supports and nose is none of the specimen, in whatever language") {
+  for (const char* name : {"Support roller diameter", "Rollendurchmesser", "Diamètre des appuis", "Diamètre du poinçon",
+                           "Auflagerbreite", "Diámetro de los rodillos", "Diametro dei rulli"}) {
+    INFO(name);
+    const ExportedTest test = test_in(std::vector<Metadatum>{{name, "10,0 mm", 1}}, {',', '\0'});
+    CHECK_FALSE(test.diameter.has_value());
+    CHECK_FALSE(test.width.has_value());
+  }
+  const std::vector<Metadatum> data{{"Distance entre appuis", "17,0 mm", 1}, {"Diamètre de l'éprouvette", "2,0 mm", 2}};
+  const ExportedTest test = test_in(data, {',', '\0'});
+  CHECK(test.span.value() == doctest::Approx(0.017).epsilon(3e-16));
+  CHECK(test.diameter.value() == doctest::Approx(0.002).epsilon(3e-16));
+}
