@@ -748,7 +748,8 @@ std::string slip_or_crack_in_words(T test) {
                                                 : fmt::format("all {} drops can be slips", drops))
                                 : fmt::format("{} of {} drops can be slips",
                                               possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
-  const std::string stiffer = fmt::format("{} of {} rises between them grow stiffer", rises.stiffer_rises, rises.rises);
+  const std::string stiffer =
+      fmt::format("of {} rises that can be judged, {} grow stiffer", rises.rises, rises.stiffer_rises);
   switch (judgement.drops) {
     case CrackVerdict::not_by_cracks_alone:
       return rises.verdict == CrackVerdict::not_by_cracks_alone
@@ -768,10 +769,8 @@ std::string slip_or_crack_in_words(T test) {
     case CrackVerdict::cannot_be_told:
       break;
   }
-  return rises.judged
-             ? fmt::format("how the force rises between the drops does not tell: {} of {} rises grow stiffer; {}",
-                           rises.stiffer_rises, rises.rises, slips)
-             : fmt::format("too few drops, or rows between them, to tell; {}", slips);
+  return rises.judged ? fmt::format("how the force rises between the drops does not tell: {}; {}", stiffer, slips)
+                      : fmt::format("too few drops, or rows between them, to tell; {}", slips);
 }
 
 std::string friction_in_words(T test) {
