@@ -221,9 +221,9 @@ SupportedState SupportedTables::state(double w, double q) const {
 
 // So far beyond the end of its branch a fibre is led on, so that the cells in which branches end have all their nodes.
 SupportedState SupportedTables::node(double w, double q) const {
-  constexpr double a_cell_beyond = 0.5;  // [L]
+  constexpr double led_beyond = 0.5;  // [L]
   const double end = branch_end(q).w;
-  return w <= end || w > end + a_cell_beyond ? state(w, q) : state_led_on(w, q, supports);
+  return w <= end || w > end + led_beyond ? state(w, q) : state_led_on(w, q, supports);
 }
 
 CellTable::Source SupportedTables::source(Field first, Field second) const {

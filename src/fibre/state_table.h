@@ -61,7 +61,7 @@ class SupportedTables {
   double smooth_from() const;
 
   // A pair of quantities with their slopes along w [L] and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the
-  // heap), of many. NaN where there is no state: beyond deepest_on_supports, largest_q, or the branch. Max error: as Fibre::state_slopes.
+  // heap), of many. NaN where there is no state: beyond deepest_on_supports or largest_q, or where none is led on to beyond the branch, with a force below 0. Max error: as Fibre::state_slopes.
   using PairSlope = std::array<double, 6>;
   struct PairSlopes {
     std::array<std::vector<double>, 6> columns;

@@ -17,8 +17,7 @@ struct Supports {
 
 // [L] radius and half depth together: both sides leave a tenth of the span.
 inline constexpr double widest_supports = 0.45;
-inline constexpr double deepest_on_supports = 2;       // [L] of deflection
-inline constexpr double surely_found_on_supports = 1;  // [L] of deflection up to which a state that is there is found
+inline constexpr double deepest_on_supports = 2;  // [L] of deflection
 
 // Lengths are those of both sides together.
 struct SupportedState {

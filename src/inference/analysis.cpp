@@ -10,7 +10,6 @@
 #include "bending_test/equilibrium.h"
 #include "data/contact.h"
 #include "fibre/elastica.h"
-#include "fibre/supported_state.h"
 #include "inference/profile.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -72,7 +71,8 @@ Replay replay_of(const TestAnalysis& analysis) {
   std::vector<std::size_t> rows;
   std::vector<double> stages;
   double last = 0;
-  const double deepest = analysis.rig.fibre.on_edges() ? infinity : surely_found_on_supports;
+  constexpr double deepest_replayed = 1;  // [L] deeper, a state that is there may not be found (supported_state.h)
+  const double deepest = analysis.rig.fibre.on_edges() ? infinity : deepest_replayed;
   for (std::size_t i = 0; i < analysis.reduced.stage.size() && analysis.reduced.deflection[i] <= deepest; ++i)
     if (analysis.reduced.deflection[i] > from && analysis.reduced.stage[i] >= last) {
       rows.push_back(i);

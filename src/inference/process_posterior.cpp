@@ -652,7 +652,7 @@ std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std
   const double S_max = std::min(friction.S.back() + std::max(0.1 * seen, 0.01), longest_ladder);
   // Fine enough for what was seen, unless nearly all that slid did so before.
   constexpr double min_share = 1e-4;
-  const double step = std::max({seen / 1000, min_share * (S_max - rig.fibre.least_length()), 1e-6});
+  const double step = std::max(seen / 1000, min_share * (S_max - rig.fibre.least_length()));
   const SlidingLadder ladder(S_max, step, rig.fibre);
   const auto mu = Friction::table(friction).at(ladder.lengths()).mu;
   const auto curve = ladder.curve(mu);
