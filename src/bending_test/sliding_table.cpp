@@ -110,7 +110,7 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
           std::max({slope_error * state.F, friction_error, table_error}) * 2 * sigma};
 }
 
-void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings, double unresolved_twice) const {
+void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings) const {
   Series G{};
   Series stage{};
   Series friction{};
@@ -133,15 +133,13 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
   constexpr double accuracy = 1e-12;       // what the integral loses is a tenth of that, and less
   constexpr int max_halvings = 30;         // at a kink: a piece 1e-9 of the whole
   constexpr std::size_t max_pieces = 200;  // enough for a few kinks
-  const auto last_terms = [](const Series& c) { return std::abs(c[degree]) + std::abs(c[degree - 1]); };
-  const double unresolved = std::max(last_terms(stage), last_terms(friction));
-  // On supports, states that no table has come with slopes from differences. Halving takes 2^15 off so little, unless it is their noise.
-  constexpr double little = 1e-8;
-  const bool is_noise = !rig_.fibre.on_edges() && unresolved <= little * scale && 8 * unresolved > unresolved_twice;
-  if (halvings < max_halvings && cell.size() < max_pieces && unresolved > accuracy * scale + noise && !is_noise) {
+  const auto is_resolved = [&](const Series& c) {
+    return std::abs(c[degree]) + std::abs(c[degree - 1]) <= accuracy * scale + noise;
+  };
+  if (halvings < max_halvings && cell.size() < max_pieces && !(is_resolved(stage) && is_resolved(friction))) {
     const double middle = 0.5 * (from + to);
-    fill(cell, from, middle, scale, halvings + 1, unresolved);
-    fill(cell, middle, to, scale, halvings + 1, unresolved);
+    fill(cell, from, middle, scale, halvings + 1);
+    fill(cell, middle, to, scale, halvings + 1);
     return;
   }
   const SlidingWork before = cell.empty() ? SlidingWork{0, 0} : up_to(cell, cell.back().to);
@@ -152,7 +150,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, double scale, int ha
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
   Cell& found = cells_[i];
-  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0, infinity);
+  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0);
   return found;
 }
 

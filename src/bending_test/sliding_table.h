@@ -92,8 +92,7 @@ class SlidingTable {
   };
 
   Sample sample_at(double sigma) const;
-  // `unresolved_twice`: what was unresolved of the piece twice as long that this is half of.
-  void fill(Cell& cell, double from, double to, double scale, int halvings, double unresolved_twice) const;
+  void fill(Cell& cell, double from, double to, double scale, int halvings) const;
   const Cell& cell(std::size_t i);
   std::size_t cell_of(double S);
   static const Piece& piece_at(const Cell& cell, double sigma);

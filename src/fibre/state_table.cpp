@@ -82,13 +82,6 @@ constexpr double longest_way = 1.05;  // [√L] of the table by length (Fibre::w
 constexpr std::size_t ways = 44;      // cells
 constexpr int most_rounds = 40;       // of Newton's iteration
 
-SupportedState none_of(double q) {
-  SupportedState none{};
-  none.status = FibreStatus::beyond_branch;
-  none.q = q;
-  return none;
-}
-
 CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
 }  // namespace
@@ -213,7 +206,8 @@ SupportedTables::Step SupportedTables::step_from(double w, double S, double q, d
 }
 
 SupportedState SupportedTables::state(double w, double q) const {
-  if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w)) return none_of(q);
+  if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w))
+    return no_state_on_supports(q);
   const SupportedState led = state_led_on(w, q, supports);
   // Leading on may lose a state that is there, of a fibre much bent.
   return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);

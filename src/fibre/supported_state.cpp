@@ -123,13 +123,6 @@ std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const S
               .phase_slope = e * pendulum.dn2(contact) / (a * pendulum.swing * contact.cn)};
 }
 
-SupportedState none(double q) {
-  SupportedState state{};
-  state.status = FibreStatus::beyond_branch;
-  state.q = q;
-  return state;
-}
-
 SupportedState state_of(const Half& half, double u, double a, const ForceAngle& angle, double q,
                         const Supports& supports) {
   const double R = supports.radius + supports.half_depth;
@@ -202,7 +195,7 @@ SupportedState state_nearby(double w, double q, const Supports& supports) {
     last_u = std::clamp(du, -longest * u, longest * u), last_a = std::clamp(da, -longest * a, longest * a);
     u += last_u, a += last_a;
   }
-  return none(q);
+  return no_state_on_supports(q);
 }
 
 // The state at a phase: the half span solved for, since the curvature at the contact depends on it.
@@ -225,7 +218,7 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
     before = a, miss_before = miss;
     a = slope < -0.1 ? a - miss / slope : image;
   }
-  if (!half || !(a > 0) || !(half->sin_b >= 0)) return none(q);
+  if (!half || !(a > 0) || !(half->sin_b >= 0)) return no_state_on_supports(q);
   return state_of(*half, u, a, angle, q, supports);
 }
 
@@ -243,12 +236,12 @@ SupportedState solved_state(double w, double q, const Supports& supports, bool l
                                 std::to_string(half_depth) + " leave no span");
   const SupportedState found = state_nearby(w, q, supports);
   if (led_on) return found;
-  if (found.status == FibreStatus::ok) return found.F >= 0 ? found : none(q);
+  if (found.status == FibreStatus::ok) return found.F >= 0 ? found : no_state_on_supports(q);
   // The deflection rises with the phase, hardly bent as its square.
   const double s0 = force_angle(q).sine;
   double low = 0, high = infinity;
   double u = std::sqrt(3 * w / s0), before = 0, w_before = 0;
-  SupportedState state = none(q);
+  SupportedState state = no_state_on_supports(q);
   for (int i = 0; i < 200; ++i) {
     state = state_at_phase(u, q, supports);
     const bool exists = state.status == FibreStatus::ok;
@@ -265,10 +258,17 @@ SupportedState solved_state(double w, double q, const Supports& supports, bool l
     u = next;
   }
   constexpr double good = 1e-12;  // of w where neighbouring phases are as far apart
-  return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : none(q);
+  return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : no_state_on_supports(q);
 }
 
 }  // namespace
+
+SupportedState no_state_on_supports(double q) {
+  SupportedState none{};
+  none.status = FibreStatus::beyond_branch;
+  none.q = q;
+  return none;
+}
 
 SupportedState state_on_supports(double w, double q, const Supports& supports) {
   return solved_state(w, q, supports, false);
