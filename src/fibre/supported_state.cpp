@@ -279,7 +279,7 @@ SupportedState state_led_on(double w, double q, const Supports& supports) { retu
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports) {
   if (!(F >= 0 && std::isfinite(F))) throw std::invalid_argument("no force of " + std::to_string(F));
   const auto at = [&](double q) { return state_on_supports(w, q, supports); };
-  SupportedState no_friction = none(0);
+  SupportedState no_friction = no_state_on_supports(0);
   no_friction.status = FibreStatus::no_friction;
   no_friction.w = w;
   no_friction.F = F;

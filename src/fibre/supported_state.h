@@ -43,11 +43,11 @@ struct SupportedState {
 // Cost:       1 µs; some 50 µs where there is no state, or one much bent that Newton's iteration does not find.
 SupportedState state_on_supports(double w, double q, const Supports& supports);
 
-// What stands where there is none with this friction: beyond_branch.
-SupportedState no_state_on_supports(double q);
-
 // The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears.
 SupportedState state_led_on(double w, double q, const Supports& supports);
+
+// What stands where there is none with this friction: beyond_branch.
+SupportedState no_state_on_supports(double q);
 
 // Deflections below so many half depths tell no friction. From 1.25 on more friction makes for more force, at first hardly any.
 inline constexpr double least_half_depths = 4;
