@@ -57,7 +57,7 @@ class Covariances {
     P_ = limit_;
   }
 
-  // To a observation from the one before.
+  // To an observation from the one before.
   void advance(double distance, double rows) {
     if constexpr (G > 0) {
       const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
@@ -88,7 +88,7 @@ class Covariances {
       }
   }
 
-  // The variance of what a observation adds, and what it tells of the state.
+  // The variance of what an observation adds, and what it tells of the state.
   T observe(double D, double variance, std::array<T, M>& gain) {
     std::array<T, M> PH;
     for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
@@ -129,7 +129,7 @@ class States {
     m_.swap(next_);
   }
 
-  // What a observation differs from what was expected, for one series.
+  // By what an observation differs from what was expected, for one series.
   T innovation(double value, double D, std::size_t c) const {
     if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
     return value - D * row(G)[c];

@@ -122,10 +122,10 @@ double median_or_zero(std::vector<double> values) { return values.empty() ? 0 : 
 double reading_noise(const ReducedRecord& record, std::span<const Leg> legs) {
   std::vector<double> bends;
   for (const auto& leg : legs) {
-    const auto of_leg = bends_of(std::span(record.force).subspan(leg.first, leg.last - leg.first));
+    const auto of_leg = second_differences(std::span(record.force).subspan(leg.first, leg.last - leg.first));
     bends.insert(bends.end(), of_leg.begin(), of_leg.end());
   }
-  return noise_of_bends(std::move(bends));
+  return noise_of_second_differences(std::move(bends));
 }
 
 std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
@@ -324,33 +324,33 @@ Pairs pair_directions(const Block& block) {
 
 // Friction μ at the rows of a block as all of them support it, then the difference δ of the directions:
 // ±q = μ(S) ± δ(S)/2 + noise, with μ a random walk and δ an Ornstein-Uhlenbeck process.
-std::vector<KnownState<2, 1>> smooth(const Block& block, const Noise& noise) {
+std::vector<Eigen::Vector2d> smooth(const Block& block, const Noise& noise) {
   constexpr double diffuse = 1e4;  // variance of μ before the first row: friction is below 100
   const double power = noise.difference * noise.difference;
   const std::size_t n = block.rows.size();
-  std::vector<PassedState<2, 1>> passed;
+  std::vector<FilterStep<2, 1>> passed;
   passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Row& row = block.rows[i];
-    PassedState<2, 1> here;
+    FilterStep<2, 1> here;
     if (i == 0) {
-      here.step.transition.setIdentity();
-      here.step.added.setZero();
-      here.expected.mean.setZero();
-      here.expected.covariance << diffuse, 0, 0, power;
+      here.from_before.matrix.setIdentity();
+      here.from_before.added.setZero();
+      here.prediction.mean.setZero();
+      here.prediction.covariance << diffuse, 0, 0, power;
     } else {
       const double distance = row.S - block.rows[i - 1].S;
       const double decay = elementary::exp(-distance / noise.length);
-      here.step.transition << 1, 0, 0, decay;
-      here.step.added << block.roughness * distance, 0, 0, power * (1 - decay * decay);
-      here.expected = stepped(passed.back().known, here.step);
+      here.from_before.matrix << 1, 0, 0, decay;
+      here.from_before.added << block.roughness * distance, 0, 0, power * (1 - decay * decay);
+      here.prediction = predicted(passed.back().state, here.from_before);
     }
     const double variance = noise.force * noise.force * row.variance_of_unit + min_noise * min_noise;
     const Eigen::Matrix<double, 1, 1> y(row.y[0]);
-    here.known = seen(here.expected, Eigen::Vector2d(1, 0.5 * row.side), y, variance).known;
+    here.state = updated(here.prediction, Eigen::Vector2d(1, 0.5 * row.side), y, variance).state;
     passed.push_back(here);
   }
-  return smoothed(passed);
+  return rts_means(passed);
 }
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
@@ -389,20 +389,20 @@ Information whiten(const Pairs& places, const Noise& noise) {
   using Number = Eigen::Matrix<double, 1, 1>;
   Information information;
   const double power = noise.difference * noise.difference;
-  KnownState<1, 4> known{Eigen::RowVector4d::Zero(), Number(power)};
+  GaussianState<1, 4> known{Eigen::RowVector4d::Zero(), Number(power)};
   for (std::size_t i = 0; i < places.S.size(); ++i) {
     if (i > 0) {
       const double decay = elementary::exp(-(places.S[i] - places.S[i - 1]) / noise.length);
-      known = stepped(known, {Number(decay), Number(power * (1 - decay * decay))});
+      known = predicted(known, {Number(decay), Number(power * (1 - decay * decay))});
     }
     const auto& in = places.in_slopes[i];
     const auto& out = places.out_slopes[i];
     const Eigen::RowVector4d y(places.in[i] - places.out[i], out[0] - in[0], out[1] - in[1], 1);
     const double variance = noise.force * noise.force * places.noise_of_unit[i] + min_noise * min_noise;
-    const auto sight = seen(known, Number(1.0), y, variance);
-    information.gram.noalias() += sight.innovation.transpose() * sight.innovation / sight.variance;
-    information.log_determinant += elementary::log(sight.variance);
-    known = sight.known;
+    const auto update = updated(known, Number(1.0), y, variance);
+    information.gram.noalias() += update.innovation.transpose() * update.innovation / update.variance;
+    information.log_determinant += elementary::log(update.variance);
+    known = update.state;
   }
   return information;
 }
@@ -538,13 +538,13 @@ FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise&
 // Lengths closer than what a measurement resolves would make a table steep for nothing.
 FrictionTable table_of(const Block& block, const Noise& noise, const Fibre& fibre) {
   FrictionTable table;
-  const auto states = smooth(block, noise);
+  const auto means = smooth(block, noise);
   const double min_distance = std::max(block.range / 1000, 2e-6);
   for (std::size_t i = 0; i < block.rows.size(); ++i) {
     const double S = block.rows[i].S;
     if (!table.S.empty() && S - table.S.back() < min_distance) continue;
     table.S.push_back(S);
-    table.mu.push_back(held_friction(fibre, states[i].mean(0, 0)));
+    table.mu.push_back(held_friction(fibre, means[i][0]));
   }
   return table;
 }

@@ -66,10 +66,10 @@ double resolution(std::span<const Reversal> reversals, double up_to) {
   for (const Reversal& reversal : reversals) {
     std::size_t rows = std::min(min_points, reversal.way.size());
     while (rows < reversal.way.size() && reversal.way[rows] <= up_to) ++rows;
-    const auto of_reversal = bends_of(std::span(reversal.way).first(rows));
+    const auto of_reversal = second_differences(std::span(reversal.way).first(rows));
     bends.insert(bends.end(), of_reversal.begin(), of_reversal.end());
   }
-  return median_of(std::move(steps)) + 5 * noise_of_bends(std::move(bends));
+  return median_of(std::move(steps)) + 5 * noise_of_second_differences(std::move(bends));
 }
 
 struct Found {

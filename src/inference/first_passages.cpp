@@ -60,7 +60,7 @@ Passages passages_of(const FitProblem& problem) {
   const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_told_from(problem.rig.fibre));
   Passages p{};
   p.fibre = problem.rig.fibre;
-  p.noise = noise_of_bends(bends_of(record.force));
+  p.noise = noise_of_second_differences(second_differences(record.force));
   const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
   p.stiffness_error = problem.errors.bending_stiffness;
@@ -176,7 +176,7 @@ Linearisation rises_of(const Passages& passages) {
   at.slope.assign(n, 0);
   complete(at, passages);
 
-  const double noise = std::max(noise_of_bends(bends_of(passages.force)), 0.002);
+  const double noise = std::max(noise_of_second_differences(second_differences(passages.force)), 0.002);
   std::vector<double> deviation(n);
   for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
   const double cap = 4 * median_of(deviation);

@@ -439,7 +439,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
     return Merit{at.value, Vector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
   };
   constexpr double negligible = 0.003;  // of the merit
-  mode.theta = theta_at(climbed_in_box(merit_at, start, box, variances, iterations, negligible));
+  mode.theta = theta_at(maximised_in_box(merit_at, start, box, variances, iterations, negligible));
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {

@@ -1,5 +1,5 @@
-// What is known of a few numbers that change along a line and are seen through noise, for several series at once: a Kalman filter and its
-// smoother.
+// A linear Gaussian state-space model of a few numbers that change along a line and are observed through noise, for several series at once: the Kalman
+// filter and its smoother.
 #pragma once
 
 #include <cstddef>
@@ -11,68 +11,70 @@ namespace flexslip {
 
 // A state x of so many numbers, of which each of the series has its own: x = mean ± covariance, the same covariance for all.
 template <int numbers, int series>
-struct KnownState {
+struct GaussianState {
   Eigen::Matrix<double, numbers, series> mean;
   Eigen::Matrix<double, numbers, numbers> covariance;
 };
 
 // From one place to the next: x becomes A x + u, u of mean 0.
 template <int numbers>
-struct StateStep {
-  Eigen::Matrix<double, numbers, numbers> transition;  // A
-  Eigen::Matrix<double, numbers, numbers> added;       // covariance of u
+struct Transition {
+  Eigen::Matrix<double, numbers, numbers> matrix;  // A
+  Eigen::Matrix<double, numbers, numbers> added;   // covariance of u
 };
 
 template <int numbers, int series>
-KnownState<numbers, series> stepped(const KnownState<numbers, series>& known, const StateStep<numbers>& step) {
-  return {step.transition * known.mean, step.transition * known.covariance * step.transition.transpose() + step.added};
+GaussianState<numbers, series> predicted(const GaussianState<numbers, series>& state, const Transition<numbers>& to) {
+  return {to.matrix * state.mean, to.matrix * state.covariance * to.matrix.transpose() + to.added};
 }
 
-// What a sight y = h'x + ε adds, for each of the series.
+// What an observation y = h'x + ε tells, of each of the series.
 template <int numbers, int series>
-struct Sight {
-  KnownState<numbers, series> known;            // with it
-  Eigen::Matrix<double, 1, series> innovation;  // y less what was expected
+struct Update {
+  GaussianState<numbers, series> state;         // with it
+  Eigen::Matrix<double, 1, series> innovation;  // y less its prediction
   double variance;                              // of the innovation
 };
 
 // Domain:     variance of ε >= 0, and that of the innovation > 0.
+// Method:     Joseph's form, whose covariance stays positive, however little is left of a diffuse state.
 template <int numbers, int series>
-Sight<numbers, series> seen(const KnownState<numbers, series>& expected, const Eigen::Matrix<double, numbers, 1>& h,
-                            const Eigen::Matrix<double, 1, series>& y, double variance) {
-  const Eigen::Matrix<double, numbers, 1> covariance = expected.covariance * h;  // of x with what is seen
-  const Eigen::Matrix<double, 1, series> innovation = y - h.transpose() * expected.mean;
+Update<numbers, series> updated(const GaussianState<numbers, series>& prediction,
+                                const Eigen::Matrix<double, numbers, 1>& h, const Eigen::Matrix<double, 1, series>& y,
+                                double variance) {
+  using Square = Eigen::Matrix<double, numbers, numbers>;
+  const Eigen::Matrix<double, numbers, 1> covariance = prediction.covariance * h;  // of x with y
+  const Eigen::Matrix<double, 1, series> innovation = y - h.transpose() * prediction.mean;
   const double total = h.dot(covariance) + variance;
-  return {{expected.mean + covariance * innovation / total,
-           expected.covariance - covariance * covariance.transpose() / total},
+  const Eigen::Matrix<double, numbers, 1> gain = covariance / total;
+  const Square left = Square::Identity() - gain * h.transpose();
+  return {{prediction.mean + gain * innovation,
+           left * prediction.covariance * left.transpose() + variance * gain * gain.transpose()},
           innovation,
           total};
 }
 
-// A place passed: how the state came there, what was expected of it, and what was known with the sight there.
+// A place on the line: how the state came there, what was expected of it, and what is known with the observation there.
 template <int numbers, int series>
-struct PassedState {
-  StateStep<numbers> step;  // from the place before; that of the first is not asked
-  KnownState<numbers, series> expected, known;
+struct FilterStep {
+  Transition<numbers> from_before;  // that of the first place is not asked
+  GaussianState<numbers, series> prediction, state;
 };
 
-// What is known of the state at each place with all sights, those after it, too.
-// Domain:     covariances of what is expected regular.
-// Max error:  1e-16 of the ratio of the greatest variance to the least, relative.
+// The mean of the state at each place, given all observations, those after it, too.
+// Domain:     covariances of the predictions regular.
 // Method:     Rauch, Tung and Striebel (AIAA J. 3, 1965).
 template <int numbers, int series>
-std::vector<KnownState<numbers, series>> smoothed(const std::vector<PassedState<numbers, series>>& passed) {
-  std::vector<KnownState<numbers, series>> result(passed.size());
-  for (std::size_t i = passed.size(); i-- > 0;) {
-    result[i] = passed[i].known;
-    if (i + 1 == passed.size()) continue;
-    const auto& [step, expected, known] = passed[i + 1];
-    const Eigen::Matrix<double, numbers, numbers> gain =
-        result[i].covariance * step.transition.transpose() * expected.covariance.inverse();
-    result[i].mean += gain * (result[i + 1].mean - expected.mean);
-    result[i].covariance += gain * (result[i + 1].covariance - expected.covariance) * gain.transpose();
+std::vector<Eigen::Matrix<double, numbers, series>> rts_means(const std::vector<FilterStep<numbers, series>>& steps) {
+  std::vector<Eigen::Matrix<double, numbers, series>> means(steps.size());
+  for (std::size_t i = steps.size(); i-- > 0;) {
+    means[i] = steps[i].state.mean;
+    if (i + 1 == steps.size()) continue;
+    const auto& [from_before, prediction, state] = steps[i + 1];
+    means[i] += steps[i].state.covariance * from_before.matrix.transpose() * prediction.covariance.inverse() *
+                (means[i + 1] - prediction.mean);
   }
-  return result;
+  return means;
 }
 
 }  // namespace flexslip

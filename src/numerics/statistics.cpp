@@ -40,14 +40,14 @@ double quantile_in_order(std::span<const double> values, double probability) {
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
 
-std::vector<double> bends_of(std::span<const double> readings) {
+std::vector<double> second_differences(std::span<const double> readings) {
   std::vector<double> bends;
   for (std::size_t i = 2; i < readings.size(); ++i)
     bends.push_back(std::abs(readings[i] - 2 * readings[i - 1] + readings[i - 2]));
   return bends;
 }
 
-double noise_of_bends(std::vector<double> bends) {
+double noise_of_second_differences(std::vector<double> bends) {
   return bends.empty() ? 0 : deviation_by_median * median_of(std::move(bends)) / std::sqrt(6.0);
 }
 

@@ -65,9 +65,10 @@ double quantile_in_order(std::span<const double> values, double probability);
 inline constexpr double deviation_by_median = 1.4826;
 
 // The noise of single readings, of which neighbours on a smooth curve tell by how much the middle one of three lies off the line through the
-// others: noise of deviation σ makes √6 σ of it. Drops count as long as fewer than half of the readings stand beside one.
-std::vector<double> bends_of(std::span<const double> readings);  // |second differences|: size - 2 of them, or none
-double noise_of_bends(std::vector<double> bends);                // by their median; 0 of none
+// others: noise of deviation σ makes √6 σ of it. Drops do not matter as long as fewer than half of the readings stand beside one.
+std::vector<double> second_differences(
+    std::span<const double> readings);                          // |second differences|: size - 2 of them, or none
+double noise_of_second_differences(std::vector<double> bends);  // by their median; 0 of none
 
 // The nearest non-falling sequence, in least squares.
 // Method:     pool adjacent violators (Ayer et al. 1955).

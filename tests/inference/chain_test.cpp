@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr double wavelength = 0.013;
 
 // Forty readings and some nodes between them, unevenly spaced, with four columns and a wave.
-Observations some_looks(std::uint64_t seed, bool gaps) {
+Observations some_observations(std::uint64_t seed, bool gaps) {
   std::mt19937_64 random(seed);
   const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   Observations observations;
@@ -128,7 +128,7 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
   for (const Kernel kernel : all_kernels)
     for (const bool gaps : {false, true}) {
       CAPTURE(name_of(kernel));
-      const Observations observations = some_looks(7, gaps);
+      const Observations observations = some_observations(7, gaps);
       const Dense dense(observations, kernel, some_hyperparameters);
       const Chain chain(observations, kernel, some_hyperparameters);
       // The dense factorisation loses the condition number of C, some 1e4, in rounding.
@@ -150,7 +150,7 @@ TEST_CASE("oracle: likelihood, means and variances of a chain are those of dense
 TEST_CASE("oracle: derivatives of the likelihood are its differences") {
   for (const Kernel kernel : all_kernels) {
     CAPTURE(name_of(kernel));
-    const Observations observations = some_looks(3, false);
+    const Observations observations = some_observations(3, false);
     const auto at = [&](double noise, double correlation, double roughness, double length, double lambda) {
       Observations changed = observations;
       for (std::size_t i = 0; i < observations.all.size(); ++i) {
@@ -185,7 +185,7 @@ TEST_CASE("oracle: derivatives of the likelihood are its differences") {
 TEST_CASE("oracle: the slope of a chain is the difference of its means at places where nothing is seen") {
   for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2}) {
     CAPTURE(name_of(kernel));
-    const Observations observations = some_looks(5, false);
+    const Observations observations = some_observations(5, false);
     constexpr double h = 1e-6;
     Observations around;
     around.prior = observations.prior;
@@ -208,15 +208,15 @@ TEST_CASE("oracle: the slope of a chain is the difference of its means at places
       CAPTURE(i);
       const double difference = (beside[3 * i + 2].f - beside[3 * i].f) / (2 * h);
       constexpr double truncation =
-          2e-3;  // h times a second derivative of some 1e5 at a observation, in slopes of some 1e1
+          2e-3;  // h times a second derivative of some 1e5 at an observation, in slopes of some 1e1
       CHECK(smoothed[i].slope == doctest::Approx(difference).epsilon(truncation).scale(1));
     }
   }
 }
 
-TEST_CASE("identity: a functional that is the process at a observation is that observation") {
+TEST_CASE("identity: a functional that is the process at an observation is that observation") {
   for (const Kernel kernel : all_kernels) {
-    const Observations observations = some_looks(11, true);
+    const Observations observations = some_observations(11, true);
     const Chain chain(observations, kernel, some_hyperparameters);
     const auto smoothed = chain.smoothed();
     for (const std::size_t i : {0, 5, 20, 39}) {
@@ -233,7 +233,7 @@ TEST_CASE("identity: a functional that is the process at a observation is that o
 }
 
 TEST_CASE("limit: a chain refuses what is no process") {
-  const Observations observations = some_looks(1, false);
+  const Observations observations = some_observations(1, false);
   Hyperparameters wrong = some_hyperparameters;
   wrong.correlation = 1;
   CHECK_THROWS_AS(Chain(observations, Kernel::matern_3_2, wrong), std::invalid_argument);

@@ -39,18 +39,18 @@ TEST_CASE("oracle: the noise of single readings, simulated on a curve with drops
     if (i % 50 == 49) lost += 30;
     readings.push_back(1e-3 * i - 1e-7 * i * i - lost + 0.2 * normal(generator));
   }
-  // Scatter of a median of dependent values: 0.8 %; four in fifty bends hold a drop, which raises their median by 5 %.
-  const double noise = noise_of_bends(bends_of(readings));
+  // Scatter of a median of dependent values: 0.8 %; two in fifty second differences hold a drop, which raises their median by 5 %.
+  const double noise = noise_of_second_differences(second_differences(readings));
   CHECK(noise > 0.2 * 0.97);
   CHECK(noise < 0.2 * 1.09);
 }
 
-TEST_CASE("calculation by hand: bends of a line, of a parabola, and of too few readings") {
-  CHECK(bends_of(std::vector{1.0, 2.0, 3.0, 4.0}) == std::vector{0.0, 0.0});
-  CHECK(bends_of(std::vector{0.0, 1.0, 4.0, 9.0}) == std::vector{2.0, 2.0});
-  CHECK(noise_of_bends({6, 6}) == doctest::Approx(deviation_by_median * std::sqrt(6.0)).epsilon(1e-15));
-  CHECK(bends_of(std::vector{1.0, 2.0}).empty());
-  CHECK(noise_of_bends({}) == 0);
+TEST_CASE("calculation by hand: second differences of a line, of a parabola, and of too few readings") {
+  CHECK(second_differences(std::vector{1.0, 2.0, 3.0, 4.0}) == std::vector{0.0, 0.0});
+  CHECK(second_differences(std::vector{0.0, 1.0, 4.0, 9.0}) == std::vector{2.0, 2.0});
+  CHECK(noise_of_second_differences({6, 6}) == doctest::Approx(deviation_by_median * std::sqrt(6.0)).epsilon(1e-15));
+  CHECK(second_differences(std::vector{1.0, 2.0}).empty());
+  CHECK(noise_of_second_differences({}) == 0);
   CHECK(deviation_by_median == doctest::Approx(1 / elementary::gaussian_quantile(0.75)).epsilon(2e-5));
 }
 

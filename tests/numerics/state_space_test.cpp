@@ -56,24 +56,24 @@ struct Joint {
   }
 };
 
-std::vector<PassedState<2, 2>> passed(const Sights& sights, Eigen::RowVector2d& squares, double& log_determinant) {
-  std::vector<PassedState<2, 2>> steps;
+std::vector<FilterStep<2, 2>> passed(const Sights& sights, Eigen::RowVector2d& squares, double& log_determinant) {
+  std::vector<FilterStep<2, 2>> steps;
   for (std::size_t i = 0; i < sights.place.size(); ++i) {
-    PassedState<2, 2> here;
+    FilterStep<2, 2> here;
     if (i == 0) {
-      here.step = {Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero()};
-      here.expected.mean.setZero();
-      here.expected.covariance = Eigen::Vector2d(first_variance, power).asDiagonal();
+      here.from_before = {Eigen::Matrix2d::Identity(), Eigen::Matrix2d::Zero()};
+      here.prediction.mean.setZero();
+      here.prediction.covariance = Eigen::Vector2d(first_variance, power).asDiagonal();
     } else {
       const double distance = sights.place[i] - sights.place[i - 1], decay = std::exp(-distance / length);
-      here.step.transition = Eigen::Vector2d(1, decay).asDiagonal();
-      here.step.added = Eigen::Vector2d(roughness * distance, power * (1 - decay * decay)).asDiagonal();
-      here.expected = stepped(steps.back().known, here.step);
+      here.from_before.matrix = Eigen::Vector2d(1, decay).asDiagonal();
+      here.from_before.added = Eigen::Vector2d(roughness * distance, power * (1 - decay * decay)).asDiagonal();
+      here.prediction = predicted(steps.back().state, here.from_before);
     }
-    const auto sight = seen(here.expected, sights.h[i], sights.y[i], sights.variance);
-    squares += sight.innovation.cwiseAbs2() / sight.variance;
-    log_determinant += std::log(sight.variance);
-    here.known = sight.known;
+    const auto update = updated(here.prediction, sights.h[i], sights.y[i], sights.variance);
+    squares += update.innovation.cwiseAbs2() / update.variance;
+    log_determinant += std::log(update.variance);
+    here.state = update.state;
     steps.push_back(here);
   }
   return steps;
@@ -87,20 +87,20 @@ TEST_CASE("oracle: a filter with its smoother tells what the joint normal distri
   Eigen::RowVector2d squares = Eigen::RowVector2d::Zero();
   double log_determinant = 0;
   const auto steps = passed(sights, squares, log_determinant);
-  const auto states = smoothed(steps);
+  const auto means = rts_means(steps);
 
   const Eigen::Index n = joint.y.rows();
   const Eigen::MatrixXd C =
       joint.H * joint.states * joint.H.transpose() + sights.variance * Eigen::MatrixXd::Identity(n, n);
   const Eigen::MatrixXd gain = joint.states * joint.H.transpose() * C.inverse();
   const Eigen::MatrixXd mean = gain * joint.y;
-  const Eigen::MatrixXd covariance = joint.states - gain * joint.H * joint.states;
   // Rounding: 1e-16 times 9/0.04, the ratio of variances, and some for the inverse of a matrix of 12.
   constexpr double rounding = 1e-12;
+  const Eigen::Matrix2d covariance = (joint.states - gain * joint.H * joint.states).bottomRightCorner<2, 2>();
+  CHECK((steps.back().state.covariance - covariance).cwiseAbs().maxCoeff() < rounding);  // of the last place
   for (Eigen::Index i = 0; i < n; ++i) {
-    const auto& state = states[static_cast<std::size_t>(i)];
-    CHECK((state.mean - mean.middleRows(2 * i, 2)).cwiseAbs().maxCoeff() < rounding * 12);
-    CHECK((state.covariance - covariance.block(2 * i, 2 * i, 2, 2)).cwiseAbs().maxCoeff() < rounding);
+    const auto& here = means[static_cast<std::size_t>(i)];
+    CHECK((here - mean.middleRows(2 * i, 2)).cwiseAbs().maxCoeff() < rounding * 12);
   }
   CHECK(std::abs(log_determinant - std::log(C.determinant())) < rounding * 12);
   for (Eigen::Index series = 0; series < 2; ++series) {
@@ -110,14 +110,26 @@ TEST_CASE("oracle: a filter with its smoother tells what the joint normal distri
 }
 
 TEST_CASE("limit: what is seen without noise is known, and nothing is learned from endless noise") {
-  const KnownState<1, 1> expected{Eigen::Matrix<double, 1, 1>(2.0), Eigen::Matrix<double, 1, 1>(0.25)};
+  const GaussianState<1, 1> expected{Eigen::Matrix<double, 1, 1>(2.0), Eigen::Matrix<double, 1, 1>(0.25)};
   const Eigen::Matrix<double, 1, 1> h(1.0), y(3.0);
-  const auto sharp = seen(expected, h, y, 0);
-  CHECK(sharp.known.mean(0, 0) == 3);
-  CHECK(sharp.known.covariance(0, 0) == 0);
-  const auto blind = seen(expected, h, y, 1e300);
-  CHECK(blind.known.mean(0, 0) == 2);
-  CHECK(blind.known.covariance(0, 0) == 0.25);
+  const auto sharp = updated(expected, h, y, 0);
+  CHECK(sharp.state.mean(0, 0) == 3);
+  CHECK(sharp.state.covariance(0, 0) == 0);
+  const auto blind = updated(expected, h, y, 1e300);
+  CHECK(blind.state.mean(0, 0) == 2);
+  CHECK(blind.state.covariance(0, 0) == 0.25);
+}
+
+TEST_CASE("limit: a diffuse state seen with hardly any noise keeps a variance, that of the noise") {
+  const GaussianState<2, 1> diffuse{Eigen::Vector2d::Zero(), Eigen::Vector2d(1e4, 1e-4).asDiagonal()};
+  constexpr double variance = 1e-18;
+  auto update = updated(diffuse, Eigen::Vector2d(1, 0.5), Eigen::Matrix<double, 1, 1>(0.3), variance);
+  for (int i = 0; i < 20; ++i)
+    update =
+        updated(update.state, Eigen::Vector2d(1, i % 2 == 0 ? -0.5 : 0.5), Eigen::Matrix<double, 1, 1>(0.3), variance);
+  CHECK(update.state.covariance(0, 0) >= 0);
+  CHECK(update.state.covariance(1, 1) >= 0);
+  CHECK(std::abs(update.state.mean(0, 0) - 0.3) < 1e-8);
 }
 
 }  // namespace flexslip
