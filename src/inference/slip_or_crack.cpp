@@ -105,10 +105,9 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
   return rows;
 }
 
-using Function = FunctionOfNumbers;
 using Starts = std::vector<std::vector<double>>;
 
-Least least_of(const Function& f, const Starts& starts, const std::vector<double>& steps) {
+Least least_of(const FunctionOfNumbers& f, const Starts& starts, const std::vector<double>& steps) {
   return least_from(f, starts, {.steps = steps, .close_in_value = 0.02, .close_in_numbers = 1e-3, .max_calls = 220});
 }
 
@@ -140,25 +139,26 @@ class Rises {
 
   std::size_t size() const { return begin_.size(); }
 
-  // What explains the rises, how well, in `out`.
-  SlipOrCrack explained(SlipOrCrack out) {
+  // What explains the rises, and how well.
+  SlipOrCrack explained() {
+    SlipOrCrack out{};
     const auto m = static_cast<double>(size());
     // μ, d, ρ
     variance_ = 0.03 * 0.03;
-    const Function cracked = [&](std::span<const double> p) { return cracks(p[0], p[1], p[2]); };
+    const FunctionOfNumbers cracked = [&](std::span<const double> p) { return cracks(p[0], p[1], p[2]); };
     const Starts of_cracks{{0.3, 0, 0.3}, {0.8, 0, 0.3}, {0.6, 1, 0.6}, {0.05, 0, 0.3}};
     Least best;
     for (int round = 0; round < 2; ++round) best = settled(cracked, of_cracks, {0.2, 1, 0.2});
     out.cracks = explanation(cracked, best, m + 4);
     const double mu = best.at[0], d = best.at[1], rho = best.at[2], arrested_variance = variance_;
     // μ, ρ
-    const Function constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
+    const FunctionOfNumbers constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
     const Least of_constant = least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
     out.cracks_constant = explanation(constant, of_constant, m + 3);
     out.rises = size();
     out.stiffer_rises = stiffer_rises(of_constant.at[0]);
     // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
-    const Function running = [&](std::span<const double> p) { return running_cracks(p); };
+    const FunctionOfNumbers running = [&](std::span<const double> p) { return running_cracks(p); };
     out.cracks_running = explanation(
         running,
         polished(running, {{mu, d, std::max(rho - 0.2, 0.05), 0.3, -1}, {0.3, 0, 0.3, 1, 1}, {0.9, 0, 0.5, 0.1, 1}},
@@ -167,10 +167,10 @@ class Rises {
     // e0 - 1, ρ, logarithm of the spread of b_j; loss at each drop
     const double of_slips = std::min(arrested_variance, 0.05 * 0.05);
     variance_ = of_slips;
-    const Function slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], 0); };
+    const FunctionOfNumbers slips = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], 0); };
     out.slip = explanation(slips, polished(slips, {{0, 0.3, 0}, {0, 0.3, 2}, {0.03, 0.6, -2}}, {0.03, 0.2, 1}), m + 4);
     variance_ = of_slips;
-    const Function both = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], p[3]); };
+    const FunctionOfNumbers both = [&](std::span<const double> p) { return slip(p[0], p[1], p[2], p[3]); };
     out.slip_and_cracks = explanation(
         both, polished(both, {{0, 0.3, 0, 0.01}, {0, 0.3, 2, 0.002}, {0.03, 0.6, -2, 0.03}}, {0.03, 0.2, 1, 0.01}),
         m + 5);
@@ -179,14 +179,14 @@ class Rises {
 
  private:
   // The least from some starts, and what the variance of a row is there.
-  Least settled(const Function& f, const Starts& starts, const std::vector<double>& steps) {
+  Least settled(const FunctionOfNumbers& f, const Starts& starts, const std::vector<double>& steps) {
     Least best = least_of(f, starts, steps);
     f(best.at);
     variance_ = squares_ / static_cast<double>(n_);
     return best;
   }
   // The same, and twice again from where that is.
-  Least polished(const Function& f, Starts starts, const std::vector<double>& steps) {
+  Least polished(const FunctionOfNumbers& f, Starts starts, const std::vector<double>& steps) {
     Least best;
     for (int round = 0; round < 3; ++round) {
       best = settled(f, starts, steps);
@@ -194,7 +194,7 @@ class Rises {
     }
     return best;
   }
-  RiseExplanation explanation(const Function& f, const Least& best, double numbers) {
+  RiseExplanation explanation(const FunctionOfNumbers& f, const Least& best, double numbers) {
     f(best.at);  // for what is left of EI there
     return {2 * best.value + numbers * elementary::log(static_cast<double>(n_)), left_};
   }
@@ -392,7 +392,8 @@ SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span
   if (drops.size() < least) return out;
   Rises rises(record, rig, drops);
   if (rises.size() < least) return out;
-  out = rises.explained(std::move(out));
+  out = rises.explained();
+  out.verdict = CrackVerdict::cannot_be_told;
   out.judged = true;
   const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
   out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;

@@ -19,7 +19,7 @@ struct Greatest {
 };
 
 // The greatest value of a function between two numbers, or at a place where it is greater than about it.
-// Domain:     low < high, tolerance > 0.
+// Domain:     low < high, tolerance above the rounding of both. The function is asked between them alone.
 // Max error:  of the place 2 `tolerance`, and what rounding leaves of a smooth peak: the root of 1e-16 of its width.
 // Method:     parabolas through the best three points, golden sections where they lead nowhere (Brent 1973, chapter 5): the function may have
 //             kinks.
@@ -37,6 +37,8 @@ Greatest greatest_within(const Function& f, double low, double high, double tole
     const bool is_good = std::abs(parabola) < 0.5 * std::abs(step_before) && x + parabola > low && x + parabola < high;
     step_before = is_good ? step : (x < 0.5 * (low + high) ? high : low) - x;
     step = is_good ? parabola : golden * step_before;
+    const bool is_at_end = is_good && std::min(x + step - low, high - x - step) < 2 * tolerance;
+    if (is_at_end) step = std::copysign(tolerance, 0.5 * (low + high) - x);
     const double next = x + (std::abs(step) >= tolerance ? step : std::copysign(tolerance, step));
     const double at_next = f(next);
     if (at_next >= at_x) {
@@ -93,15 +95,15 @@ struct Box {
   Vector longest_step;
 };
 
-// The numbers from which no step leads uphill by more than `negligible`, or those after so many iterations.
+// Uphill until a step gains less than `negligible`, or none of six lengths of a step gains at all, or for so many iterations.
 // Domain:     Vector: a column of Eigen's; f(Vector) gives a struct with `value` and `gradient`, finite in the box. variances: minus the inverse
-//             curvature of each number, roughly.
+//             curvature of each number, roughly. Numbers and values of the order of 1: of steps shorter than 1e-6 no curvature is learned.
 // Method:     BFGS, each step shortened to the longest and to the box, then by 0.3 until it rises, at most five times.
 // Fails:      never; where none of six lengths of a step rises it ends, in a bent valley that leads into a wall maybe before its end.
 // Cost:       1 + (1 to 6) calls an iteration.
 template <class Function, class Vector>
-Vector climbed_in_box(const Function& f, const Vector& start, const Box<Vector>& box, const Vector& variances,
-                      int iterations, double negligible) {
+Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector>& box, const Vector& variances,
+                        int iterations, double negligible) {
   using Matrix = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime, 0,
                                Vector::MaxRowsAtCompileTime, Vector::MaxRowsAtCompileTime>;
   const Eigen::Index n = start.size();
