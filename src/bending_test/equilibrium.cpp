@@ -9,6 +9,7 @@
 #include "contact/over_rollers.h"
 #include "fibre/batch.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -31,12 +32,9 @@ EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, s
 // The last state before the branch ends between two lengths.
 EquilibriumPoint last_point(const Friction& friction, const Fibre& fibre, double sign, double exists, double ended) {
   const auto state_at = [&](double S) { return fibre.state(S, sign * friction.at(S).mu); };
-  while (ended - exists > 0x1p-52 * ended) {
-    const double middle = 0.5 * (exists + ended);
-    if (middle <= exists || middle >= ended) break;
-    (state_at(middle).status == FibreStatus::ok ? exists : ended) = middle;
-  }
-  return point_of(state_at(exists));
+  const auto is_close = [](const Bracket& bracket) { return !(bracket.width() > 0x1p-52 * bracket.high); };
+  const auto has_ended = [&](double S) { return state_at(S).status != FibreStatus::ok; };
+  return point_of(state_at(halved_until(is_close, {exists, ended}, has_ended).low));
 }
 
 template <class States>

@@ -142,8 +142,8 @@ class Recorder {
   void record(const PathPoint& point) {
     history_.path.push_back(point);
     history_.energy_at.push_back(history_.energy);
-    if (const TwoSupportPath* walk = fibre_.friction().kinetic.two_supports())
-      history_.contacts.push_back(walk->points_at(std::max(point.S, 1.0)));
+    if (const TwoSupportPath* path = fibre_.friction().kinetic.two_supports())
+      history_.contacts.push_back(path->points_at(std::max(point.S, 1.0)));
   }
 
   PathPoint state() const { return fibre_.state(); }

@@ -109,10 +109,8 @@ MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& the
     if (!landing || landing->S > longest_sliding) {
       end_ = HistoryStatus::slipped_through;
     } else {
-      double slides = S, holds = landing->S;
-      for (double middle = 0.5 * (slides + holds); slides < middle && middle < holds; middle = 0.5 * (slides + holds))
-        (at(middle).holding == Holding::held ? holds : slides) = middle;
-      held = at(holds);
+      const auto holds = [&](double length) { return at(length).holding == Holding::held; };
+      held = at(first_where(S, landing->S, holds));
     }
   }
   const FibreState& state = held.state;

@@ -317,11 +317,7 @@ class FoldSearch {
   CurveSample sample(double x) const { return sample_at(friction_, rig_, sliding_, x); }
 
   double last_existing(double exists, double ended) const {
-    while (true) {
-      const double middle = 0.5 * (exists + ended);
-      if (!(middle > exists && middle < ended)) return exists;
-      (sample(middle).exists ? exists : ended) = middle;
-    }
+    return halved(200, {exists, ended}, [&](double x) { return !sample(x).exists; }).low;
   }
 
   bool is_corner(double S) const {

@@ -181,9 +181,9 @@ TwoSupportPath::TwoSupportPath(Friction left, Friction right, ContactPoints from
 TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
     : sides_(std::move(sides)), origin_(origin) {
   for (const Friction& side : sides_)
-    if (side.two_supports()) throw std::invalid_argument("the friction of a side is that of a walk over two");
+    if (side.two_supports()) throw std::invalid_argument("the friction of a side is that of two supports");
   if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
-    throw std::invalid_argument("a walk from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
+    throw std::invalid_argument("a path from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
   std::reverse(pieces_.begin(), pieces_.end());
   if (!pieces_.empty()) pieces_.front().from = 1;

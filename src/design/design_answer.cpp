@@ -11,6 +11,7 @@
 
 #include "case/mechanics.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -45,11 +46,9 @@ std::optional<bool> snaps_with(Test input, DesignParameter parameter, double val
 
 // Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
 double nearest_between(const Test& input, DesignParameter parameter, double as_now, double otherwise, bool now) {
-  while (std::abs(otherwise - as_now) > close * otherwise) {
-    const double middle = 0.5 * (as_now + otherwise);
-    (snaps_with(input, parameter, middle) == !now ? otherwise : as_now) = middle;
-  }
-  return otherwise;
+  const auto is_close = [](const Bracket& values) { return !(std::abs(values.width()) > close * values.high); };
+  const auto is_otherwise = [&](double value) { return snaps_with(input, parameter, value) == !now; };
+  return halved_until(is_close, {as_now, otherwise}, is_otherwise).high;
 }
 
 struct Way {

@@ -69,7 +69,7 @@ Fibre::BentState Fibre::bent(double w, double q) const {
 
 std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<const double> q) const {
   if (w.empty()) return {};
-  std::vector<double> forces = std::move(tables_->sliding(w, q).columns[1]);
+  std::vector<double> forces = tables_->forces(w, q);
   for (std::size_t i = 0; i < w.size(); ++i) {
     if (w[i] == 0)
       forces[i] = 0;
@@ -241,7 +241,8 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
   const double least = least_half_depths * supports().half_depth;
   for (std::size_t i = 0; i < n; ++i)
     if (w[i] > 0 && w[i] >= least && w[i] <= deepest_on_supports) active.push_back(i);
-  // The force rises with friction, nearly in proportion. Less than the least friction looked for is none.
+  // The force rises with friction, nearly in proportion. Less than the least friction looked for is none; more than the largest is told, as what makes
+  // a point suspect.
   for (int round = 0; round < 12 && !active.empty(); ++round) {
     std::vector<double> w_now, q_now;
     for (const std::size_t i : active) {
@@ -258,9 +259,11 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
         found.q[i] = q[i] + step;
         found.S[i] = 1 + at.columns[0][j] + at.columns[3][j] * step;
       } else if (std::isfinite(step)) {
-        const double before = q[i];
-        q[i] = std::max(std::clamp(before + step, before - 0.8, before + 0.8), -largest_q_on_supports);
-        if (q[i] != before && q[i] < largest_q) active[left++] = i;
+        constexpr double longest = 0.8, least_q = -largest_q_on_supports;
+        const double next = q[i] + std::clamp(step, -longest, longest);
+        const bool is_less = q[i] == least_q && next < least_q;
+        q[i] = std::max(next, least_q);
+        if (!is_less && q[i] < largest_q) active[left++] = i;
       } else if (q[i] < largest_q_on_supports) {
         q[i] += 0.25;  // where the branch has ended more friction makes a force
         active[left++] = i;

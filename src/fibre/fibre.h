@@ -59,7 +59,7 @@ class Fibre {
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
   };
   BentState bent(double w, double q) const;
-  // [EI/L^2] Its force alone, of many. Domain and accuracy as bent; NaN where there is no state with a force.
+  // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
   std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
 
   // [L] The length of axis between the contacts, at which friction is looked up.

@@ -7,6 +7,7 @@
 #include <deque>
 #include <mutex>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "fibre/cell_table.h"
@@ -149,6 +150,17 @@ double SupportedTables::energy(double w, double q) const {
   return std::isnan(U) ? state(w, q).U : U;
 }
 
+std::vector<double> SupportedTables::forces(std::span<const double> w, std::span<const double> q) const {
+  std::vector<double> slid(w.size()), F(w.size());
+  sliding_.values(w.data(), q.data(), w.size(), slid.data(), F.data());
+  for (std::size_t i = 0; i < w.size(); ++i) {
+    if (!std::isnan(F[i])) continue;
+    const SupportedState at = state(w[i], q[i]);
+    F[i] = at.status == FibreStatus::ok ? at.F : not_a_number;
+  }
+  return F;
+}
+
 std::vector<double> SupportedTables::deflections(std::span<const double> S, std::span<const double> q) const {
   return deflections(S, q, std::vector<double>(S.size(), not_a_number));
 }
@@ -206,25 +218,22 @@ SupportedTables::Step SupportedTables::step_from(double w, double S, double q, d
 }
 
 SupportedState SupportedTables::state(double w, double q) const {
-  if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q && w <= branch_end(q).w))
-    return no_state_on_supports(q);
+  // So far beyond the end of its branch a fibre is led on. Branches end 5 L deeper for one friction more, at most, so that the cells of an eighth of it
+  // in which they end have all their nodes.
+  constexpr double led_beyond = 0.5;  // [L]
+  if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q)) return no_state_on_supports(q);
+  const double end = branch_end(q).w;
+  if (w > end + led_beyond) return no_state_on_supports(q);
   const SupportedState led = state_led_on(w, q, supports);
   // Leading on may lose a state that is there, of a fibre much bent.
-  return led.status == FibreStatus::ok ? led : state_on_supports(w, q, supports);
-}
-
-// So far beyond the end of its branch a fibre is led on, so that the cells in which branches end have all their nodes.
-SupportedState SupportedTables::node(double w, double q) const {
-  constexpr double led_beyond = 0.5;  // [L]
-  const double end = branch_end(q).w;
-  return w <= end || w > end + led_beyond ? state(w, q) : state_led_on(w, q, supports);
+  return led.status == FibreStatus::ok || w > end ? led : state_on_supports(w, q, supports);
 }
 
 CellTable::Source SupportedTables::source(Field first, Field second) const {
   return [this, first, second](std::span<const double> w, std::span<const double> q) {
     CellTable::Pair pair;
     for (std::size_t i = 0; i < w.size(); ++i) {
-      const SupportedState at = node(w[i], q[i]);
+      const SupportedState at = state(w[i], q[i]);
       const bool exists = at.status == FibreStatus::ok;
       pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
       pair.second.push_back(exists ? at.*second / w[i] : not_a_number);
@@ -298,51 +307,34 @@ SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
 // Where Newton's iteration leads nowhere, close to the end of the branch: within a bracket whose upper end may have no state.
 double SupportedTables::beyond(double S, double q) const {
   if (S - 1 > branch_end(q).slid) return not_a_number;
+  constexpr double close = 1e-10, rounding = 1e-15;  // of the length
   const auto miss = [&](double w) {
     const SupportedState at = state(w, q);
     return at.status == FibreStatus::ok ? at.slid - (S - 1) : infinity;
   };
-  constexpr double close = 1e-10, rounding = 1e-15;  // of the length
-  double low = least_w(), high = low + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9;
-  double short_by = S - least_length(supports), over_by = miss(high);
-  double way = 0, rise = infinity;  // to `low` from the one before
-  const auto raise = [&](double w, double miss_there) {
-    way = w - low, rise = short_by + miss_there;
-    low = w, short_by = -miss_there;
-  };
-  for (; over_by < 0; over_by = miss(high)) {
-    raise(high, over_by);
-    high *= 1.1;
+  const double least = supports.half_depth == 0 ? 1 - S : miss(least_w());
+  Tried low{least_w(), std::isfinite(least) ? least : least_length(supports) - S};
+  if (!(low.value < 0)) return std::abs(low.value) <= close ? low.x : not_a_number;
+  Tried high{low.x + 1.1 * std::sqrt(std::max(S - 1, 0.0) / 2.4) + 1e-9, 0};
+  Tried before = low;
+  for (high.value = miss(high.x); high.value < 0; high.value = miss(high.x)) {
+    before = std::exchange(low, high);
+    high.x *= 1.1;
   }
-  // By halves down to a state beyond the length; towards its end the length rises at most as a square root does: four times that is not enough.
-  while (std::isinf(over_by)) {
-    const double left = std::sqrt(high - low), w = 0.5 * (low + high);
-    if (!(low < w && w < high)) break;
-    if (4 * rise * left / (std::sqrt(way + high - low) - left) + close < short_by) return not_a_number;
-    const double there = miss(w);
-    if (there < 0)
-      raise(w, there);
+  // By halves down to a state beyond the length. Towards its end the length rises at most as a square root does: four times that is not enough.
+  while (std::isinf(high.value)) {
+    const double middle = 0.5 * (low.x + high.x), left = std::sqrt(high.x - low.x);
+    if (middle == low.x || middle == high.x) break;
+    const double rise = low.value - before.value, whole = std::sqrt(high.x - before.x);
+    if (rise > 0 && 4 * rise * left / (whole - left) + close < -low.value) return not_a_number;
+    const Tried there{middle, miss(middle)};
+    if (there.value < 0)
+      before = std::exchange(low, there);
     else
-      high = w, over_by = there;
+      high = there;
   }
-  // By the secant, an end that stays counting for half each time.
-  bool was_raised = false, was_lowered = false;
-  while (std::isfinite(over_by)) {
-    const double secant = low + (high - low) * short_by / (short_by + over_by);
-    const double w = low < secant && secant < high ? secant : 0.5 * (low + high);
-    if (!(low < w && w < high)) break;
-    const double there = miss(w);
-    if (std::abs(there) <= rounding * S) return w;
-    if (there < 0) {
-      raise(w, there);
-      if (was_raised) over_by *= 0.5;
-    } else {
-      high = w, over_by = there;
-      if (was_lowered) short_by *= 0.5;
-    }
-    was_raised = there<0, was_lowered = there> 0;
-  }
-  return -miss(low) <= close ? low : not_a_number;
+  const double w = zero_by_secant(miss, low, high, rounding * S);
+  return std::abs(miss(w)) <= close ? w : not_a_number;
 }
 
 CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::span<const double> q) const {

@@ -73,9 +73,12 @@ class SupportedTables {
   PairSlope sliding(double w, double q) const;
   PairSlope contacts(double w, double q) const;
   double energy(double w, double q) const;  // [EI/L] U
+  std::vector<double> forces(std::span<const double> w,
+                             std::span<const double> q) const;  // [EI/L^2] F, as that of sliding
 
   // [L] Deflections of lengths S, the more bent ones: by Newton's iteration, from a guess for each where there is one (w; NaN: none), as the length is
-  // convex in the deflection. NaN where there is no state.
+  // convex in the deflection. NaN where there is no state; beyond the end of the branch, where one is led on to, its force
+  // is below 0.
   std::vector<double> deflections(std::span<const double> S, std::span<const double> q) const;
   std::vector<double> deflections(std::span<const double> S, std::span<const double> q, std::vector<double> w) const;
   double deflection(double S, double q) const;
@@ -100,7 +103,6 @@ class SupportedTables {
   BranchEnd branch_end(double q) const;
   BranchEnd end_at(std::size_t index) const;
   SupportedState state(double w, double q) const;
-  SupportedState node(double w, double q) const;
   CellTable::Source source(Field first, Field second) const;
   CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const;
   PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,

@@ -73,8 +73,9 @@ Replay replay_of(const TestAnalysis& analysis) {
   double last = 0;
   constexpr double deepest_replayed = 1;  // [L] deeper, a state that is there may not be found (supported_state.h)
   const double deepest = analysis.rig.fibre.on_edges() ? infinity : deepest_replayed;
-  for (std::size_t i = 0; i < analysis.reduced.stage.size() && analysis.reduced.deflection[i] <= deepest; ++i)
-    if (analysis.reduced.deflection[i] > from && analysis.reduced.stage[i] >= last) {
+  for (std::size_t i = 0; i < analysis.reduced.stage.size(); ++i)
+    if (analysis.reduced.deflection[i] > from && analysis.reduced.deflection[i] <= deepest &&
+        analysis.reduced.stage[i] >= last) {
       rows.push_back(i);
       last = analysis.reduced.stage[i];
       stages.push_back(last);

@@ -88,7 +88,8 @@ struct MeasuredEnergy {
 
 // The measured profile run forward as a table.
 struct Replay {
-  std::vector<double> force;         // [EI/L^2] at the points of the record past the deflection 0.05; NaN before
+  std::vector<double>
+      force;  // [EI/L^2] at the points of the record past the deflection 0.05, on supports up to 1; NaN elsewhere
   double residual_rms = 0;           // [EI/L^2] there
   std::size_t drops_reproduced = 0;  // drops of the record that the table has at the same point
 };

@@ -103,7 +103,7 @@ Check check_whiteness(const FrictionFit& fit) {
   if (fit.innovations.empty()) return {CheckKind::whiteness, CheckOutcome::not_possible, {}};
   // About their mean, which is above 0: a fibre rests where friction is high, and passes over where it is low.
   auto r = fit.innovations;
-  const double mean = std::accumulate(r.begin(), r.end(), 0.0) / static_cast<double>(r.size());
+  const double mean = mean_of(r);
   for (double& value : r) value -= mean;
   const std::size_t n = r.size(), lags = std::min<std::size_t>(20, n / 5);
   double squares = 0, sum = 0;

@@ -14,12 +14,14 @@ struct Bracket {
   double middle() const { return 0.5 * (low + high); }
 };
 
-// A bracket is halved until it is `enough`; is_beyond(x) is false at its low end, true at its high one, and neither is asked.
+// A bracket is halved until it is `enough`, or two neighbouring numbers; is_beyond(x) is false at its low end, true at its high one, and neither is
+// asked. Low and high in either order.
 // Fails:      never; where is_beyond turns more than once, one of the turns is kept.
 template <class Predicate, class Enough>
 Bracket halved_until(const Enough& enough, Bracket bracket, const Predicate& is_beyond) {
   while (!enough(bracket)) {
     const double middle = bracket.middle();
+    if (middle == bracket.low || middle == bracket.high) break;
     (is_beyond(middle) ? bracket.high : bracket.low) = middle;
   }
   return bracket;
@@ -38,15 +40,8 @@ Bracket halved(int halvings, Bracket bracket, const Predicate& is_beyond) {
 // Cost:       one call at the end, and some 50 more where it is true there.
 template <class Predicate>
 double first_where(double is_false, double end, const Predicate& is_true) {
-  if (!is_true(end)) return end;
   constexpr int max_halvings = 200;
-  double is_so = end;
-  for (int i = 0; i < max_halvings; ++i) {
-    const double middle = 0.5 * (is_false + is_so);
-    if (middle == is_false || middle == is_so) break;
-    (is_true(middle) ? is_so : is_false) = middle;
-  }
-  return is_so;
+  return is_true(end) ? halved(max_halvings, {is_false, end}, is_true).high : end;
 }
 
 // By Newton's iteration.
@@ -66,13 +61,45 @@ double zero_between(const Function& f, double negative, double positive, double 
     const double tolerance = close + relative * std::abs(x);
     const double newton = x - value / slope;
     const bool is_between = (newton - negative) * (newton - positive) < 0;
-    if (!is_between && std::abs(newton - x) <= tolerance) return x;  // a step that rounding has made none
+    if (!is_between && std::isfinite(slope) && std::abs(newton - x) <= tolerance)
+      return x;  // a step that rounding has made none
     const double next = is_between ? newton : 0.5 * (negative + positive);
     const double step = std::abs(next - x);
     x = next;
     if (step <= tolerance) break;
   }
   return x;
+}
+
+// Without slopes.
+
+struct Tried {
+  double x, value;
+};
+
+// The zero of a function between a place where it is negative and one where it is positive, in either order. A value that is infinite or none counts
+// as positive.
+// Domain:     negative.value < 0, and not positive.value < 0.
+// Max error:  |f| <= `small` there; or else its neighbour has the other sign, or both have been approached 200 times.
+// Method:     the secant, where an end that stays counts for half each time (Dowell and Jarratt, BIT 11, 1971); halves where it leads nowhere.
+template <class Function>
+double zero_by_secant(const Function& f, Tried negative, Tried positive, double small) {
+  constexpr int max_steps = 200;
+  Tried* stayed = nullptr;
+  for (int i = 0; i < max_steps; ++i) {
+    const double secant = negative.x - (positive.x - negative.x) * negative.value / (positive.value - negative.value);
+    const bool is_between = (secant - negative.x) * (secant - positive.x) < 0;
+    const double x = is_between ? secant : 0.5 * (negative.x + positive.x);
+    if (x == negative.x || x == positive.x) break;
+    const double value = f(x);
+    if (std::abs(value) <= small) return x;
+    Tried& moved = value < 0 ? negative : positive;
+    Tried& stays = value < 0 ? positive : negative;
+    moved = {x, value};
+    if (stayed == &stays) stays.value *= 0.5;
+    stayed = &stays;
+  }
+  return negative.x;
 }
 
 }  // namespace flexslip

@@ -109,7 +109,30 @@ TEST_CASE("tables on supports: up to the end of the branch they are what is comp
     const auto tabulated = SupportedTables::of(supports)->sliding(w, q);
     RC_ASSERT(std::abs(tabulated[0] - state.slid) < 1e-11);
     RC_ASSERT(std::abs(tabulated[1] - state.F) < 1e-9);
+    // Just beyond the end it is led on, with a force that no support bears.
+    const SupportedState led = state_led_on(none + 1e-3, q, supports);
+    RC_PRE(led.status == FibreStatus::ok);
+    const auto beyond = SupportedTables::of(supports)->sliding(none + 1e-3, q);
+    RC_ASSERT(beyond[1] < 0);
+    RC_ASSERT(std::abs(beyond[1] - led.F) < 1e-9);
+    RC_ASSERT(std::abs(SupportedTables::of(supports)->forces(std::vector{w}, std::vector{q})[0] - state.F) < 1e-9);
   }));
+}
+
+TEST_CASE("tables on supports, limit: lengths that no state has, too short and too long, have no deflection") {
+  for (const Supports supports : {Supports{0, 0.05}, Supports{0.1, 0.03}, Supports{0.05, 0}})
+    for (const double q : {-2.0, -1.0, 0.0, 1.0}) {
+      INFO("radius ", supports.radius, ", half depth ", supports.half_depth, ", q ", q);
+      const SupportedTables& tables = *SupportedTables::of(supports);
+      double least = 1;  // [L] of all states hardly bent
+      for (double w = 1e-3; w < 0.3; w += 1e-3) {
+        const SupportedState at = state_led_on(w, q, supports);
+        if (at.status == FibreStatus::ok) least = std::min(least, 1 + at.slid);
+      }
+      CHECK(std::isnan(tables.deflection(least - 1e-3, q)));
+      CHECK(std::isnan(tables.deflection(12, q)));
+      CHECK(std::isnan(tables.deflections(std::vector{least - 1e-3}, std::vector{q})[0]));
+    }
 }
 
 }  // namespace flexslip

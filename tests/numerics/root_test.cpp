@@ -44,6 +44,22 @@ TEST_CASE("limit: without a change of sign the result lies within the bracket, a
   CHECK(nowhere <= 1);
 }
 
+TEST_CASE("limit: a tangent without end is no zero") {
+  const auto upright = [](double x) { return ValueAndSlope{x - 0.3, std::numeric_limits<double>::infinity()}; };
+  CHECK(std::abs(zero_between(upright, 0, 1, 0.5, 1e-12) - 0.3) < 1e-11);
+}
+
+TEST_CASE("table: a zero without slopes, also next to where there is no value") {
+  int calls = 0;
+  const auto f = [&](double x) { return ++calls, x > 0.8 ? std::numeric_limits<double>::infinity() : std::exp(x) - 2; };
+  CHECK(std::abs(zero_by_secant(f, {0, -1}, {1, f(1)}, 1e-15) - 0.693147180559945309) < 1e-15);
+  CHECK(calls < 15);
+  const auto falling = [](double x) { return 2 - x * x * x; };
+  CHECK(std::abs(zero_by_secant(falling, {2, -6}, {0, 2}, 1e-15) - 1.25992104989487316) < 1e-15);
+  const auto never = [](double x) { return x > 0.5 ? std::nan("") : -1.0; };
+  CHECK(zero_by_secant(never, {0, -1}, {1, never(1)}, 1e-15) == 0.5);
+}
+
 TEST_CASE(
     "identity: the first number at which something is true has a neighbour at which it is false, from either side") {
   const auto beyond = [](double x) { return x * x > 2; };
