@@ -45,6 +45,7 @@ HWY_AFTER_NAMESPACE();
 #include <string>
 
 #include "fibre/elastica.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -59,6 +60,7 @@ FibrePoints::FibrePoints(std::span<const double> S, std::span<const double> q) :
   if (S.size() != q.size())
     throw std::invalid_argument("there are " + std::to_string(S.size()) + " lengths, but " + std::to_string(q.size()) +
                                 " frictions");
+  effort_spent += S.size();
   bool valid = true;  // in one pass that can be done in vectors; which one is not, is asked afterwards
   for (std::size_t i = 0; i < S.size(); ++i) valid &= S[i] >= 1 && S[i] < infinity && std::abs(q[i]) <= largest_q;
   for (std::size_t i = 0; !valid && i < S.size(); ++i) try {

@@ -170,6 +170,7 @@ HWY_AFTER_NAMESPACE();
 #include <numbers>
 #include <utility>
 
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -291,6 +292,7 @@ std::vector<std::size_t> CellTable::built_for(const double* at, const double* q,
 }
 
 void CellTable::values(const double* at, const double* q, std::size_t count, double* first, double* second) const {
+  effort_spent += count;
   const auto interpolated = [&](const double* x, const double* y, std::size_t n, double* a, double* b) {
     const CellGrid grid = grid_of(axes_, cells_.data());
     if (along_ == Along::length)
@@ -304,6 +306,7 @@ void CellTable::values(const double* at, const double* q, std::size_t count, dou
 
 void CellTable::slopes(const double* at, const double* q, std::size_t count,
                        const std::array<double*, 6>& columns) const {
+  effort_spent += count;
   const auto interpolated = [&](const double* x, const double* y, std::size_t n, double* const* to) {
     const CellGrid grid = grid_of(axes_, cells_.data());
     if (along_ == Along::length)

@@ -8,6 +8,7 @@
 
 #include "fibre/elastica-inl.h"
 #include "fibre/elliptic.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -72,6 +73,7 @@ struct Phase {
 // that order, which is nearly linear in u. If the quantity stays below the target, u is K, the end of the branch.
 template <class Quantity>
 Phase solve_phase(double target, double u, const Line& line) {
+  effort_spent += effort_of_general_state;
   double K = infinity;  // until an iterate comes near it: K >= π/2 always
   const auto limited = [&](double candidate) {
     constexpr double least_K = 1.57;

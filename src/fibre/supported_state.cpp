@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fibre/elliptic.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -234,6 +235,7 @@ SupportedState solved_state(double w, double q, const Supports& supports, bool l
   if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
                                 std::to_string(half_depth) + " leave no span");
+  effort_spent += effort_of_supported_state;
   const SupportedState found = state_nearby(w, q, supports);
   if (led_on) return found;
   if (found.status == FibreStatus::ok) return found.F >= 0 ? found : no_state_on_supports(q);

@@ -123,7 +123,8 @@ Found no_initial_slope(T test) {
   if (test.analysis.status != AnalysisStatus::no_initial_slope || no_force(test)) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = "The force does not rise where the record begins, so the bending stiffness cannot be read off it.",
+      .sentence =
+          "The force does not rise clearly enough where the record begins to read the bending stiffness off it.",
       .short_form = "no initial slope",
       .remedy = "State the bending stiffness, or the modulus and the section."};
 }

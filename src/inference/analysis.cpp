@@ -55,10 +55,11 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   }
   constexpr double bend =
       0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
-  return {.found = work > 0,
+  const double error = elementary::length(
+      elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
+  return {.found = work > 0 && error <= max_stiffness_error,
           .value = work / square * span * span * span / 48,
-          .relative_error = elementary::length(
-              elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend)};
+          .relative_error = error};
 }
 
 namespace {

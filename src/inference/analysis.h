@@ -42,8 +42,9 @@ OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fib
 
 // Bending stiffness from the initial slope, F = 48 EI w/L^3.
 struct StiffnessFromSlope {
-  bool found = false;  // the record has a straight rising beginning; nothing else is valid without
-  double value = 0;    // [N m^2] EI
+  bool found =
+      false;  // the record begins with a rise that tells EI to max_stiffness_error; nothing else is valid without
+  double value = 0;  // [N m^2] EI
   // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
   double relative_error = 0;
 };
@@ -102,7 +103,7 @@ struct FrictionRead {
 
 enum class AnalysisStatus {
   ok,
-  no_initial_slope,  // EI was to be found, but the record has no straight rising beginning: nothing else is valid
+  no_initial_slope,  // EI was to be found, but the record has no such beginning: nothing else is valid
   too_few_points,    // fewer than 30 points, or 20 with a deflection above 0.05 spans: nothing from drops on is valid
   not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
 };

@@ -15,6 +15,7 @@
 
 #include "data/names.h"
 #include "inference/matern.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -270,6 +271,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   const std::size_t n = observations.all.size();
   const std::size_t columns = observations.prior.size();
   const std::size_t series = 1 + columns;
+  effort_spent += n * series;
   white_ = Eigen::MatrixXd::Zero(static_cast<Index>(series), static_cast<Index>(n));
   elementary::LogProduct variances;
   double seen = 0;
@@ -525,6 +527,7 @@ LikelihoodGradient gradient_with(const Observations& observations, Kernel kernel
   const std::size_t waves = wavelengths.size();
   // y, the columns, and the derivatives of those of waves.
   const std::size_t series = 1 + columns + 2 * waves;
+  effort_spent += 8 * observations.all.size() * series;  // numbers that carry derivatives
   Covariances<M, Dual> covariances(duals_of(kernel, at));
   States<M, Dual> states(series);
   std::array<Dual, M> gain;

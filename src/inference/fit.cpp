@@ -29,8 +29,7 @@ void require_faultless(const FitProblem& problem) {
   const auto& errors = problem.errors;
   if (!(errors.force >= 0 && errors.bending_stiffness >= 0 && errors.contact >= 0))
     throw std::invalid_argument("measurement errors must not be negative");
-  constexpr double most_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
-  if (errors.bending_stiffness > most_error)
+  if (errors.bending_stiffness > max_stiffness_error)
     throw std::invalid_argument("the bending stiffness must be known to 30 %, not " +
                                 std::to_string(errors.bending_stiffness));
 }

@@ -65,8 +65,10 @@ struct FitProblem {
   MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
 };
 
+inline constexpr double max_stiffness_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
+
 // Without deflections beyond 0.8.
-// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3;
+// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most max_stiffness_error;
 //             std::invalid_argument otherwise.
 FitProblem usable_part(const FitProblem& whole);
 
@@ -150,7 +152,7 @@ double weight_without_roughness(const FrictionFit& fit);
 // than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
 bool tells_lengths(const FrictionFit& fit);
 
-// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most 0.3; std::invalid_argument otherwise.
+// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most max_stiffness_error; std::invalid_argument otherwise.
 // Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.
 // Cost:       0.1 s at most for 200 points (bench/analyses).
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});

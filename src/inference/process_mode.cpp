@@ -41,7 +41,8 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   std::vector<double> advance;
   for (std::size_t i = 1; i < passages_.size(); ++i)
     advance.push_back(passages_.advance[i] * passages_.along.slope(passages_.S[i]));
-  min_wavelength_ = 2 * median_of(std::move(advance));
+  // Readings that hardly advance between a few long jumps tell of no shorter waves than as many spread evenly do.
+  min_wavelength_ = std::max(2 * median_of(std::move(advance)), range / static_cast<double>(passages_.size()));
   prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
 }
 

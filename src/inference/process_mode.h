@@ -44,7 +44,7 @@ class FrictionProcess {
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
   const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
-  double min_wavelength() const { return min_wavelength_; }        // [L] four advances of a reading
+  double min_wavelength() const { return min_wavelength_; }  // [L] four advances of a reading, at least range/readings
   double max_wavelength() const { return passages_.range / 2.2; }  // [L]
 
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);

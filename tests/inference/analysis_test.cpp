@@ -100,6 +100,14 @@ TEST_CASE("limit: constant friction has no sawtooth, no drops and no snaps") {
   CHECK(analysis.model.snaps.empty());
 }
 
+TEST_CASE("limit: a beginning that is mostly noise tells no bending stiffness, and says so") {
+  auto truth = toothed();
+  truth.noise = 1.5;
+  auto description = description_of(truth);
+  description.bending_stiffness.reset();
+  CHECK(analyse(to_physical(simulated_record(truth), scales), description).status == AnalysisStatus::no_initial_slope);
+}
+
 TEST_CASE("limit: a record too short says so") {
   auto record = to_physical(simulated_record(toothed()), scales);
   CHECK(analyse(first_points(record, 20), description_of(toothed())).status == AnalysisStatus::too_few_points);
