@@ -15,33 +15,29 @@
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
+#include "numerics/polynomial.h"
 #include "numerics/quadrature.h"
 #include "numerics/root.h"
 
 namespace flexslip {
 namespace {
 
-struct Stretch {
-  double from, to;  // [L] of S
-};
-
-// Follows a fold from a stretch on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
-double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Stretch& stretch) {
+// Follows a fold from a stretch of lengths on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
+double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Bracket& S) {
   constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
-  const double tolerance =
-      std::max(flat * (stretch.to - stretch.from), 0x1p-50 * stretch.to);  // and no finer than lengths are
-  const auto k_at = [&](double S) { return stiffness_of_fold(friction, S, fibre); };
-  return std::max(greatest_within(k_at, stretch.from, stretch.to, tolerance).value, k_at(stretch.to));
+  const double tolerance = std::max(flat * S.width(), 0x1p-50 * S.high);  // and no finer than lengths are
+  const auto k_at = [&](double length) { return stiffness_of_fold(friction, length, fibre); };
+  return std::max(greatest_within(k_at, S.low, S.high, tolerance).value, k_at(S.high));
 }
 
-// The pair of folds whose cusp is likely to be the stiffest.
-Stretch stiffest_pair(const SlidingCurve& curve) {
-  Stretch stiffest{};
+// The lengths of the pair of folds whose cusp is likely to be the stiffest.
+Bracket stiffest_pair(const SlidingCurve& curve) {
+  Bracket stiffest{};
   double most = -infinity;
   for (std::size_t i = 0; i < curve.folds.size(); i += 2) {
     const RigPoint& other = i + 1 < curve.folds.size() ? curve.folds[i + 1].point : curve.end;
-    const Stretch pair{curve.folds[i].point.S, other.S};
-    const double k = stiffness_of_fold(curve.friction, 0.5 * (pair.from + pair.to), curve.rig.fibre);
+    const Bracket pair{curve.folds[i].point.S, other.S};
+    const double k = stiffness_of_fold(curve.friction, pair.middle(), curve.rig.fibre);
     if (k > most) stiffest = pair;
     most = std::max(most, k);
   }
@@ -121,14 +117,10 @@ std::vector<RecordedForce> record_of(const BendingTest& test, double travel, dou
   const auto path = [&] {
     if (step == 0 || travel / step > most)
       return follow_continuously(test, std::vector{travel}, points_of_stretch).path;
-    const ReadingPositions readings(travel, step);
-    std::vector<double> stages;
-    stages.reserve(static_cast<std::size_t>(readings.count()));
-    for (int i = 1; i < readings.count(); ++i) stages.push_back(readings.position(i));
-    return follow_in_steps(test, stages).path;
+    return follow_in_steps(test, stage_steps(std::vector{0.0, travel}, step)).path;
   }();
-  std::vector<RecordedForce> record{{0, 0}};
-  record.reserve(path.size() + 1);
+  std::vector<RecordedForce> record;
+  record.reserve(path.size());
   for (const auto& point : path) record.push_back({point.stage, point.F});
   return record;
 }
@@ -173,32 +165,32 @@ class Loading {
 
  private:
   DesignStatus walk() {
-    RigPoint here = curve_.begin;
-    if (!fibre().begins_straight() && !bend_shallow(here)) return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
-    Rest rest{fibre().state(here.S, here.q)};
-    for (std::size_t i = 0;; i += 2) {
-      RigPoint to = point(i);
-      const bool arrives = to.stage >= design_.travel;
-      if (arrives) to = point_at_stage(curve_, {here, to}, design_.travel);
-      const Rest end = rest_at(design_.rig, to.S, to.q);
-      if (!slide(here, rest, to, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
+    StablePart part = stable_part_from(curve_, curve_.begin);
+    if (!fibre().begins_straight() && !bend_shallow(part.from))
+      return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
+    Rest rest{fibre().state(part.from.S, part.from.q)};
+    while (true) {
+      const bool arrives = part.to.stage >= design_.travel;
+      if (arrives) part.to = point_at_stage(curve_, part, design_.travel);
+      const Rest end = rest_at(design_.rig, part.to.S, part.to.q);
+      if (!slide(part, rest, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
       if (arrives) {
         outcome_.stage_reached = design_.travel;
         // The last reading, which may stand beyond the rounded end of its piece.
         if (readings_ && readings_->first_beyond(design_.travel) > next_) drops_.read(end.state.F);
         return DesignStatus::ok;
       }
-      // The next rising part that comes up to this stage position.
-      while (i + 2 <= curve_.folds.size() && point(i + 2).stage < to.stage) i += 2;
-      if (i + 2 > curve_.folds.size()) return DesignStatus::slipped_through;
-      here = landing(point(i + 1), point(i + 2), to.stage);
-      here.stage = to.stage;
-      rest = rest_at(design_.rig, here.S, here.q);
-      const auto heat = heat_of_snap(to.stage, end, rest);
+      const double stage = part.to.stage;
+      const auto landing = landing_after(curve_, part.to.S, stage);
+      if (!landing) return DesignStatus::slipped_through;
+      rest = rest_at(design_.rig, landing->S, landing->q);
+      const auto heat = heat_of_snap(stage, end, rest);
       if (!heat) return DesignStatus::slipped_through;
-      snap(to.stage, end, rest, *heat);
+      part = stable_part_from(curve_, *landing);
+      part.from.stage = stage;
+      snap(stage, end, rest, *heat);
       if (sees(rest.state)) {  // as it comes to rest
-        outcome_.stage_reached = to.stage;
+        outcome_.stage_reached = stage;
         outcome_.w_reached = rest.state.w;
         return DesignStatus::breaks;
       }
@@ -230,18 +222,6 @@ class Loading {
 
   const Fibre& fibre() const { return design_.rig.fibre; }
 
-  const RigPoint& point(std::size_t i) const { return i < curve_.folds.size() ? curve_.folds[i].point : curve_.end; }
-
-  RigPoint landing(const RigPoint& low, const RigPoint& high, double stage) const {
-    // The folds of a snap may differ by less than rounding.
-    if (!(low.stage < high.stage)) return high;
-    stage = std::clamp(stage, low.stage, high.stage);
-    // G is level at both; of the cubic between them, the part that has risen.
-    const double share = (stage - low.stage) / (high.stage - low.stage);
-    const double t = 0.5 - std::sin(std::asin(1 - 2 * share) / 3);
-    return point_at_stage(curve_, {low, high}, stage, low.S + t * (high.S - low.S));
-  }
-
   // Has a state so much curvature that the fibre breaks?
   bool sees(const FibreState& state) {
     if (state.status != FibreStatus::ok) return false;
@@ -268,8 +248,9 @@ class Loading {
   }
 
   // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
-  bool slide(const RigPoint& from, const Rest& rest_from, const RigPoint& to, const Rest& rest_to) {
+  bool slide(const StablePart& part, const Rest& rest_from, const Rest& rest_to) {
     constexpr double scales = 3;  // three quarters of the shortest period
+    const auto& [from, to] = part;
     const double work_before = outcome_.work;
     slid_to_ = from.S;
     bool is_held = true;
@@ -361,16 +342,14 @@ class Loading {
   double heat_between(const Rest& a, const Rest& b) const {
     const double length = b.state.S - a.state.S;
     const bool rolls = fibre().supports().radius > 0;
+    const Cubic Pn(a.state.Pn, b.state.Pn, length * a.Pn_slope, length * b.Pn_slope);
+    const Cubic contacts(a.contact, b.contact, length * a.contact_slope, length * b.contact_slope);
     const auto power = [&](double S) {
       const double t = (S - a.state.S) / length;
-      const double s = 1 - t;
-      const auto cubic = [&](double from, double to, double slope_from, double slope_to) {
-        return from + (to - from) * t * t * (1 + 2 * s) + length * t * s * (slope_from * s - slope_to * t);
-      };
       FibreState held{};
       held.q = a.state.q + (b.state.q - a.state.q) * t;
-      held.Pn = cubic(a.state.Pn, b.state.Pn, a.Pn_slope, b.Pn_slope);
-      const double contact = rolls ? cubic(a.contact, b.contact, a.contact_slope, b.contact_slope) : S;
+      held.Pn = Pn.at(t).value;
+      const double contact = rolls ? contacts.at(t).value : S;
       return design_.friction.at(contact).mu * held.Pn + fibre().lost_bending(held);
     };
     constexpr double scales = 2;  // half the shortest period

@@ -45,11 +45,18 @@ struct Miss {
 // Where the error vanishes, by the cubic through two points with their slopes that gives x for an error.
 double crossing(const Miss& a, const Miss& b) {
   const double h = b.error - a.error;
-  const double t = -a.error / h;
-  const double rise = b.x - a.x;
-  const double d0 = h / a.slope;
-  const double d1 = h / b.slope;
-  return a.x + t * (d0 + t * (3 * rise - 2 * d0 - d1 + t * (d0 + d1 - 2 * rise)));
+  return Cubic(a.x, b.x, h / a.slope, h / b.slope).at(-a.error / h).value;
+}
+
+// How much of the rise from one point to another a stage position has seen.
+double share_of(const RigPoint& from, const RigPoint& to, double stage) {
+  return std::clamp((stage - from.stage) / (to.stage - from.stage), 0.0, 1.0);
+}
+
+// Where a cubic that is level at both ends has risen by a share.
+double between_folds(double low, double high, double share) {
+  const double cosine = 1 - 2 * share, sine = 2 * std::sqrt(share * (1 - share));
+  return std::lerp(low, high, 0.5 - elementary::sine_and_cosine(elementary::angle(cosine, sine) / 3).sine);
 }
 
 // The point between two lengths, G being monotone there, at which G = stage.
@@ -63,7 +70,7 @@ RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const Ri
   // Steps are short: the tangent where they begin is the best guess, the chord the next.
   Miss last{low, from.stage - stage, 2 * low * from.stage_slope};
   const double tangent = last.x - last.error / last.slope;
-  const double chord = low + (high - low) * std::clamp((stage - from.stage) / (to.stage - from.stage), 0.0, 1.0);
+  const double chord = std::lerp(low, high, share_of(from, to, stage));
   double x = x_guess && *x_guess > low && *x_guess < high ? *x_guess
              : tangent > low && tangent < high            ? tangent
                                                           : chord;
@@ -105,11 +112,19 @@ void require_traceable(const Friction& friction, const Rig& rig, double S_max) {
                                 " periods on this length; at most 1e6 are traced");
 }
 
+void require_on(const SlidingCurve& curve, double S) {
+  const double direction = direction_of(curve.sliding);
+  const double rounding = 0x1p-51 * S;  // of a length: that of σ², of which it is made
+  if (!(direction * (S - curve.begin.S) >= -rounding && direction * (curve.end.S - S) >= -rounding))
+    throw std::invalid_argument("length S = " + std::to_string(S) + " is not on the curve, which leads from " +
+                                std::to_string(curve.begin.S) + " to " + std::to_string(curve.end.S));
+}
+
 // The first fold beyond a length, on the way; the number of folds if there is none.
 std::size_t first_fold_beyond(const SlidingCurve& curve, double S) {
-  const double x = way_at(curve.rig.fibre, curve.sliding, S);
+  const double direction = direction_of(curve.sliding);
   const auto fold = std::partition_point(curve.folds.begin(), curve.folds.end(),
-                                         [&](const Fold& f) { return way_of(curve, f.point) <= x; });
+                                         [&](const Fold& f) { return direction * (f.point.S - S) <= 0; });
   return static_cast<std::size_t>(fold - curve.folds.begin());
 }
 
@@ -118,16 +133,6 @@ const RigPoint& fold_or_end(const SlidingCurve& curve, std::size_t i) {
 }
 
 }  // namespace
-
-SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max) {
-  require_traceable(friction, rig, S_max);
-  return find_folds(met(friction, rig.fibre, 1, S_max), rig, Sliding::in, 1, S_max);
-}
-
-SlidingCurve trace_unloading_curve(const Friction& friction, const Rig& rig, double S_from) {
-  require_traceable(friction, rig, S_from);
-  return find_folds(met(friction, rig.fibre, -1, S_from), rig, Sliding::out, S_from, 1);
-}
 
 double longest_at_stage(double stage) {
   constexpr double least = 1e-6;  // below it S - 1 has lost its digits
@@ -138,12 +143,8 @@ double longest_at_stage(double stage) {
 }
 
 RigPoint point_at_length(const SlidingCurve& curve, double S) {
-  // A length is known to its rounding: that of σ², of which it is made.
-  const double rounding = 0x1p-51 * S;
+  require_on(curve, S);
   const double direction = direction_of(curve.sliding);
-  if (!(direction * (S - curve.begin.S) >= -rounding && direction * (curve.end.S - S) >= -rounding))
-    throw std::invalid_argument("length S = " + std::to_string(S) + " is not on the curve, which leads from " +
-                                std::to_string(curve.begin.S) + " to " + std::to_string(curve.end.S));
   if (direction * (S - curve.begin.S) <= 0) return curve.begin;
   if (direction * (curve.end.S - S) <= 0) return curve.end;
   return sample_on(curve, way_at(curve.rig.fibre, curve.sliding, S)).point;
@@ -173,14 +174,16 @@ StablePart stable_part_from(const SlidingCurve& curve, const RigPoint& point) {
 }
 
 std::optional<RigPoint> landing_after(const SlidingCurve& curve, double S, double stage) {
+  require_on(curve, S);
   const double advance = direction_of(curve.sliding) * stage;
-  RigPoint from = point_at_length(curve, S);
-  for (std::size_t i = first_fold_beyond(curve, S); i <= curve.folds.size(); ++i) {
+  const std::size_t first = first_fold_beyond(curve, S);
+  for (std::size_t i = first; i <= curve.folds.size(); ++i) {
     const RigPoint& to = fold_or_end(curve, i);
-    if (advance_of(curve, from) <= advance && advance <= advance_of(curve, to) &&
-        advance_of(curve, to) > advance_of(curve, from))
-      return point_between(curve, from, to, stage);
-    from = to;
+    if (advance > advance_of(curve, to)) continue;
+    const RigPoint from = i > first ? curve.folds[i - 1].point : point_at_length(curve, S);
+    if (advance_of(curve, from) <= advance && advance_of(curve, from) < advance_of(curve, to))
+      return point_between(curve, from, to, stage,
+                           between_folds(way_of(curve, from), way_of(curve, to), share_of(from, to, stage)));
   }
   return std::nullopt;
 }
@@ -480,8 +483,14 @@ class FoldSearch {
 
 }  // namespace
 
-SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to) {
-  return FoldSearch(friction, rig, sliding).along(S_from, S_to);
+SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max) {
+  require_traceable(friction, rig, S_max);
+  return FoldSearch(met(friction, rig.fibre, 1, S_max), rig, Sliding::in).along(1, S_max);
+}
+
+SlidingCurve trace_unloading_curve(const Friction& friction, const Rig& rig, double S_from) {
+  require_traceable(friction, rig, S_from);
+  return FoldSearch(met(friction, rig.fibre, -1, S_from), rig, Sliding::out).along(S_from, 1);
 }
 
 }  // namespace flexslip

@@ -127,10 +127,4 @@ double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, do
 // Cost:       3 µs.
 double longest_in_loading(const Friction& along, const Rig& rig, double stage);
 
-// The folds of a sliding curve, found with a guarantee: the work behind trace_loading_curve and trace_unloading_curve.
-
-// Domain:     as trace_loading_curve and trace_unloading_curve, whose arguments these are; std::invalid_argument if there is no state at S_from.
-// Tolerance, cost: as there.
-SlidingCurve find_folds(const Friction& friction, const Rig& rig, Sliding sliding, double S_from, double S_to);
-
 }  // namespace flexslip

@@ -86,71 +86,64 @@ SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sli
       direction_(direction_of(sliding)) {}
 
 SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
+  constexpr double supported_error = 1e-11;  // of a state by the tables of its supports
   const Fibre& fibre = rig_.fibre;
   const double S = fibre.length_at(sigma);
-  if (S == 1 && fibre.begins_straight()) return {0, {0, 0}, 0};
-  const double rounded = fibre.way(S);  // what follows belongs to it; w, F and Pn start in proportion to it
-  const double c = 1 / rig_.stiffness;
+  if (S == 1 && fibre.begins_straight()) return {.exists = true};
   const auto mu = friction_.at(S);
-  const auto [state, slopes] = fibre.state_slopes(S, direction_ * mu.mu);
-  if (state.status != FibreStatus::ok) return {0, {0, 0}, 0};
-  const double G_S = slopes.w_S + c * slopes.F_S + direction_ * (slopes.w_q + c * slopes.F_q) * mu.slope;
-  const double corrected = sigma / rounded;
-  // The slopes err by their own accuracy, and friction and its slope by the rounding of the length where they vary fast.
-  const double per_period = 0x1p-50 / friction_.smooth_scale() * std::abs(mu.slope);
-  const double slope_error = 4e-14 * (state.w + c * state.F) * (std::abs(mu.slope) + 1 / (rounded * rounded)) +
-                             per_period * (slopes.w_q + c * slopes.F_q);
-  const double friction_error = 0x1p-50 * std::abs(mu.slope) * state.Pn;
-  const double G = (state.w + c * state.F) * corrected;
+  const double q = direction_ * mu.mu;
+  const auto [state, slopes] = fibre.on_edges() ? FibreStateSlopes{fibre.state(S, q), {}} : fibre.state_slopes(S, q);
+  if (state.status != FibreStatus::ok) return {};
+  const double corrected = sigma / fibre.way(S);  // all belongs to the rounded length, and starts in proportion to σ
   const double leaves = 1 - 2 * fibre.supports().radius * (slopes.theta0_S + direction_ * slopes.theta0_q * mu.slope);
-  const double friction = direction_ * mu.mu * state.Pn + fibre.lost_bending(state) * leaves;
-  const double table_error = fibre.on_edges() ? 0 : tabulated_error * state.F * std::abs(G_S);
-  return {G,
-          {state.F * G_S * 2 * sigma, friction * 2 * sigma * corrected},
-          std::max({slope_error * state.F, friction_error, table_error}) * 2 * sigma};
+  const double power = 2 * sigma * corrected;
+  return {.exists = true,
+          .stage = (state.w + state.F / rig_.stiffness) * corrected,
+          .F = state.F * corrected,
+          .friction = (q * state.Pn + fibre.lost_bending(state) * leaves) * power,
+          .most_friction = state.Pn * power,
+          .error = 0x1p-50 * std::abs(mu.slope) + (fibre.on_edges() ? 0 : supported_error)};
 }
 
-void SlidingTable::fill(Cell& cell, double from, double to, double scale, int halvings) const {
-  Series G{};
-  Series stage{};
-  Series friction{};
-  double noise = 0;
+void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int halvings) const {
+  constexpr double accuracy = 1e-12;  // of the last coefficients: what the integral loses is a tenth of that, and less
+  constexpr int max_halvings = 30;    // at a kink: a piece 1e-9 of the whole
+  constexpr std::size_t max_pieces = 200;  // enough for a few kinks
+  Series stage{}, F{}, friction{};
+  std::size_t missing = 0;
   for (std::size_t j = 0; j <= degree; ++j) {
     const Sample sample = sample_at(0.5 * (from + to) + 0.5 * (to - from) * Interpolant<degree>::node(j));
-    G[j] = sample.G;
-    stage[j] = sample.power.stage;
-    friction[j] = sample.power.friction;
-    noise = std::max(noise, sample.noise);
+    stage[j] = sample.stage;
+    F[j] = sample.F;
+    friction[j] = sample.friction;
+    missing += sample.exists ? 0 : 1;
+    for (const auto field : {&Sample::stage, &Sample::F, &Sample::most_friction, &Sample::error})
+      greatest.*field = std::max(greatest.*field, sample.*field);
   }
-  const auto greatest = [](const Series& values) {
-    double most = 0;
-    for (const double value : values) most = std::max(most, std::abs(value));
-    return most;
+  const auto is_resolved = [&](const Series& c, double scale) {
+    return std::abs(c[degree]) + std::abs(c[degree - 1]) <= (accuracy + greatest.error) * scale;
   };
-  scale = std::max({scale, greatest(stage), greatest(friction)});
+  const bool ends = missing > 0 && missing <= degree;  // the branch, within
+  if (ends) F = {};                                    // a piece that is halved no further has no force left
   stage = Interpolant<degree>::chebyshev(stage);
+  F = Interpolant<degree>::chebyshev(F);
   friction = Interpolant<degree>::chebyshev(friction);
-  constexpr double accuracy = 1e-12;       // what the integral loses is a tenth of that, and less
-  constexpr int max_halvings = 30;         // at a kink: a piece 1e-9 of the whole
-  constexpr std::size_t max_pieces = 200;  // enough for a few kinks
-  const auto is_resolved = [&](const Series& c) {
-    return std::abs(c[degree]) + std::abs(c[degree - 1]) <= accuracy * scale + noise;
-  };
-  if (halvings < max_halvings && cell.size() < max_pieces && !(is_resolved(stage) && is_resolved(friction))) {
+  const bool resolved = !ends && is_resolved(stage, greatest.stage) && is_resolved(F, greatest.F) &&
+                        is_resolved(friction, greatest.most_friction);
+  if (!resolved && halvings < max_halvings && cell.size() < max_pieces) {
     const double middle = 0.5 * (from + to);
-    fill(cell, from, middle, scale, halvings + 1);
-    fill(cell, middle, to, scale, halvings + 1);
+    fill(cell, from, middle, greatest, halvings + 1);
+    fill(cell, middle, to, greatest, halvings + 1);
     return;
   }
   const SlidingWork before = cell.empty() ? SlidingWork{0, 0} : up_to(cell, cell.back().to);
-  const double reach = 0.5 * (to - from);
-  cell.push_back(
-      {from, to, Interpolant<degree>::chebyshev(G), integrated(stage, reach), integrated(friction, reach), before});
+  cell.push_back({from, to, stage, integrated(product<degree + 1>(F, derivative(stage)), 1),
+                  integrated(friction, 0.5 * (to - from)), before});
 }
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
   Cell& found = cells_[i];
-  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), 0, 0);
+  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), {}, 0);
   return found;
 }
 
@@ -220,29 +213,6 @@ using Polynomial = Interpolant<degree>;
 using Values = SlidingPiece::Values;
 constexpr double close = 0x1p-48;  // of a zero in [-1, 1]
 
-// The map of values F and w at the nodes with which F' map w = ∫ F dw.
-Polynomial::Matrix map_of_work() {
-  const auto real = [](std::size_t i) { return static_cast<double>(i); };
-  // ∫ T_a T_b' dx over [-1, 1]: T_b' = 2 b Σ T_c over the c < b of other parity than b, that of T_0 halved.
-  Polynomial::Matrix product{};
-  for (std::size_t a = 0; a <= degree; ++a)
-    for (std::size_t b = 1; b <= degree; ++b)
-      for (std::size_t c = (b + 1) % 2; c < b; c += 2) {
-        if ((a + c) % 2 != 0) continue;
-        const double sum = real(a + c);
-        const double difference = real(a) - real(c);
-        const double integral = 1 / (1 - sum * sum) + 1 / (1 - difference * difference);
-        product[a][b] += (c == 0 ? 1.0 : 2.0) * real(b) * integral;
-      }
-  const auto& series = Polynomial::to_chebyshev();
-  Polynomial::Matrix work{};
-  for (std::size_t i = 0; i <= degree; ++i)
-    for (std::size_t j = 0; j <= degree; ++j)
-      for (std::size_t a = 0; a <= degree; ++a)
-        for (std::size_t b = 1; b <= degree; ++b) work[i][j] += series[a][i] * product[a][b] * series[b][j];
-  return work;
-}
-
 // The roots of a polynomial in Bernstein form: as many as its signs change, or fewer (Descartes); halved until they change
 // at most once.
 using Slope = std::array<double, degree>;
@@ -274,23 +244,21 @@ void add_roots(const Slope& b, double low, double high, int halvings, std::vecto
 
 }  // namespace
 
-SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to) {
+SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to)
+    : compliance_(1 / rig.stiffness) {
   if (!(S_from >= 1 && S_to > S_from))
     throw std::invalid_argument("no piece leads from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
   const double low = rig.fibre.way(S_from);
   const double high = rig.fibre.way(S_to);
   Values S{};
-  Values q{};
   for (std::size_t j = 0; j <= degree; ++j) {
     const double sigma = 0.5 * (low + high) + 0.5 * (high - low) * Polynomial::node(j);
     S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(sigma);
-    q[j] = friction.at(S[j]).mu;
   }
-  const auto states = rig.fibre.tabulated_states(FibrePoints(S, q));
+  const auto states = rig.fibre.tabulated_states(FibrePoints(S, friction.at(S).mu));
   double most = 0;
   for (std::size_t j = 0; j <= degree; ++j) {
     exists_ = exists_ && !std::isnan(states.F[j]);
-    w_at_[j] = states.w[j];
     F_at_[j] = states.F[j];
     stage_at_[j] = states.w[j] + states.F[j] / rig.stiffness;
     most = std::max(most, states.F[j]);
@@ -302,11 +270,8 @@ SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_fr
 }
 
 double SlidingPiece::work() const {
-  static const auto map = map_of_work();
-  const Values weighted = Polynomial::apply(map, w_at_);
-  double sum = 0;
-  for (std::size_t i = 0; i <= degree; ++i) sum += F_at_[i] * weighted[i];
-  return sum;
+  const double of_stage = series_at(integrated(product<2 * degree>(F_, derivative(stage_)), 1), 1);
+  return of_stage - 0.5 * compliance_ * (force_to() * force_to() - force_from() * force_from());
 }
 
 double SlidingPiece::force_at(double stage) const {
@@ -365,31 +330,21 @@ StateArrays SlidingLadder::curve(std::span<const double> mu) const {
 
 namespace {
 
-// The cubic over one cell through two values with slopes from the values around (central differences).
-struct Cubic {
-  double value, d0, c2, c3;
-  Cubic(std::span<const double> y, std::size_t i) {
-    const auto last = y.size() - 1;
-    const double rise = y[i + 1] - y[i];
-    value = y[i];
-    d0 = i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : rise;
-    const double d1 = i + 1 < last ? 0.5 * (y[i + 2] - y[i]) : rise;
-    c2 = 3 * rise - 2 * d0 - d1;
-    c3 = d0 + d1 - 2 * rise;
-  }
-  double at(double x) const { return value + x * (d0 + x * (c2 + x * c3)); }
-  double slope(double x) const { return d0 + x * (2 * c2 + x * 3 * c3); }
-  // The greatest of its second derivative in [0, 1].
-  double curvature() const { return std::max(std::abs(2 * c2), std::abs(2 * c2 + 6 * c3)); }
-  // Where it is greatest in [0, 1].
-  double peak() const {
-    if (d0 <= 0) return 0;
-    if (slope(1) >= 0) return 1;
-    // the slope changes sign once from + to -
-    const double root = std::sqrt(std::max(c2 * c2 - 3 * d0 * c3, 0.0));
-    return std::clamp(d0 / (root - c2), 0.0, 1.0);
-  }
-};
+// Over one cell, with slopes from the values around (central differences).
+Cubic cubic_over(std::span<const double> y, std::size_t i) {
+  const double rise = y[i + 1] - y[i];
+  return {y[i], y[i + 1], i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : rise,
+          i + 2 < y.size() ? 0.5 * (y[i + 2] - y[i]) : rise};
+}
+
+// Where it is greatest in [0, 1].
+double peak_of(const Cubic& cubic) {
+  if (cubic.slope <= 0) return 0;
+  if (cubic.at(1).slope >= 0) return 1;
+  // the slope changes sign once from + to -
+  const double root = std::sqrt(std::max(cubic.c2 * cubic.c2 - 3 * cubic.slope * cubic.c3, 0.0));
+  return std::clamp(cubic.slope / (root - cubic.c2), 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -410,28 +365,21 @@ std::vector<double> measured_curve(std::span<const double> w, std::span<const do
       const bool turns_here = G[cell + 1] < G[cell] && (cell == 0 || G[cell - 1] < G[cell]);
       const bool turns_next = cell + 2 < n && G[cell] < G[cell + 1] && G[cell + 2] < G[cell + 1];
       if (short_of && !turns_here && !turns_next) continue;
-      const Cubic cubic(G, cell);
-      const double peak = cubic.peak();
-      if (cubic.at(peak) < stage || peak < passed) continue;
-      // G rises from `passed` to the peak: Newton's iteration within these bounds
-      double low = passed;
-      double high = peak;
-      x = std::clamp((stage - cubic.value) / (cubic.at(peak) - cubic.value) * peak, low, high);
-      for (int iteration = 0; iteration < 20; ++iteration) {
-        const double miss = cubic.at(x) - stage;
-        (miss < 0 ? low : high) = x;
-        const double newton = x - miss / cubic.slope(x);
-        const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-        // Newton's error after a step d is d² G''/2G': below 1e-6 of a cell it is less than that of the interpolation.
-        const double d = next - x;
-        const bool done = std::abs(d) < 1e-6 || (next == newton && d * d * cubic.curvature() < 1e-6 * cubic.slope(x));
-        x = next;
-        if (done) break;
-      }
+      const Cubic cubic = cubic_over(G, cell);
+      const double peak = peak_of(cubic), most = cubic.at(peak).value;
+      if (most < stage || peak < passed) continue;
+      // G rises from `passed` to the peak.
+      constexpr double step = 1e-6;  // of a cell: less than the error of the interpolation
+      const auto miss = [&](double at) {
+        const auto [value, slope] = cubic.at(at);
+        return ValueAndSlope{value - stage, slope};
+      };
+      const double chord = (stage - cubic.value) / (most - cubic.value) * peak;
+      x = zero_between(miss, passed, peak, std::clamp(chord, passed, peak), step);
       passed = x;
       break;
     }
-    result.push_back(Cubic(F, std::min(cell, n - 2)).at(x));
+    result.push_back(cubic_over(F, std::min(cell, n - 2)).at(x).value);
   }
   return result;
 }

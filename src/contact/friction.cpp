@@ -34,6 +34,7 @@ HWY_AFTER_NAMESPACE();
 
 #include "contact/two_supports.h"
 #include "numerics/elementary.h"
+#include "numerics/polynomial.h"
 
 namespace flexslip {
 namespace {
@@ -220,14 +221,8 @@ FrictionPoint Friction::in_table(double S) const {
   if (S >= x.back()) return {y.back(), 0};
   const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), S) - x.begin()) - 1;
   const double h = x[i + 1] - x[i];
-  const double t = (S - x[i]) / h;
-  const double rise = y[i + 1] - y[i];
-  const double d0 = knot_slopes_[i] * h;
-  const double d1 = knot_slopes_[i + 1] * h;
-  // Hermite's cubic, written from the left knot: y0 + t (d0 + t (3 rise - 2 d0 - d1 + t (d0 + d1 - 2 rise)))
-  const double c2 = 3 * rise - 2 * d0 - d1;
-  const double c3 = d0 + d1 - 2 * rise;
-  return {std::max(y[i] + t * (d0 + t * (c2 + t * c3)), 0.0), (d0 + t * (2 * c2 + t * 3 * c3)) / h};
+  const auto [mu, slope] = Cubic(y[i], y[i + 1], knot_slopes_[i] * h, knot_slopes_[i + 1] * h).at((S - x[i]) / h);
+  return {std::max(mu, 0.0), slope / h};
 }
 
 double Friction::unheld(double S) const {

@@ -322,12 +322,10 @@ ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, doubl
 ContactTravel::Value ContactTravel::value(double sigma) const {
   const double place = std::clamp((sigma - first_) / step_, 0.0, static_cast<double>(knots_.size() - 1));
   const std::size_t i = std::min(static_cast<std::size_t>(place), knots_.size() - 2);
-  const double t = place - static_cast<double>(i), u = 1 - t;
   const Value &a = knots_[i], &b = knots_[i + 1];
-  const double rise = b.length - a.length, a_slope = step_ * a.slope, b_slope = step_ * b.slope;
-  const double length = a.length + t * t * (3 - 2 * t) * rise + t * u * (u * a_slope - t * b_slope);
-  const double slope = (6 * t * u * rise + u * (1 - 3 * t) * a_slope + t * (3 * t - 2) * b_slope) / step_;
-  const double beyond = sigma - std::clamp(sigma, first_, last_);
+  const Cubic cubic(a.length, b.length, step_ * a.slope, step_ * b.slope);
+  const auto [length, rise] = cubic.at(place - static_cast<double>(i));
+  const double slope = rise / step_, beyond = sigma - std::clamp(sigma, first_, last_);
   return {length + slope * beyond, slope};
 }
 

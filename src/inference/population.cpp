@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "numerics/elementary.h"
+#include "numerics/polynomial.h"
 #include "numerics/root.h"
 #include "numerics/statistics.h"
 
@@ -211,12 +212,9 @@ double LineDensity::probability_below(double x) const {
   if (!(places > 0)) return 0;
   if (places >= static_cast<double>(size() - 1)) return 1;
   const auto i = static_cast<std::size_t>(places);
-  // Hermite's cubic: the density is the slope.
-  const double t = places - static_cast<double>(i);
-  const double rise = below_[i + 1] - below_[i];
-  const double start = step_ * density_[i], end = step_ * density_[i + 1];
-  const double here = below_[i] + t * (start + t * ((3 * rise - 2 * start - end) + t * (start + end - 2 * rise)));
-  return std::clamp(here, below_[i], below_[i + 1]);
+  // The density is the slope.
+  const Cubic cubic(below_[i], below_[i + 1], step_ * density_[i], step_ * density_[i + 1]);
+  return std::clamp(cubic.at(places - static_cast<double>(i)).value, below_[i], below_[i + 1]);
 }
 
 double LineDensity::quantile(double probability) const {

@@ -11,15 +11,45 @@
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-using namespace chebyshev;
 constexpr double impossible = 1e9;  // of minus ln L
 constexpr double stiffness_error = 0.05;
 constexpr double min_w = 0.06, max_w = 0.43;
+
+// A function of one number as a Chebyshev series from `least` to `greatest`, straight on beyond.
+constexpr std::size_t terms = 14;
+using Polynomial = Interpolant<terms - 1>;
+using Nodes = Polynomial::Values;
+
+struct Series {
+  double least, greatest;
+  Nodes coefficients;
+
+  ValueAndSlope at(double x) const {
+    const double inside = std::clamp(x, least, greatest), half_width = 0.5 * (greatest - least);
+    const auto [value, by_t] = series_slope_at(coefficients, (inside - 0.5 * (least + greatest)) / half_width);
+    const double slope = by_t / half_width;
+    return {value + slope * (x - inside), slope};
+  }
+
+  // Where it has a value, if it rises.
+  double where(double value) const {
+    constexpr double close = 1e-8;
+    const auto miss = [&](double x) { return ValueAndSlope{at(x).value - value, at(x).slope}; };
+    return zero_between(miss, least, greatest, 0.5 * (least + greatest), close);
+  }
+};
+
+Nodes nodes_between(double least, double greatest) {
+  Nodes nodes{};
+  for (std::size_t j = 0; j < terms; ++j) nodes[j] = std::lerp(least, greatest, 0.5 + 0.5 * Polynomial::node(j));
+  return nodes;
+}
 
 // A fibre at the deflection of a row.
 struct Row {
@@ -55,17 +85,21 @@ void expand(std::vector<Row>& rows, const Fibre& fibre) {
   const auto states = fibre.tabulated_states({S, q});
   for (std::size_t r = 0; r < rows.size(); ++r) {
     Row& row = rows[r];
-    const auto of_row = [&](const std::vector<double>& values) { return std::span(values).subspan(r * terms, terms); };
-    row.force = series_through(min_q, max_q, of_row(states.F));
-    const Series length = series_through(min_q, max_q, of_row(S));
-    const double least = evaluate(row.force, min_q).value, most = evaluate(row.force, max_q).value;
+    const auto by_friction = [&](const std::vector<double>& values) {
+      Nodes of_row{};
+      std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(r * terms), terms, of_row.begin());
+      return Series{min_q, max_q, Polynomial::chebyshev(of_row)};
+    };
+    row.force = by_friction(states.F);
+    const Series length = by_friction(S);
+    const double least = row.force.at(min_q).value, most = row.force.at(max_q).value;
     Nodes friction = nodes_between(least, most), lengths{};
     for (std::size_t k = 0; k < terms; ++k) {
-      friction[k] = inverse(row.force, friction[k]);
-      lengths[k] = evaluate(length, friction[k]).value;
+      friction[k] = row.force.where(friction[k]);
+      lengths[k] = length.at(friction[k]).value;
     }
-    row.friction = series_through(least, most, friction);
-    row.length = series_through(least, most, lengths);
+    row.friction = {least, most, Polynomial::chebyshev(friction)};
+    row.length = {least, most, Polynomial::chebyshev(lengths)};
   }
 }
 
@@ -122,8 +156,8 @@ class Rises {
     std::vector<double> S, q;
     for (Row& row : rows_) {
       constexpr double usual = 0.5;
-      const auto length_at = [&](double mu) { return evaluate(row.length, evaluate(row.force, mu).value).value; };
-      row.q = evaluate(row.friction, row.F).value;
+      const auto length_at = [&](double mu) { return row.length.at(row.force.at(mu).value).value; };
+      row.q = row.friction.at(row.F).value;
       row.S_usual = length_at(usual);
       S_mean_ += row.S_usual / static_cast<double>(n_);
       q.push_back(std::clamp(row.q, 0.0, 1.2));
@@ -224,7 +258,7 @@ class Rises {
     for (std::size_t i = 0; i < n_; ++i) {
       const double q = mu + d * (rows_[i].S_usual - S_mean_);
       if (!(q >= 0 && q <= greatest)) return false;
-      x_[i] = evaluate(rows_[i].force, q).value * rows_[i].to_stage;
+      x_[i] = rows_[i].force.at(q).value * rows_[i].to_stage;
       z_[i] = rows_[i].F * rows_[i].to_stage;
     }
     return rho >= 0 && rho < 0.99;
@@ -323,10 +357,10 @@ class Rises {
       const Row& row = rows_[i];
       if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
         e = e0 * elementary::exp(row.drops_before * elementary::log(1 - loss));
-      const auto [q, q_force] = evaluate(row.friction, row.F / e);
+      const auto [q, q_force] = row.friction.at(row.F / e);
       if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
       const double gain = e / q_force * row.to_stage;
-      S[i] = evaluate(row.length, row.F / e).value;
+      S[i] = row.length.at(row.F / e).value;
       y[i] = gain * q;
       level[i] = gain;
     }
@@ -363,7 +397,7 @@ class Rises {
     std::size_t stiffer = 0;
     for (std::size_t j = 0; j < size(); ++j) {
       const auto row = [&](std::size_t i) -> const Row& { return rows_[begin_[j] + i]; };
-      const auto apparent = [&](std::size_t i) { return row(i).F / evaluate(row(i).force, friction).value; };
+      const auto apparent = [&](std::size_t i) { return row(i).F / row(i).force.at(friction).value; };
       const auto deflection = [&](std::size_t i) { return row(i).w; };
       stiffer += line_through(end(j) - begin_[j], deflection, apparent).slope > 0 ? 1 : 0;
     }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "numerics/elementary.h"
@@ -17,6 +16,20 @@ namespace flexslip {
 
 struct ValueAndSlope {
   double value, slope;
+};
+
+// The cubic over [0, 1] through two values with their slopes (Hermite), written from its beginning.
+struct Cubic {
+  double value, slope, c2, c3;
+  Cubic(double from, double to, double slope_from, double slope_to)
+      : value(from),
+        slope(slope_from),
+        c2(3 * (to - from) - 2 * slope_from - slope_to),
+        c3(slope_from + slope_to - 2 * (to - from)) {}
+
+  ValueAndSlope at(double t) const {
+    return {value + t * (slope + t * (c2 + t * c3)), slope + t * (2 * c2 + t * 3 * c3)};
+  }
 };
 
 // A Chebyshev series at t in [-1, 1] (Clenshaw).
@@ -57,6 +70,29 @@ std::array<double, size + 1> integrated(const std::array<double, size>& c, doubl
   return integral;
 }
 
+template <std::size_t size>
+std::array<double, size - 1> derivative(const std::array<double, size>& c) {
+  std::array<double, size - 1> slope{};
+  for (std::size_t k = size - 1; k > 0; --k)
+    slope[k - 1] = 2 * static_cast<double>(k) * c[k] + (k + 1 < size - 1 ? slope[k + 1] : 0);
+  slope[0] *= 0.5;
+  return slope;
+}
+
+// The product of two series, up to so many terms.
+template <std::size_t terms, std::size_t a_size, std::size_t b_size>
+std::array<double, terms> product(const std::array<double, a_size>& a, const std::array<double, b_size>& b) {
+  static_assert(terms >= a_size && terms >= b_size);
+  std::array<double, terms> sum{};
+  for (std::size_t i = 0; i < a_size; ++i)
+    for (std::size_t j = 0; j < b_size; ++j) {
+      const double half = 0.5 * a[i] * b[j];
+      if (i + j < terms) sum[i + j] += half;
+      sum[i > j ? i - j : j - i] += half;
+    }
+  return sum;
+}
+
 // A Bernstein polynomial and its derivative at t in [0, 1] (de Casteljau).
 template <std::size_t size>
 ValueAndSlope bernstein_at(std::array<double, size> b, double t) {
@@ -82,7 +118,6 @@ template <std::size_t degree>
 class Interpolant {
  public:
   using Values = std::array<double, degree + 1>;
-  using Matrix = std::array<Values, degree + 1>;
 
   static double node(std::size_t j) { return maps().node[j]; }
   // Coefficients of T_0, ..., T_n.
@@ -91,15 +126,16 @@ class Interpolant {
   // they have changes of sign (Descartes).
   static Values bernstein(const Values& at_nodes) { return apply(maps().bernstein, at_nodes); }
 
+ private:
+  using Matrix = std::array<Values, degree + 1>;  // a row for each node: sums of many coefficients side by side
+
   static Values apply(const Matrix& map, const Values& values) {
     Values result{};
-    for (std::size_t i = 0; i <= degree; ++i)
-      for (std::size_t j = 0; j <= degree; ++j) result[i] += map[i][j] * values[j];
+    for (std::size_t j = 0; j <= degree; ++j)
+      for (std::size_t i = 0; i <= degree; ++i) result[i] += map[j][i] * values[j];
     return result;
   }
-  static const Matrix& to_chebyshev() { return maps().chebyshev; }
 
- private:
   struct Maps {
     Values node{};
     Matrix chebyshev{};
@@ -120,14 +156,14 @@ class Interpolant {
       for (std::size_t j = 0; j <= degree; ++j) node[j] = -cosine(j);
       for (std::size_t k = 0; k <= degree; ++k)
         for (std::size_t j = 0; j <= degree; ++j)
-          chebyshev[k][j] = (k % 2 == 0 ? 2.0 : -2.0) / real(degree) * half_at_end(j) * half_at_end(k) * cosine(k * j);
+          chebyshev[j][k] = (k % 2 == 0 ? 2.0 : -2.0) / real(degree) * half_at_end(j) * half_at_end(k) * cosine(k * j);
       // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full one.
       for (std::size_t i = 0; i <= degree; ++i)
         for (std::size_t k = 0; k <= degree; ++k) {
           double from_k = 0;
           for (std::size_t r = i + k > degree ? i + k - degree : 0; r <= std::min(i, k); ++r)
             from_k += ((k - r) % 2 == 0 ? 1.0 : -1.0) * binomial(2 * k, 2 * r) * binomial(degree - k, i - r);
-          for (std::size_t j = 0; j <= degree; ++j) bernstein[i][j] += from_k / binomial(degree, i) * chebyshev[k][j];
+          for (std::size_t j = 0; j <= degree; ++j) bernstein[j][i] += from_k / binomial(degree, i) * chebyshev[j][k];
         }
     }
   };
@@ -139,27 +175,3 @@ class Interpolant {
 };
 
 }  // namespace flexslip
-
-namespace flexslip::chebyshev {
-
-// A function of one number as a Chebyshev series.
-
-inline constexpr std::size_t terms = 14;
-using Nodes = std::array<double, terms>;
-
-// From `least` to `greatest`, straight on beyond.
-struct Series {
-  double least, greatest;
-  Nodes coefficients;
-};
-
-ValueAndSlope evaluate(const Series& series, double at);
-
-// Where a series is to be known, and the series through its values there.
-Nodes nodes_between(double least, double greatest);
-Series series_through(double least, double greatest, std::span<const double> at_nodes);
-
-// Where a series that rises has a value.
-double inverse(const Series& series, double value);
-
-}  // namespace flexslip::chebyshev

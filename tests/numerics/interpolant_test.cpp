@@ -41,6 +41,30 @@ TEST_CASE("interpolant, identity: a polynomial of its degree comes back, with de
   }
 }
 
+TEST_CASE("series, identity: derivative and product are those of the polynomials, cut off where asked for") {
+  const auto series = Polynomial::chebyshev(at_nodes());
+  const auto rate = derivative(series);
+  const auto whole = product<12>(series, rate);
+  const auto work = integrated(whole, 1);  // ∫ f f' = f²/2
+  const auto cut = product<8>(series, rate);
+  for (double x = -1; x <= 1; x += 0.125) {
+    CAPTURE(x);
+    CHECK(series_at(rate, x) == to(1e-13, slope(x)));
+    CHECK(std::abs(series_at(whole, x) - value(x) * slope(x)) < 2e-12);  // of a product of up to 300
+    CHECK(std::abs(series_at(work, x) - 0.5 * (value(x) * value(x) - value(-1) * value(-1))) < 2e-12);
+  }
+  for (std::size_t k = 0; k < cut.size(); ++k) CHECK(cut[k] == whole[k]);
+}
+
+TEST_CASE("cubic, identity: values and slopes at its ends, and a cubic comes back") {
+  const auto f = [](double t) { return ValueAndSlope{2 + t * (-1 + t * (3 - 5 * t)), -1 + t * (6 - 15 * t)}; };
+  const Cubic cubic(f(0).value, f(1).value, f(0).slope, f(1).slope);
+  for (double t = 0; t <= 1; t += 0.125) {
+    CHECK(std::abs(cubic.at(t).value - f(t).value) < 1e-14);  // of terms of up to 10
+    CHECK(std::abs(cubic.at(t).slope - f(t).slope) < 4e-14);
+  }
+}
+
 TEST_CASE("interpolant, identity: Bernstein coefficients of x are evenly spaced, and their hull holds the polynomial") {
   Polynomial::Values x{};
   for (std::size_t j = 0; j < x.size(); ++j) x[j] = Polynomial::node(j);
