@@ -126,9 +126,6 @@ class FitParameters(Answer):
     def phase_2(self) -> Estimate | None:
         """phase of the second wave at the length 0 [rad]"""
     @property
-    def phase_at_middle_2(self) -> Estimate | None:
-        """phase of the second wave at the reference [rad]"""
-    @property
     def drift(self) -> Estimate | None:
         """slope of friction along the specimen [1/m]"""
     @property
@@ -162,20 +159,6 @@ class FitFrictionRead(Answer):
     @property
     def high80(self) -> float:
         """friction above which a tenth of the points lie [1]"""
-
-class FitChecks(Answer):
-    """checks of the fit; findings have their numbers"""
-
-    @property
-    def name(self) -> str:
-        """name of the check: residuals, drops, whiteness, nesting, friction, stability or stiffness"""
-    @property
-    def passed(self) -> bool | None:
-        """whether the check passed; null if it was not possible"""
-
-class FitChecksTable(Table[FitChecks]):
-    name: Objects
-    passed: Objects
 
 class FitWave(Answer):
     """likeliest wave of friction, claimed or not; null without one"""
@@ -285,30 +268,12 @@ class FitSurfaceProfile(Answer):
     def slope(self) -> Numbers:
         """slope of the surface, from the mean of the fit [1]"""
     @property
-    def slope_deviation(self) -> Numbers:
-        """standard deviation among the draws [1]"""
-    @property
     def height(self) -> Numbers:
         """height of the surface, from the mean of the fit, without tilt [m]"""
-    @property
-    def height_deviation(self) -> Numbers:
-        """standard deviation among the draws [m]"""
 
 class FitSurfaceAgainstTrace(Answer):
     """comparison with a measured height trace; null without one"""
 
-    @property
-    def file(self) -> str:
-        """file of the trace, as it was given"""
-    @property
-    def step(self) -> float:
-        """distance between the heights of the trace [m]"""
-    @property
-    def field(self) -> float:
-        """width of the trace [m]"""
-    @property
-    def pixel(self) -> float:
-        """smallest difference between heights; null if heights are as fine as their noise [m]"""
     @property
     def rms_slope(self) -> Estimate | None:
         """rms slope of the trace, of waves from shortest to longest [1]"""
@@ -319,36 +284,21 @@ class FitSurfaceAgainstTrace(Answer):
     def longest(self) -> float:
         """longest wavelength in rms_slope [m]"""
     @property
-    def least_amplitude_by_spectrum(self) -> float:
-        """smallest amplitude of a coherent wave, as long as that of friction, that would stand out from the trace; null without a wave [m]"""
-    @property
-    def least_amplitude_by_pixels(self) -> float:
-        """smallest amplitude that shows by the paper's rule; null if the pixel is unknown [m]"""
-    @property
     def correlation(self) -> float:
         """correlation of the slopes at the best place [1]"""
     @property
     def p_value(self) -> float:
         """probability that chance gives as high a correlation at any place, in either direction [1]"""
     @property
-    def places(self) -> int:
-        """number of places that were tried, in both directions"""
-    @property
     def begin(self) -> float:
         """position on the trace at which the support stood at first, at the best place [m]"""
     @property
     def turned(self) -> bool:
         """the trace runs in the other direction at the best place"""
-    @property
-    def overlap(self) -> float:
-        """overlap of trace and friction at the best place [m]"""
 
 class FitSurface(Answer):
     """surface that would explain how friction varies; null if friction does not vary"""
 
-    @property
-    def base_friction(self) -> float:
-        """friction of the flat surface, for which the slopes are zero on average [1]"""
     @property
     def rms_slope(self) -> Estimate:
         """rms slope that would explain the friction, of waves up to longest [1]"""
@@ -364,9 +314,6 @@ class FitSurface(Answer):
     @property
     def pixel_wanted(self) -> float:
         """pixel needed to see the wave by the paper's rule, ten pixels from crest to trough [m]"""
-    @property
-    def field_wanted(self) -> float:
-        """field needed to see the wave by the paper's rule, ten waves [m]"""
     @property
     def profile(self) -> FitSurfaceProfile:
         """surface along the specimen"""
@@ -387,24 +334,6 @@ class FitBending(Answer):
     def wraps_nose(self) -> bool:
         """the specimen was bent more sharply than the nose"""
 
-class FitImagedLengthPoints(Answer):
-    """points at which the length was imaged"""
-
-    @property
-    def row(self) -> int:
-        """row of the file"""
-    @property
-    def pulled_in(self) -> float:
-        """length pulled in (both supports), from the force [m]"""
-    @property
-    def imaged(self) -> float:
-        """length pulled in (both supports), as imaged [m]"""
-
-class FitImagedLengthPointsTable(Table[FitImagedLengthPoints]):
-    row: Any
-    pulled_in: Numbers
-    imaged: Numbers
-
 class FitImagedLength(Answer):
     """imaged lengths compared with those read off the force; null without any"""
 
@@ -417,9 +346,6 @@ class FitImagedLength(Answer):
     @property
     def scatter(self) -> float:
         """scatter of the points about offset, 1.48 times the median absolute deviation [m]"""
-    @property
-    def points(self) -> FitImagedLengthPointsTable:
-        """points at which the length was imaged"""
 
 class FitSlipOrCrack(Answer):
     """what the rises between the drops say about slips and cracks; null if there are too few"""
@@ -517,14 +443,8 @@ class FitSlips(Answer):
     """drops that can be slips at the stated bending stiffness, read off at that of the fit"""
 
     @property
-    def count(self) -> int:
-        """number of drops that can be slips"""
-    @property
     def median_spacing(self) -> float:
         """median length of specimen that passes over each support from the beginning of one slip to the next [m]"""
-    @property
-    def mean_spacing(self) -> float:
-        """mean length of specimen that passes over each support from one slip to the next [m]"""
     @property
     def median_fall_of_mu(self) -> float:
         """median fall of friction in a slip [1]"""
@@ -532,21 +452,12 @@ class FitSlips(Answer):
     def slips(self) -> FitSlipsSlipsTable:
         """drops that can be slips, in the order of drops"""
 
-class FitTeethCompliance(Answer):
-    """compliance of the supports that would explain the slopes of a stuck specimen"""
+class FitTeethCompliance(Estimate):
+    """compliance of both supports together that would explain the slopes if the specimen were stuck"""
 
     @property
-    def value(self) -> float:
-        """compliance of both supports together, if the specimen were stuck [m/N]"""
-    @property
-    def standard_error(self) -> float:
-        """standard error of value, from scatter [m/N]"""
-    @property
-    def unit(self) -> str | None:
-        """unit of value and its error"""
-    @property
     def p_value(self) -> float:
-        """probability of slopes that scatter about the compliance at least as much, for a stuck specimen [1]"""
+        """probability of slopes that scatter at least as much about the compliance [1]"""
 
 class FitTeethTeeth(Answer):
     """rises between drops"""
@@ -567,14 +478,8 @@ class FitTeethTeeth(Answer):
     def position_systematic(self) -> float:
         """error of position from EI, contact and load train, common to all rises [1]"""
     @property
-    def advance(self) -> Estimate:
-        """length pulled in (both supports) during the rise [m]"""
-    @property
     def verdict(self) -> str:
         """what the specimen does during the rise: sliding, as_if_stuck or undecided"""
-    @property
-    def compliant_position(self) -> float:
-        """position p of a stuck specimen on supports that yield as fitted [1]"""
 
 class FitTeethTeethTable(Table[FitTeethTeeth]):
     first_row: Any
@@ -582,37 +487,17 @@ class FitTeethTeethTable(Table[FitTeethTeeth]):
     slope: Objects
     position: Objects
     position_systematic: Numbers
-    advance: Objects
     verdict: Objects
-    compliant_position: Numbers
 
 class FitTeeth(Answer):
     """whether the specimen sticks or slides between the drops; null if that was not asked"""
 
     @property
-    def confidence(self) -> float:
-        """one-sided confidence of each verdict [1]"""
-    @property
-    def least_share(self) -> float:
-        """share of the stage's motion that is pulled in, below which the specimen is called stuck [1]"""
-    @property
-    def compliance(self) -> FitTeethCompliance:
-        """compliance of the supports that would explain the slopes of a stuck specimen"""
-    @property
-    def sliding(self) -> int:
-        """number of rises in which the specimen slides"""
-    @property
-    def as_if_stuck(self) -> int:
-        """number of rises that cannot be distinguished from sticking"""
-    @property
-    def undecided(self) -> int:
-        """number of rises that remain undecided"""
+    def compliance(self) -> FitTeethCompliance | None:
+        """compliance of both supports together that would explain the slopes if the specimen were stuck [m/N]"""
     @property
     def too_short(self) -> int:
         """number of rises with fewer than four rows"""
-    @property
-    def unexplained(self) -> int:
-        """number of rises whose middle no friction explains"""
     @property
     def teeth(self) -> FitTeethTeethTable:
         """rises between drops"""
@@ -624,9 +509,6 @@ class FitSuspects(Answer):
     def row(self) -> int:
         """row of the file"""
     @property
-    def length(self) -> float:
-        """length between the supports: the span and what was pulled in [m]"""
-    @property
     def mu(self) -> float:
         """friction that the point needs [1]"""
     @property
@@ -635,7 +517,6 @@ class FitSuspects(Answer):
 
 class FitSuspectsTable(Table[FitSuspects]):
     row: Any
-    length: Numbers
     mu: Numbers
     mu_error: Numbers
 
@@ -656,39 +537,20 @@ class FitEnergy(Answer):
         """heat of friction at the supports [J]"""
     @property
     def snaps(self) -> float:
-        """energy set free by snaps beyond friction; for a measured test all energy lost in drops [J]"""
-    @property
-    def imbalance(self) -> float:
-        """amount by which the account does not close [J]"""
+        """energy lost in drops beyond friction [J]"""
     @property
     def work_of_fracture(self) -> float:
         """work on the specimen: area under force over deflection [J]"""
     @property
     def friction_share(self) -> float:
         """share of the work of fracture that went into friction and snaps [1]"""
-    @property
-    def remaining(self) -> float:
-        """work of fracture without friction and snaps [J]"""
 
 class FitReplay(Answer):
-    """comparison of the record with the profile read off it, run forward"""
+    """the profile read off the record, run forward"""
 
-    @property
-    def residual_rms(self) -> float:
-        """root mean square difference between the force and the measured profile run forward as a table [N]"""
-    @property
-    def drops(self) -> int:
-        """drops of the record"""
     @property
     def drops_reproduced(self) -> int:
         """drops of the record that the replay has at the same point"""
-
-class FitCyclesBendingStiffness(Estimate):
-    """EI at which friction is the same in loading and unloading"""
-
-    @property
-    def relative_to_nominal(self) -> float:
-        """value divided by the stated EI, or by that of the initial slope [1]"""
 
 class FitCyclesCorrelation(Answer):
     """correlation of the bumps of friction in the two directions, over all loops"""
@@ -703,41 +565,16 @@ class FitCyclesCorrelation(Answer):
     def high(self) -> float:
         """upper end of the 95 % interval of value [1]"""
 
-class FitCyclesBuildUpLength(Answer):
-    """length over which friction builds up after a reversal (Dahl); null without a reversal"""
+class FitCyclesBuildUpLength(Estimate):
+    """length of sliding over both supports in which friction builds up after a reversal (Dahl), its error from the scatter between reversals; null
+    without a reversal"""
 
-    @property
-    def value(self) -> float:
-        """build-up length of friction, in length of sliding over both supports [m]"""
-    @property
-    def standard_error(self) -> float:
-        """standard error from the scatter between reversals; null for a single one [m]"""
     @property
     def least(self) -> float:
         """smallest build-up length that could be detected [m]"""
     @property
-    def told(self) -> bool:
+    def told(self) -> bool | None:
         """the build-up length differs significantly from zero"""
-
-class FitCyclesLoopsLoading(Answer):
-    """rows of the loading; null without one"""
-
-    @property
-    def first_row(self) -> int:
-        """first row of the leg in the file"""
-    @property
-    def last_row(self) -> int:
-        """last row of the leg in the file"""
-
-class FitCyclesLoopsUnloading(Answer):
-    """rows of the unloading; null without one"""
-
-    @property
-    def first_row(self) -> int:
-        """first row of the leg in the file"""
-    @property
-    def last_row(self) -> int:
-        """last row of the leg in the file"""
 
 class FitCyclesLoopsCorrelation(Answer):
     """correlation of the bumps of friction in the two directions"""
@@ -762,14 +599,8 @@ class FitCyclesLoopsEnergy(Answer):
     def unloading(self) -> float:
         """work given back during unloading; null if the loop was not unloaded [J]"""
     @property
-    def stored(self) -> float:
-        """bending energy gained between the beginning and the end of the loop [J]"""
-    @property
     def lost(self) -> float:
-        """area of the loop minus the stored energy; null if the loop is not closed or was not loaded [J]"""
-    @property
-    def lost_share(self) -> float:
-        """lost divided by loading [1]"""
+        """loading minus unloading and the bending energy gained meanwhile; null if the loop is not closed or was not loaded [J]"""
     @property
     def friction(self) -> float:
         """heat of friction during sliding [J]"""
@@ -778,26 +609,14 @@ class FitCyclesLoops(Answer):
     """loops: each loading with the unloading that follows"""
 
     @property
-    def first_row(self) -> int:
-        """first row of the loop in the file"""
+    def loading(self) -> Numbers | None:
+        """first and last row of the loading in the file; null without one [1]"""
     @property
-    def last_row(self) -> int:
-        """last row of the loop in the file"""
-    @property
-    def loading(self) -> FitCyclesLoopsLoading | None:
-        """rows of the loading; null without one"""
-    @property
-    def unloading(self) -> FitCyclesLoopsUnloading | None:
-        """rows of the unloading; null without one"""
+    def unloading(self) -> Numbers | None:
+        """first and last row of the unloading in the file; null without one [1]"""
     @property
     def contact(self) -> Estimate:
         """stage position of the contact [m]"""
-    @property
-    def stick_advance(self) -> float:
-        """length pulled in after the turn, while the specimen should stick: 0 in the model [m]"""
-    @property
-    def places(self) -> int:
-        """number of places at which the directions are compared"""
     @property
     def mu_in(self) -> Estimate | None:
         """mean friction while sliding in, over the places [1]"""
@@ -818,13 +637,9 @@ class FitCyclesLoops(Answer):
         """rms residual of one profile for all loops, run forward, as a share of the greatest force [1]"""
 
 class FitCyclesLoopsTable(Table[FitCyclesLoops]):
-    first_row: Any
-    last_row: Any
     loading: Objects
     unloading: Objects
     contact: Objects
-    stick_advance: Numbers
-    places: Any
     mu_in: Objects
     mu_out: Objects
     rms_difference: Objects
@@ -870,19 +685,11 @@ class FitCyclesProfile(Answer):
     def length(self) -> float:
         """length between the supports: the span and what was pulled in [m]"""
     @property
-    def drawn_in(self) -> float:
-        """length pulled in (both supports) [m]"""
-    @property
-    def position(self) -> float:
-        """position of the support along the specimen, from midspan: half of length, on edges [m]"""
-    @property
     def mu(self) -> float:
         """friction at this place [1]"""
 
 class FitCyclesProfileTable(Table[FitCyclesProfile]):
     length: Numbers
-    drawn_in: Numbers
-    position: Numbers
     mu: Numbers
 
 class FitCyclesPoints(Answer):
@@ -898,9 +705,6 @@ class FitCyclesPoints(Answer):
     def q(self) -> float:
         """mobilised friction: μ while sliding in, −μ while sliding out, in between while stuck [1]"""
     @property
-    def q_error(self) -> float:
-        """standard error of q from noise, EI and contact [1]"""
-    @property
     def motion(self) -> str:
         """how the specimen moves: slip_in, slip_out or stick"""
 
@@ -908,7 +712,6 @@ class FitCyclesPointsTable(Table[FitCyclesPoints]):
     row: Any
     length: Numbers
     q: Numbers
-    q_error: Numbers
     motion: Objects
 
 class FitCycles(Answer):
@@ -918,7 +721,7 @@ class FitCycles(Answer):
     def status(self) -> str:
         """whether the loops were evaluated: ok, no_mirror (no part of the specimen slid both ways), too_few_points or not_converged"""
     @property
-    def bending_stiffness(self) -> FitCyclesBendingStiffness | None:
+    def bending_stiffness(self) -> Estimate | None:
         """EI at which friction is the same in loading and unloading [N m^2]"""
     @property
     def asymmetry(self) -> Estimate | None:
@@ -927,23 +730,9 @@ class FitCycles(Answer):
     def correlation(self) -> FitCyclesCorrelation | None:
         """correlation of the bumps of friction in the two directions, over all loops"""
     @property
-    def mu_in(self) -> float:
-        """mean friction while sliding in, over the places of all loops [1]"""
-    @property
-    def mu_out(self) -> float:
-        """mean friction while sliding out, over the places of all loops [1]"""
-    @property
-    def rms_difference(self) -> float:
-        """root mean square difference between the two directions from place to place [1]"""
-    @property
-    def beyond_friction(self) -> bool | None:
-        """asymmetry is significant and larger than friction itself, which is an error of the model"""
-    @property
     def build_up_length(self) -> FitCyclesBuildUpLength | None:
-        """length over which friction builds up after a reversal (Dahl); null without a reversal"""
-    @property
-    def force_noise(self) -> float:
-        """standard deviation of one force reading [N]"""
+        """length of sliding over both supports in which friction builds up after a reversal (Dahl), its error from the scatter between reversals;
+        null without a reversal [m]"""
     @property
     def loops(self) -> FitCyclesLoopsTable:
         """loops: each loading with the unloading that follows"""
@@ -964,28 +753,11 @@ class FitBand(Answer):
     def length(self) -> Numbers:
         """length between the contacts [m]"""
     @property
-    def drawn_in(self) -> Numbers:
-        """length pulled in (both supports) [m]"""
-    @property
     def mean(self) -> Numbers:
         """mean friction at this length [1]"""
     @property
     def deviation(self) -> Numbers:
         """standard deviation of friction at this length [1]"""
-
-class FitScan(Answer):
-    """evidence that a wave of each length would add"""
-
-    @property
-    def wavelength(self) -> float:
-        """wavelength of the wave [m]"""
-    @property
-    def log_evidence_gain(self) -> float:
-        """ln of the evidence that the wave adds [1]"""
-
-class FitScanTable(Table[FitScan]):
-    wavelength: Numbers
-    log_evidence_gain: Numbers
 
 class FitSmallDeflection(Answer):
     """the straight part of the curve, beside the fit"""
@@ -1006,18 +778,6 @@ class FitMeasurement(Answer):
     @property
     def last_row(self) -> int:
         """last row of the file that is evaluated"""
-    @property
-    def rows_repeated(self) -> int:
-        """rows that repeat the previous row"""
-    @property
-    def rows_held(self) -> int:
-        """rows that repeat the force of the previous row while the displacement moves on"""
-    @property
-    def rows_interpolated(self) -> int:
-        """rows interpolated between readings"""
-    @property
-    def rows_per_point(self) -> int:
-        """rows per point used: one row in so many of the rest counts"""
     @property
     def ends_with(self) -> str:
         """what ends the evaluated loading: last_row, until, failure or turn"""
@@ -1071,14 +831,8 @@ class FitContact(Answer):
     def source(self) -> str:
         """where the contact comes from: stated, found, or first_point of the file"""
     @property
-    def taken_off(self) -> float:
-        """displacement of the contact, subtracted from stage and deflection [m]"""
-    @property
     def line_offset(self) -> Estimate | None:
         """displacement, from the contact, at which a line through the first part of the curve meets zero force [m]"""
-    @property
-    def initial_slope(self) -> Estimate | None:
-        """slope of that line, the initial slope of the curve [N/m]"""
 
 class FitNominalBendingStiffness(Answer):
     """what was known about EI before the fit"""
@@ -1098,10 +852,7 @@ class FitDraws(Answer):
 
     @property
     def bending_stiffness(self) -> Numbers:
-        """EI that belongs to each profile [N m^2]"""
-    @property
-    def unit(self) -> str:
-        """unit of these bending stiffnesses"""
+        """EI that belongs to each profile, in the unit of parameters.bending_stiffness [N m^2]"""
 
 class FitNoise(Answer):
     """noise of the force"""
@@ -1109,9 +860,6 @@ class FitNoise(Answer):
     @property
     def force(self) -> float:
         """standard deviation of one force reading, from the quietest tenth of the record [N]"""
-    @property
-    def force_step(self) -> float:
-        """standard deviation of the force step from row to row [N]"""
     @property
     def smallest_drop(self) -> float:
         """smallest fall of the force in one step that counts as a drop [N]"""
@@ -1141,9 +889,6 @@ class FitProfile(Answer):
     def imaged(self) -> float:
         """length of the axis between the verticals through the supports, as a camera sees it [m]"""
     @property
-    def position(self) -> float:
-        """position of the support along the specimen, from midspan [m]"""
-    @property
     def mu(self) -> float:
         """mobilised friction: the coefficient of friction while the specimen slides [1]"""
     @property
@@ -1167,7 +912,6 @@ class FitProfileTable(Table[FitProfile]):
     length: Numbers
     drawn_in: Numbers
     imaged: Numbers
-    position: Numbers
     mu: Numbers
     mu_error: Numbers
     mu_error_force: Numbers
@@ -1181,15 +925,11 @@ class FitProvenanceInputs(Answer):
     def name(self) -> str:
         """name of the file, as it was given"""
     @property
-    def bytes(self) -> int | None:
-        """size of the file; null for standard input"""
-    @property
     def sha256(self) -> str | None:
         """SHA-256 of the file; null for standard input"""
 
 class FitProvenanceInputsTable(Table[FitProvenanceInputs]):
     name: Objects
-    bytes: Any
     sha256: Objects
 
 class FitProvenanceOptions(Answer):
@@ -1211,9 +951,6 @@ class FitProvenanceOptions(Answer):
 class FitProvenance(Answer):
     """what the same version needs to give the same answer"""
 
-    @property
-    def program(self) -> str:
-        """name of the program, flexslip"""
     @property
     def version(self) -> str:
         """version of the program"""
@@ -1270,9 +1007,6 @@ class FitFields(Answer):
     def residual_rms(self) -> float:
         """root mean square difference between the force and the mean of the fit run forward [N]"""
     @property
-    def checks(self) -> FitChecksTable:
-        """checks of the fit; findings have their numbers"""
-    @property
     def wave(self) -> FitWave | None:
         """likeliest wave of friction, claimed or not; null without one"""
     @property
@@ -1313,16 +1047,13 @@ class FitFields(Answer):
         """where the work went, from contact to failure, computed from the measured points at the bending stiffness of the fit"""
     @property
     def replay(self) -> FitReplay | None:
-        """comparison of the record with the profile read off it, run forward"""
+        """the profile read off the record, run forward"""
     @property
     def cycles(self) -> FitCycles | None:
         """loading and unloading loops of a test that was unloaded; null otherwise"""
     @property
     def band(self) -> FitBand:
         """friction along the specimen, from the fit"""
-    @property
-    def scan(self) -> FitScanTable:
-        """evidence that a wave of each length would add"""
     @property
     def small_deflection(self) -> FitSmallDeflection:
         """the straight part of the curve, beside the fit"""
@@ -1581,10 +1312,7 @@ class SimulationEnergy(Answer):
         """heat of friction at the supports [J]"""
     @property
     def snaps(self) -> float:
-        """energy set free by snaps beyond friction; for a measured test all energy lost in drops [J]"""
-    @property
-    def imbalance(self) -> float:
-        """amount by which the account does not close [J]"""
+        """energy set free by snaps beyond friction [J]"""
     @property
     def cracks(self) -> float:
         """energy set free by cracks [J]"""
@@ -1594,9 +1322,6 @@ class SimulationEnergy(Answer):
     @property
     def friction_share(self) -> float:
         """share of the work of fracture that went into friction and snaps [1]"""
-    @property
-    def remaining(self) -> float:
-        """work of fracture without friction and snaps [J]"""
 
 class SimulationFields(Answer):
     """What a test would measure."""
@@ -1677,9 +1402,6 @@ class ProfileProfile(Answer):
     def imaged(self) -> float:
         """length of the axis between the verticals through the supports, as a camera sees it [m]"""
     @property
-    def position(self) -> float:
-        """position of the support along the specimen, from midspan [m]"""
-    @property
     def mu(self) -> float:
         """mobilised friction: the coefficient of friction while the specimen slides [1]"""
     @property
@@ -1703,7 +1425,6 @@ class ProfileProfileTable(Table[ProfileProfile]):
     length: Numbers
     drawn_in: Numbers
     imaged: Numbers
-    position: Numbers
     mu: Numbers
     mu_error: Numbers
     mu_error_force: Numbers
