@@ -217,12 +217,16 @@ Chapter teeth_chapter(T test) {
   const std::string title = "Stick or slide";
   if (!test.analysis.teeth)
     return {title, {std::string("There are no rises to judge: fewer than two drops, or no load train is stated.")}};
-  Chapter chapter{title,
-                  {numbers(test, "teeth"),
-                   std::string("A rise that is as if stuck need not be stuck: sliding is as steep where friction rises "
-                               "steeply. Just after a reversal, where the specimen must stick, the authors' tests pull "
-                               "in 8 to 35 % of the stage's motion. Supports that yield imitate sliding, as does "
-                               "friction that builds up, in rises that pull in less than three times its length.")}};
+  Chapter chapter{
+      title,
+      {numbers(test, "teeth"),
+       fmt::format("A rise is called as if stuck where less than {:.0f} % of the stage's motion is pulled in, "
+                   "and sliding where more is, at {:.0f} %. A rise that is as if stuck need not be stuck: "
+                   "sliding is as steep where friction rises steeply. Just after a reversal, where the "
+                   "specimen must stick, the authors' tests pull in 8 to 35 % of the stage's motion. "
+                   "Supports that yield imitate sliding, as does friction that builds up, in rises that "
+                   "pull in less than three times its length.",
+                   100 * test.provenance.options.teeth.min_share, 100 * tooth_confidence)}};
   if (has_judged_teeth(test)) chapter.blocks.emplace_back(picture(teeth_figure, test));
   chapter.blocks.emplace_back(listed(test, "teeth.teeth",
                                      {{.heading = "Rows", .field = "first_row", .last = "last_row"},
