@@ -281,7 +281,7 @@ class Table(Sequence[Row], Generic[Row]):
     --------
     >>> import flexslip
     >>> fit = flexslip.fit("examples/simulated/case.toml")
-    >>> fit.profile.mu.shape == fit.profile.position.shape == (len(fit.profile),)
+    >>> fit.profile.mu.shape == fit.profile.length.shape == (len(fit.profile),)
     True
     >>> fit.profile[0].mu == fit.profile.mu[0]
     True

@@ -1,4 +1,4 @@
-"""The classes of the answers, made from what the program says of them; _fields.pyi, which tools/write-python-stubs writes, has their types."""
+"""The classes of the answers, made from what the program says of them; _fields.pyi, which the build writes (tools/write-python-stubs), has their types."""
 from __future__ import annotations
 
 from ._answers import ANSWERS, made_classes, make_class

@@ -150,7 +150,7 @@ class Draws(FitDraws):
     profiles : array, shape (20, n)
         Drawn at random, the same at every run.
     bending_stiffness : array, shape (20,)
-        EI that goes with each, in `unit`.
+        EI that goes with each, in the unit of ``fit.params["bending_stiffness"]``.
     """
 
     _title = "Draws"

@@ -191,7 +191,7 @@ class Words(unittest.TestCase):
 class Frames(unittest.TestCase):
     def test_identity_frames_hold_the_columns(self):
         fit = flexslip.fit(case("simulated"))
-        for table in fit.profile, fit.curves, fit.drops, fit.scan:
+        for table in fit.profile, fit.curves, fit.drops, fit.snaps:
             frame = table.to_frame()
             self.assertIsInstance(frame, pandas.DataFrame)
             self.assertEqual(len(frame), len(table))

@@ -44,7 +44,7 @@ class Wheel(unittest.TestCase):
         with zipfile.ZipFile(self.wheel) as wheel:
             self.assertIsNone(wheel.testzip())
             names = set(wheel.namelist())
-            for path in (SOURCE / "python/flexslip").iterdir():
+            for path in pathlib.Path(flexslip.__file__).parent.iterdir():
                 if path.suffix in (".py", ".pyi", ".typed"):
                     self.assertIn(f"flexslip/{path.name}", names)
             told = wheel.read(f"flexslip-{flexslip.__version__}.dist-info/METADATA").decode()
@@ -63,7 +63,7 @@ class Wheel(unittest.TestCase):
         defined = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["scikit-build"]["cmake"]["define"]
         configured = run("cmake", "-S", root, "-B", root / "build", "-G", "Ninja", *(f"-D{name}={value}" for name, value in defined.items()))
         self.assertEqual(configured.returncode, 0, configured.stdout + configured.stderr)
-        self.assertIn("_flexslip", run("ninja", "-C", root / "build", "-t", "targets", "all").stdout)
+        self.assertIn("python_package", run("ninja", "-C", root / "build", "-t", "targets", "all").stdout)
 
     def test_outside_same_source_gives_same_bytes(self):
         again = self.folder / "again"

@@ -47,8 +47,8 @@ void append(std::vector<ResultLine>& lines, const std::vector<Description>& entr
 // The parameters of a design and what comes of it.
 std::vector<Description> sweep_columns() {
   std::vector<Description> columns;
-  for (const DesignParameterName& known : design_parameters())
-    columns.push_back({known.name, Shape::number, known.kind, known.description});
+  for (const DesignParameter& known : design_parameters())
+    columns.push_back({known.name, Shape::number, known.kind(), known.description});
   for (Description& outcome : map_fields({}).descriptions()) columns.push_back(std::move(outcome));
   std::erase_if(columns, [](const Description& column) { return column.name == "stiffness_margin"; });
   return columns;

@@ -23,8 +23,7 @@ std::vector<ToldChange> changes_of(const ToldDesign& told) {
 Fields<ToldChange> change_fields() {
   using C = const ToldChange&;
   return Fields<ToldChange>()
-      .words("parameter", "parameter that changes, while the others stay",
-             [](C c) { return described(c.change.parameter).name; })
+      .words("parameter", "parameter that changes, while the others stay", [](C c) { return c.change.parameter; })
       .own("from", kind::number, "present value, in the unit of the parameter", [](C c) { return c.change.from; })
       .own("to", kind::number, "changed value, in the unit of the parameter", [](C c) { return c.change.to; })
       .yes_no("and_beyond", "the changed answer holds however far beyond", [](C c) { return c.change.and_beyond; })
@@ -49,10 +48,9 @@ Fields<PhaseStudy> phase_fields() {
 Fields<ToldDesign> changed_parameter_fields() {
   Fields<ToldDesign> fields;
   fields.left_out_where_missing();
-  for (const DesignParameterName& known : design_parameters())
-    fields.own(known.name, known.kind, known.description, [parameter = known.parameter](const ToldDesign& told) {
-      return value_of(told.answer.input, parameter);
-    });
+  for (const DesignParameter& known : design_parameters())
+    fields.own(known.name, known.kind(), known.description,
+               [parameter = known.name](const ToldDesign& told) { return value_of(told.answer.input, parameter); });
   return fields;
 }
 
@@ -119,7 +117,7 @@ Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
   Fields<MapPoint> fields;
   fields.left_out_where_missing();
   for (std::size_t i = 0; i < axes.size(); ++i)
-    fields.own(axes[i].parameter.name, axes[i].parameter.kind, axes[i].parameter.description,
+    fields.own(axes[i].parameter.name, axes[i].parameter.kind(), axes[i].parameter.description,
                [i](P point) { return point.values[i]; });
   return fields.words("status", statuses, [](P point) { return word_of(point.result.status); })
       .all_of(outcome_fields(), &MapPoint::result)

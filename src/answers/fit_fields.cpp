@@ -52,25 +52,8 @@ Fields<Tooth> tooth_fields() {
                 &Tooth::position)
       .number("position_systematic", "error of position from EI, contact and load train, common to all rises",
               &Tooth::position_systematic)
-      .estimate("advance", kind::length, "length pulled in (both supports) during the rise", &Tooth::advance)
       .words("verdict", "what the specimen does during the rise: sliding, as_if_stuck or undecided",
-             [](const Tooth& tooth) { return name_of(tooth.verdict); })
-      .number("compliant_position", "position p of a stuck specimen on supports that yield as fitted",
-              &Tooth::compliant_position);
-}
-
-Fields<SupportCompliance> compliance_fields() {
-  return Fields<SupportCompliance>()
-      .only_where([](const SupportCompliance& compliance) { return compliance.is_found(); })
-      .number("value", kind::compliance, "compliance of both supports together, if the specimen were stuck",
-              [](const SupportCompliance& compliance) { return compliance.estimate.value; })
-      .number("standard_error", kind::compliance, "standard error of value, from scatter",
-              [](const SupportCompliance& compliance) { return compliance.estimate.standard_error; })
-      .words("unit", "unit of value and its error",
-             [](const SupportCompliance&, const Frame& frame) { return unit_of(kind::compliance, frame.reduced); })
-      .number("p_value",
-              "probability of slopes that scatter about the compliance at least as much, for a stuck specimen",
-              &SupportCompliance::p_value);
+             [](const Tooth& tooth) { return name_of(tooth.verdict); });
 }
 
 Fields<DropOf> drop_fields() {
@@ -109,13 +92,9 @@ Fields<TestAnalysis> slips_fields() {
     return [part](const TestAnalysis& analysis) { return analysis.slip_summary.*part; };
   };
   return Fields<TestAnalysis>()
-      .count("count", "number of drops that can be slips", summary(&SlipSummary::count))
       .number("median_spacing", kind::length,
               "median length of specimen that passes over each support from the beginning of one slip to the next",
               summary(&SlipSummary::median_spacing))
-      .number("mean_spacing", kind::length,
-              "mean length of specimen that passes over each support from one slip to the next",
-              summary(&SlipSummary::mean_spacing))
       .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
       .list("slips", "drops that can be slips, in the order of drops", slip_fields(), [](const TestAnalysis& analysis) {
         std::vector<Slip> possible;
@@ -136,29 +115,21 @@ Fields<SlipOrCrack> slip_or_crack_fields() {
              &SlipOrCrack::stiffer_rises);
 }
 
-Fields<FittedTest> teeth_fields() {
-  const auto count = [](ToothVerdict verdict) {
-    return [verdict](T test) {
-      const auto& teeth = test.analysis.teeth->teeth;
-      return std::count_if(teeth.begin(), teeth.end(), [&](const Tooth& tooth) { return tooth.verdict == verdict; });
+Fields<Teeth> teeth_fields() {
+  const auto if_found = [](auto part) {
+    return [part](const Teeth& teeth) {
+      return teeth.compliance.is_found() ? std::optional(teeth.compliance.*part) : std::nullopt;
     };
   };
-  return Fields<FittedTest>()
-      .number("confidence", "one-sided confidence of each verdict", [](T) { return tooth_confidence; })
-      .number("least_share", "share of the stage's motion that is pulled in, below which the specimen is called stuck",
-              [](T test) { return test.provenance.options.teeth.min_share; })
-      .group(
-          "compliance", "compliance of the supports that would explain the slopes of a stuck specimen",
-          compliance_fields(), [](T test) -> const auto& { return test.analysis.teeth->compliance; })
-      .count("sliding", "number of rises in which the specimen slides", count(ToothVerdict::sliding))
-      .count("as_if_stuck", "number of rises that cannot be distinguished from sticking",
-             count(ToothVerdict::as_if_stuck))
-      .count("undecided", "number of rises that remain undecided", count(ToothVerdict::undecided))
-      .count("too_short", "number of rises with fewer than four rows",
-             [](T test) { return test.analysis.teeth->too_short; })
-      .count("unexplained", "number of rises whose middle no friction explains",
-             [](T test) { return test.analysis.teeth->unexplained; })
-      .list("teeth", "rises between drops", tooth_fields(), [](T test) { return test.analysis.teeth->teeth; });
+  return Fields<Teeth>()
+      .estimate(
+          "compliance", kind::compliance,
+          "compliance of both supports together that would explain the slopes if the specimen were stuck",
+          if_found(&SupportCompliance::estimate),
+          Fields<Teeth>().number("p_value", "probability of slopes that scatter at least as much about the compliance",
+                                 if_found(&SupportCompliance::p_value)))
+      .count("too_short", "number of rises with fewer than four rows", &Teeth::too_short)
+      .list("teeth", "rises between drops", tooth_fields(), &Teeth::teeth);
 }
 
 std::vector<SuspectPoint> suspects_of(T test) {
@@ -180,8 +151,6 @@ Fields<SuspectPoint> suspect_fields() {
   };
   return Fields<SuspectPoint>()
       .row("row", "row of the file", &SuspectPoint::index)
-      .number("length", kind::length, "length between the supports: the span and what was pulled in",
-              read(&ProfilePoint::S))
       .number("mu", "friction that the point needs", read(&ProfilePoint::mu))
       .number("mu_error", "standard error of mu", read(standard_error));
 }
@@ -214,9 +183,7 @@ Fields<FittedTest> parameter_fields() {
       .estimate("amplitude_2", kind::number, "amplitude of the second wave, relative to mu0", &WaveEstimate::amplitude)
       .estimate("wavelength_2", kind::length, "wavelength of the second wave, along the specimen",
                 &WaveEstimate::wavelength)
-      .estimate("phase_2", kind::angle, "phase of the second wave at the length 0", &WaveEstimate::phase)
-      .estimate("phase_at_middle_2", kind::angle, "phase of the second wave at the reference",
-                &WaveEstimate::phase_at_middle);
+      .estimate("phase_2", kind::angle, "phase of the second wave at the length 0", &WaveEstimate::phase);
   return Fields<FittedTest>()
       .left_out_where_missing()
       .only_where(is_fitted)
@@ -263,32 +230,18 @@ Fields<Explanation> explanation_fields() {
 
 // All of the fit that is made of the bands along the fibre.
 Fields<FittedTest> band_fields() {
-  const auto at_each = [](auto get) {
-    return [get](T test) {
-      std::vector<double> lengths;
-      for (const double S : test.analysis.fit.band.S) lengths.push_back(get(test.analysis.fit, S));
-      return lengths;
-    };
-  };
   return Fields<FittedTest>()
       .numbers("length", kind::length, "length between the contacts",
-               at_each([](const FrictionFit& fit, double S) { return fit.between_contacts(S); }))
-      .numbers("drawn_in", kind::length, "length pulled in (both supports)",
-               at_each([](const FrictionFit&, double S) { return S - 1; }))
+               [](T test) {
+                 std::vector<double> lengths;
+                 for (const double S : test.analysis.fit.band.S)
+                   lengths.push_back(test.analysis.fit.between_contacts(S));
+                 return lengths;
+               })
       .own_numbers("mean", kind::number, "mean friction at this length",
                    [](T test) { return test.analysis.fit.band.mean; })
       .own_numbers("deviation", kind::number, "standard deviation of friction at this length",
                    [](T test) { return test.analysis.fit.band.deviation; });
-}
-
-Fields<Check> check_fields() {
-  return Fields<Check>()
-      .words("name", "name of the check: residuals, drops, whiteness, nesting, friction, stability or stiffness",
-             [](const Check& check) { return name_of(check.kind); })
-      .yes_no("passed", "whether the check passed; null if it was not possible", [](const Check& check) {
-        return check.outcome == CheckOutcome::not_possible ? std::nullopt
-                                                           : std::optional(check.outcome == CheckOutcome::passed);
-      });
 }
 
 // ---- The surface that would explain it, and a trace it is held against
@@ -296,37 +249,18 @@ Fields<Check> check_fields() {
 Fields<HeldSurface> held_fields() {
   using H = const HeldSurface&;
   return Fields<HeldSurface>()
-      .words("file", "file of the trace, as it was given", &HeldSurface::file)
-      .own("step", kind::length, "distance between the heights of the trace", &HeldSurface::step)
-      .own("field", kind::length, "width of the trace", &HeldSurface::width)
-      .own("pixel", kind::length, "smallest difference between heights; null if heights are as fine as their noise",
-           [](H held) { return held.pixel > 0 ? std::optional(held.pixel) : std::nullopt; })
       .own_estimate("rms_slope", kind::number, "rms slope of the trace, of waves from shortest to longest",
                     [](H held) { return held.texture.drowned ? std::nullopt : std::optional(held.texture.rms_slope); })
       .own("shortest", kind::length, "shortest wavelength in rms_slope", [](H held) { return held.texture.shortest; })
       .own("longest", kind::length, "longest wavelength in rms_slope", [](H held) { return held.texture.longest; })
-      .own("least_amplitude_by_spectrum", kind::length,
-           "smallest amplitude of a coherent wave, as long as that of friction, that would stand out from the trace; "
-           "null without a wave",
-           [](H held) { return held.wave ? std::optional(held.wave->least_by_spectrum) : std::nullopt; })
-      .own("least_amplitude_by_pixels", kind::length,
-           "smallest amplitude that shows by the paper's rule; null if the pixel is unknown",
-           [](H held) {
-             return held.wave && held.wave->least_by_pixels > 0 ? std::optional(held.wave->least_by_pixels)
-                                                                : std::nullopt;
-           })
       .number("correlation", "correlation of the slopes at the best place",
               [](H held) { return held.placement.correlation; })
       .number("p_value", "probability that chance gives as high a correlation at any place, in either direction",
               [](H held) { return held.placement.p_value; })
-      .count("places", "number of places that were tried, in both directions",
-             [](H held) { return held.placement.places; })
       .own("begin", kind::length, "position on the trace at which the support stood at first, at the best place",
            &HeldSurface::begin)
       .yes_no("turned", "the trace runs in the other direction at the best place",
-              [](H held) { return held.placement.turned; })
-      .own("overlap", kind::length, "overlap of trace and friction at the best place",
-           [](H held) { return held.placement.overlap; });
+              [](H held) { return held.placement.turned; });
 }
 
 Fields<FittedTest> implied_fields() {
@@ -341,8 +275,6 @@ Fields<FittedTest> implied_fields() {
     };
   };
   return Fields<FittedTest>()
-      .number("base_friction", "friction of the flat surface, for which the slopes are zero on average",
-              of(&ImpliedSurface::base))
       .estimate("rms_slope", kind::number, "rms slope that would explain the friction, of waves up to longest",
                 of(&ImpliedSurface::rms_slope))
       .estimate("rms_height", kind::length, "rms height that would explain the friction, of waves up to longest",
@@ -355,19 +287,13 @@ Fields<FittedTest> implied_fields() {
       .number("pixel_wanted", kind::length,
               "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
               of_wave([](const WaveEstimate& wave) { return wanted_image(1, 2 * wave.height.value).pixel; }))
-      .number("field_wanted", kind::length, "field needed to see the wave by the paper's rule, ten waves",
-              of_wave([](const WaveEstimate& wave) { return wanted_image(wave.wavelength.value, 0).field; }))
       .group("profile", "surface along the specimen",
              Fields<FittedTest>()
                  .numbers("position", kind::length, "position from midspan", of(&ImpliedSurface::position))
                  .numbers("slope", kind::number, "slope of the surface, from the mean of the fit",
                           mean(&ImpliedProfile::slope))
-                 .numbers("slope_deviation", kind::number, "standard deviation among the draws",
-                          of(&ImpliedSurface::slope_deviation))
                  .numbers("height", kind::length, "height of the surface, from the mean of the fit, without tilt",
-                          mean(&ImpliedProfile::height))
-                 .numbers("height_deviation", kind::length, "standard deviation among the draws",
-                          of(&ImpliedSurface::height_deviation)))
+                          mean(&ImpliedProfile::height)))
       .group("against_trace", "comparison with a measured height trace; null without one", held_fields(),
              [](T test) { return test.held; });
 }
@@ -411,10 +337,6 @@ std::vector<LoopPlace> places_of(const FrictionTable& table) {
 Fields<LoopPlace> place_fields() {
   return Fields<LoopPlace>()
       .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopPlace::S)
-      .number("drawn_in", kind::length, "length pulled in (both supports)", [](const LoopPlace& p) { return p.S - 1; })
-      .number("position", kind::length,
-              "position of the support along the specimen, from midspan: half of length, on edges",
-              [](const LoopPlace& p) { return p.S / 2; })
       .number("mu", "friction at this place", &LoopPlace::mu);
 }
 
@@ -425,51 +347,35 @@ Fields<BumpCorrelation> correlation_fields() {
       .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high);
 }
 
-Fields<Leg> leg_fields() {
-  return Fields<Leg>()
-      .row("first_row", "first row of the leg in the file", &Leg::first)
-      .row("last_row", "last row of the leg in the file", [](const Leg& leg) { return leg.last - 1; });
-}
-
 Fields<LoopEnergy> loop_energy_fields() {
   return Fields<LoopEnergy>()
       .number("loading", kind::energy, "work put in during loading, the apparent work of fracture",
               &LoopEnergy::loading)
       .number("unloading", kind::energy, "work given back during unloading; null if the loop was not unloaded",
               &LoopEnergy::unloading)
-      .number("stored", kind::energy, "bending energy gained between the beginning and the end of the loop",
-              &LoopEnergy::stored)
       .number("lost", kind::energy,
-              "area of the loop minus the stored energy; null if the loop is not closed or was not loaded",
+              "loading minus unloading and the bending energy gained meanwhile; null if the loop is not closed or was "
+              "not loaded",
               &LoopEnergy::lost)
-      .number("lost_share", "lost divided by loading",
-              [](const LoopEnergy& energy) { return energy.lost / energy.loading; })
       .number("friction", kind::energy, "heat of friction during sliding", &LoopEnergy::friction);
 }
 
 Fields<LoopOf> loop_fields() {
-  const auto leg_of = [](std::optional<std::size_t> FrictionLoop::*leg) {
-    return [leg](L loop) -> const Leg* {
+  const auto rows_of = [](std::optional<std::size_t> FrictionLoop::*leg) {
+    return [leg](L loop, const Frame& frame) {
       const auto& which = loop.loop().*leg;
-      return which ? &loop.test.cycles->friction.legs[*which] : nullptr;
+      if (!which) return std::optional<std::vector<std::size_t>>();
+      const Leg& rows = loop.test.cycles->friction.legs[*which];
+      return std::optional(std::vector{frame.row(rows.first), frame.row(rows.last - 1)});
     };
   };
   const auto part = [](auto member) { return [member](L loop) { return loop.loop().*member; }; };
-  const auto row_of = [](const LoopOf& of, bool last) {
-    const auto& [loading, unloading] = std::pair(of.loop().loading, of.loop().unloading);
-    const auto& legs = of.test.cycles->friction.legs;
-    return last ? legs[unloading ? *unloading : *loading].last - 1 : legs[loading ? *loading : *unloading].first;
-  };
   return Fields<LoopOf>()
-      .row("first_row", "first row of the loop in the file", [row_of](L loop) { return row_of(loop, false); })
-      .row("last_row", "last row of the loop in the file", [row_of](L loop) { return row_of(loop, true); })
-      .group("loading", "rows of the loading; null without one", leg_fields(), leg_of(&FrictionLoop::loading))
-      .group("unloading", "rows of the unloading; null without one", leg_fields(), leg_of(&FrictionLoop::unloading))
+      .own_numbers("loading", kind::number, "first and last row of the loading in the file; null without one",
+                   rows_of(&FrictionLoop::loading))
+      .own_numbers("unloading", kind::number, "first and last row of the unloading in the file; null without one",
+                   rows_of(&FrictionLoop::unloading))
       .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
-      .number("stick_advance", kind::length,
-              "length pulled in after the turn, while the specimen should stick: 0 in the model",
-              part(&FrictionLoop::stick_advance))
-      .count("places", "number of places at which the directions are compared", part(&FrictionLoop::places))
       .only_where([](L loop) { return loop.loop().places > 0; })
       .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
       .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
@@ -525,28 +431,14 @@ Fields<CyclicPoint> point_fields() {
       .number("length", kind::length, "length between the supports: the span and what was pulled in", &CyclicPoint::S)
       .number("q", "mobilised friction: μ while sliding in, −μ while sliding out, in between while stuck",
               &CyclicPoint::q)
-      .number("q_error", "standard error of q from noise, EI and contact", &CyclicPoint::standard_error)
       .words("motion", "how the specimen moves: slip_in, slip_out or stick", [](const CyclicPoint& point) {
         return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
       });
 }
 
-Fields<BuildUpLength> build_up_fields() {
-  return Fields<BuildUpLength>()
-      .number("value", kind::length, "build-up length of friction, in length of sliding over both supports",
-              [](const BuildUpLength& build_up) { return build_up.length.value; })
-      .number("standard_error", kind::length,
-              "standard error from the scatter between reversals; null for a single one",
-              [](const BuildUpLength& build_up) { return build_up.length.standard_error; })
-      .number("least", kind::length, "smallest build-up length that could be detected", &BuildUpLength::least)
-      .yes_no("told", "the build-up length differs significantly from zero", &BuildUpLength::is_told);
-}
-
 const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
 bool is_mirrored(T test) { return friction_of(test).status == CyclesStatus::ok; }
 bool is_measurable(T test) { return is_mirrored(test) || friction_of(test).status == CyclesStatus::no_mirror; }
-
-Estimate stiffness_of(T test) { return exponential(friction_of(test).log_stiffness); }
 
 std::vector<LoopOf> loops_of(T test) {
   std::vector<LoopOf> loops;
@@ -557,6 +449,11 @@ std::vector<LoopOf> loops_of(T test) {
 
 Fields<FittedTest> cycles_fields() {
   const auto if_measurable = [](T test, auto points) { return is_measurable(test) ? points : decltype(points){}; };
+  const auto of_build_up = [](auto get) {
+    return [get](T test) {
+      return test.cycles->build_up ? std::optional(std::invoke(get, *test.cycles->build_up)) : std::nullopt;
+    };
+  };
   return Fields<FittedTest>()
       .in_frame([](T test) {
         return Frame{.scales = test.analysis.scales,
@@ -570,32 +467,25 @@ Fields<FittedTest> cycles_fields() {
              [](T test) { return name_of(friction_of(test).status); })
       .only_where(is_measurable)
       .estimate("bending_stiffness", kind::bending_stiffness,
-                "EI at which friction is the same in loading and unloading", stiffness_of,
-                Fields<FittedTest>().number("relative_to_nominal",
-                                            "value divided by the stated EI, or by that of the initial slope",
-                                            [](T test) { return stiffness_of(test).value; }))
+                "EI at which friction is the same in loading and unloading",
+                [](T test) { return exponential(friction_of(test).log_stiffness); })
       .only_where(is_mirrored)
       .estimate("asymmetry", kind::number,
                 "friction while sliding in minus friction while sliding out, fitted beside EI and contacts",
                 [](T test) { return friction_of(test).asymmetry; })
       .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
              correlation_fields(), [](T test) { return friction_of(test).correlation; })
-      .number("mu_in", "mean friction while sliding in, over the places of all loops",
-              [](T test) { return direction_means(friction_of(test)).in; })
-      .number("mu_out", "mean friction while sliding out, over the places of all loops",
-              [](T test) { return direction_means(friction_of(test)).out; })
-      .number("rms_difference", "root mean square difference between the two directions from place to place",
-              [](T test) { return direction_means(friction_of(test)).rms_difference; })
-      .yes_no("beyond_friction",
-              "asymmetry is significant and larger than friction itself, which is an error of the model",
-              [](T test) { return is_beyond_friction(friction_of(test)); })
       .anywhere()
-      .group("build_up_length", "length over which friction builds up after a reversal (Dahl); null without a reversal",
-             build_up_fields(), [](T test) { return test.cycles->build_up; })
-      .only_where(is_measurable)
-      .number("force_noise", kind::force, "standard deviation of one force reading",
-              [](T test) { return friction_of(test).force_noise; })
-      .anywhere()
+      .estimate(
+          "build_up_length", kind::length,
+          "length of sliding over both supports in which friction builds up after a reversal (Dahl), its error from "
+          "the scatter between reversals; null without a reversal",
+          of_build_up(&BuildUpLength::length),
+          Fields<FittedTest>()
+              .number("least", kind::length, "smallest build-up length that could be detected",
+                      of_build_up(&BuildUpLength::least))
+              .yes_no("told", "the build-up length differs significantly from zero",
+                      of_build_up(&BuildUpLength::is_told)))
       .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
       .list(
           "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),
@@ -608,13 +498,6 @@ Fields<FittedTest> cycles_fields() {
 
 // ---- All of it
 
-Fields<ImagedPoint> imaged_point_fields() {
-  return Fields<ImagedPoint>()
-      .row("row", "row of the file", &ImagedPoint::index)
-      .number("pulled_in", kind::length, "length pulled in (both supports), from the force", &ImagedPoint::inferred)
-      .number("imaged", kind::length, "length pulled in (both supports), as imaged", &ImagedPoint::imaged);
-}
-
 Fields<ImagedLength> imaged_fields() {
   return Fields<ImagedLength>()
       .number("offset", kind::length, "length from the force minus the imaged length, median over the points",
@@ -622,8 +505,7 @@ Fields<ImagedLength> imaged_fields() {
       .number("standard_error", kind::length, "standard error of offset, if the points erred independently",
               [](const ImagedLength& imaged) { return imaged.offset.standard_error; })
       .number("scatter", kind::length, "scatter of the points about offset, 1.48 times the median absolute deviation",
-              &ImagedLength::scatter)
-      .list("points", "points at which the length was imaged", imaged_point_fields(), &ImagedLength::points);
+              &ImagedLength::scatter);
 }
 
 Fields<Verdict> verdict_of_fit_fields() {
@@ -713,10 +595,7 @@ Fields<FittedTest> bending_fields() {
 // Of the whole record up to failure, what friction took off the work under the curve.
 Fields<MeasuredEnergy> measured_energy_fields() {
   return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(energy_fields(), &MeasuredEnergy::account),
-                                   &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share,
-                                   [](const MeasuredEnergy& energy) {
-                                     return energy.work_of_fracture - energy.account.friction - energy.account.snaps;
-                                   });
+                                   &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share);
 }
 
 Fields<FittedTest> measurement_fields() {
@@ -726,34 +605,23 @@ Fields<FittedTest> measurement_fields() {
       .count("rows", "rows of the file", of([](M m) { return m.rows; }))
       .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
       .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
-      .count("rows_repeated", "rows that repeat the previous row", of([](M m) { return m.sampling.repeated; }))
-      .count("rows_held", "rows that repeat the force of the previous row while the displacement moves on",
-             of([](M m) { return m.sampling.held; }))
-      .count("rows_interpolated", "rows interpolated between readings", of([](M m) { return m.sampling.interpolated; }))
-      .count("rows_per_point", "rows per point used: one row in so many of the rest counts",
-             of([](M m) { return m.sampling.stride; }))
       .words("ends_with", "what ends the evaluated loading: last_row, until, failure or turn", of([](M m) {
                return name_in_order<MeasurementEnd::turn>(m.end, {"last_row", "until", "failure", "turn"});
              }));
 }
 
 Fields<FittedTest> contact_fields() {
-  const auto found = [](auto part) { return [part](T test) { return test.analysis.contact.*part; }; };
   return Fields<FittedTest>()
       .words("source", "where the contact comes from: stated, found, or first_point of the file",
              [](T test) {
                return name_in_order<ContactSource::first_point>(test.measurement.contact,
                                                                 {"stated", "found", "first_point"});
              })
-      .own("taken_off", kind::length, "displacement of the contact, subtracted from stage and deflection",
-           [](T test) { return test.measurement.contact_offset; })
       .only_where([](T test) { return test.analysis.contact.status == ContactStatus::found; })
       .own_estimate(
           "line_offset", kind::length,
           "displacement, from the contact, at which a line through the first part of the curve meets zero force",
-          found(&Contact::offset))
-      .own_estimate("initial_slope", kind::stiffness, "slope of that line, the initial slope of the curve",
-                    found(&Contact::slope));
+          [](T test) { return test.analysis.contact.offset; });
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {
@@ -766,29 +634,15 @@ Fields<FittedTest> nominal_stiffness_fields() {
              [](T test) { return name_of(test.stiffness); });
 }
 
-Fields<FittedTest> replay_fields() {
-  return Fields<FittedTest>()
-      .number("residual_rms", kind::force,
-              "root mean square difference between the force and the measured profile run forward as a table",
-              [](T test) { return test.analysis.replay.residual_rms; })
-      .count("drops", "drops of the record", [](T test) { return test.analysis.drops.drops.size(); })
-      .count("drops_reproduced", "drops of the record that the replay has at the same point",
-             [](T test) { return test.analysis.replay.drops_reproduced; });
-}
-
 Fields<InputFile> input_fields() {
-  const auto known = [](auto part) {
-    return [part](const InputFile& file) { return file.sha256.empty() ? std::nullopt : std::optional(file.*part); };
-  };
   return Fields<InputFile>()
       .words("name", "name of the file, as it was given", &InputFile::name)
-      .count("bytes", "size of the file; null for standard input", known(&InputFile::bytes))
-      .words("sha256", "SHA-256 of the file; null for standard input", known(&InputFile::sha256));
+      .words("sha256", "SHA-256 of the file; null for standard input",
+             [](const InputFile& file) { return file.sha256.empty() ? std::nullopt : std::optional(file.sha256); });
 }
 
 Fields<Provenance> provenance_fields() {
   return Fields<Provenance>()
-      .words("program", "name of the program, flexslip", [](const Provenance&) { return "flexslip"; })
       .words("version", "version of the program", &Provenance::version)
       .list("inputs", "files that were read", input_fields(), &Provenance::inputs)
       .group("options", "options of the analysis", analysis_fields(), &Provenance::options)
@@ -821,7 +675,6 @@ Fields<FittedTest> every_fit_field() {
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
-      .list("checks", "checks of the fit; findings have their numbers", check_fields(), analysis(&TestAnalysis::checks))
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),
@@ -848,7 +701,7 @@ Fields<FittedTest> every_fit_field() {
           "slips", "drops that can be slips at the stated bending stiffness, read off at that of the fit",
           slips_fields(), [](T test) -> const auto& { return test.analysis; })
       .group("teeth", "whether the specimen sticks or slides between the drops; null if that was not asked",
-             teeth_fields(), [](T test) { return is_fitted(test) && test.analysis.teeth ? &test : nullptr; })
+             teeth_fields(), [](T test) { return is_fitted(test) ? test.analysis.teeth : std::nullopt; })
       .list("suspects", "points that need implausibly high friction, at the stated bending stiffness", suspect_fields(),
             suspects_of)
       .only_where(is_fitted)
@@ -856,16 +709,13 @@ Fields<FittedTest> every_fit_field() {
              "where the work went, from contact to failure, computed from the measured points at the bending stiffness "
              "of the fit",
              measured_energy_fields(), analysis(&TestAnalysis::energy))
-      .group("replay", "comparison of the record with the profile read off it, run forward", replay_fields())
+      .group("replay", "the profile read off the record, run forward",
+             Fields<FittedTest>().count("drops_reproduced", "drops of the record that the replay has at the same point",
+                                        [](T test) { return test.analysis.replay.drops_reproduced; }))
       .anywhere()
       .group("cycles", "loading and unloading loops of a test that was unloaded; null otherwise", cycles_fields(),
              [](T test) { return test.cycles ? &test : nullptr; })
       .group("band", "friction along the specimen, from the fit", band_fields())
-      .list("scan", "evidence that a wave of each length would add",
-            Fields<ScannedWave>()
-                .number("wavelength", kind::length, "wavelength of the wave", &ScannedWave::wavelength)
-                .number("log_evidence_gain", "ln of the evidence that the wave adds", &ScannedWave::gain),
-            [](T test) { return test.analysis.fit.scan; })
       .group(
           "small_deflection", "the straight part of the curve, beside the fit",
           Fields<FittedTest>().number("over_fit", "bending stiffness of the straight part divided by that of the fit",
@@ -878,19 +728,16 @@ Fields<FittedTest> every_fit_field() {
             [](T test) { return test.measurement.preparation.steps; })
       .group("contact", "point of first contact with the specimen", contact_fields())
       .group("nominal_bending_stiffness", "what was known about EI before the fit", nominal_stiffness_fields())
-      .group("draws", "profiles that --draws writes",
-             Fields<FittedTest>()
-                 .numbers("bending_stiffness", kind::bending_stiffness, "EI that belongs to each profile",
-                          [](T test) { return test.analysis.fit.draw_stiffness; })
-                 .words("unit", "unit of these bending stiffnesses",
-                        [](T, const Frame& frame) { return unit_of(kind::bending_stiffness, frame.reduced); }))
+      .group(
+          "draws", "profiles that --draws writes",
+          Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
+                                       "EI that belongs to each profile, in the unit of parameters.bending_stiffness",
+                                       [](T test) { return test.analysis.fit.draw_stiffness; }))
       .group("noise", "noise of the force",
              Fields<FittedTest>()
                  .number("force", kind::force,
                          "standard deviation of one force reading, from the quietest tenth of the record",
                          analysis(&TestAnalysis::force_noise))
-                 .own("force_step", kind::force, "standard deviation of the force step from row to row",
-                      [](T test) { return test.analysis.drops.step_noise; })
                  .own("smallest_drop", kind::force, "smallest fall of the force in one step that counts as a drop",
                       [](T test) { return test.analysis.drops.smallest_fall; }))
       .list("profile",

@@ -60,11 +60,9 @@ Fields<SimulatedLeg> simulated_leg_fields() {
 }
 
 Fields<EnergyAccount> whole_energy_fields() {
-  using E = const EnergyAccount&;
-  return with_work<EnergyAccount>(
-      energy_fields().number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks),
-      work_of_fracture, [](E energy) { return (energy.friction + energy.snaps) / work_of_fracture(energy); },
-      [](E energy) { return work_of_fracture(energy) - (energy.friction + energy.snaps); });
+  return with_work<EnergyAccount>(part_fields(), work_of_fracture, [](const EnergyAccount& energy) {
+    return (energy.friction + energy.snaps) / work_of_fracture(energy);
+  });
 }
 
 }  // namespace
@@ -80,11 +78,8 @@ Fields<Snap> snap_fields() {
 }
 
 Fields<EnergyAccount> energy_fields() {
-  return steady_energy_fields()
-      .number("snaps", kind::energy,
-              "energy set free by snaps beyond friction; for a measured test all energy lost in drops",
-              &EnergyAccount::snaps)
-      .number("imbalance", kind::energy, "amount by which the account does not close", &EnergyAccount::imbalance);
+  return steady_energy_fields().number("snaps", kind::energy, "energy lost in drops beyond friction",
+                                       &EnergyAccount::snaps);
 }
 
 Fields<SimulatedPoint> path_fields(const PathColumns& columns) {

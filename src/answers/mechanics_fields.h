@@ -24,14 +24,12 @@ Fields<EnergyAccount> energy_fields();
 
 // An account with what it says of the work of fracture.
 template <class Account>
-Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<Account> friction_share,
-                          Getter<Account> remaining) {
+Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<Account> friction_share) {
   return fields
       .number("work_of_fracture", kind::energy, "work on the specimen: area under force over deflection",
               std::move(work))
       .number("friction_share", "share of the work of fracture that went into friction and snaps",
-              std::move(friction_share))
-      .number("remaining", kind::energy, "work of fracture without friction and snaps", std::move(remaining));
+              std::move(friction_share));
 }
 
 // Which fields of a point are told.

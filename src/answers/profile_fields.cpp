@@ -38,8 +38,6 @@ Fields<ReadPoint> profile_fields() {
       .number("imaged", kind::length,
               "length of the axis between the verticals through the supports, as a camera sees it",
               [](P p) { return p.point.imaged; })
-      .number("position", kind::length, "position of the support along the specimen, from midspan",
-              [](P p) { return 0.5 * p.point.length; })
       .number("mu", "mobilised friction: the coefficient of friction while the specimen slides",
               [](P p) { return p.point.mu; })
       .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })

@@ -39,17 +39,15 @@ Slopes slopes_of(const HeightTrace& trace) {
   return out;
 }
 
-// Lengths in [m] of one [L] of the implied surface; the likeliest wave of the fit, null without one.
+// The span [m] is one [L] of the implied surface.
 // Fails:      InputError for a trace that is all level, or too short to be held against.
-HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave, double span, const TraceFile& file) {
+HeldSurface held_against(const ImpliedSurface& implied, double span, const TraceFile& file) {
   constexpr std::size_t fewest = 16;  // slopes of either that are held against each other
   const HeightTrace trace = levelled(file.sampled.trace, 1);
   SurfaceOptions options;
   const double finest = 2 * trace.step;
   const double longest = std::min(span * implied.longest, trace.width());
   if (longest > 2 * finest) options.texture.longest = longest;
-  if (wave) options.wavelengths = {span * wave->wavelength.value};
-  if (wave) options.amplitude = span * wave->height.value;
   const SurfaceStudy study = study_surface(file, options);
   Slopes profile = slopes_of(implied, span), of_trace = slopes_of(trace);
   const double step = std::max(profile.step, of_trace.step);
@@ -61,9 +59,7 @@ HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave
                       .found = fmt::format("{} slopes at steps of {}, and {} of the friction", of_trace.value.size(),
                                            readable(step, kind::length), profile.value.size()),
                       .remedy = "use a longer trace, or a finer one"});
-  HeldSurface held{
-      file.source, trace.step, trace.width(), study.pixel, study.texture, {}, placed(profile, of_trace), 0};
-  if (wave) held.wave = study.resolution.front();
+  HeldSurface held{study.texture, placed(profile, of_trace), 0};
   held.begin = held.placement.offset + (held.placement.turned ? -0.5 : 0.5) * span;
   return held;
 }
@@ -71,10 +67,9 @@ HeldSurface held_against(const ImpliedSurface& implied, const WaveEstimate* wave
 constexpr std::size_t min_fitted_points = 30;  // fewer do not tell the noise, and so no drops
 
 InputFile input_file(const std::string& name) {
-  if (name == "-" || name == "standard input")
-    return {"standard input", 0, ""};  // the latter is what read_case calls it
+  if (name == "-" || name == "standard input") return {"standard input", ""};  // the latter is what read_case calls it
   const auto digest = digest_of(*open_to_read(name));
-  return {name, digest.bytes, digest.sha256};
+  return {name, digest.sha256};
 }
 
 // The friction of the loops, where they tell the bending stiffness.
@@ -239,7 +234,7 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   const std::string file = input.source.empty() ? data : input.source;
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
-  provenance.inputs.push_back(input.record->given ? InputFile{data, 0, ""} : input_file(data));
+  provenance.inputs.push_back(input.record->given ? InputFile{data, ""} : input_file(data));
   std::optional<ImpliedSurface> implied;
   if (analysis.status == AnalysisStatus::ok) implied = implied_surface(analysis.fit);
   return {.name = name_of_test(file),
@@ -270,8 +265,7 @@ void hold_against(FittedTest& test, const std::string& trace, const TraceOptions
          .expected = "a fit in which friction varies, to compare a surface with",
          .found = is_fitted(test) ? fmt::format("the model {}", name_of(test.analysis.fit.model)) : "no fit",
          .remedy = "leave --surface out, or fit with --model roughness"});
-  const auto& waves = test.analysis.fit.waves;
-  test.held = held_against(*test.implied, waves.empty() ? nullptr : &waves.front(), test.analysis.scales.span(), file);
+  test.held = held_against(*test.implied, test.analysis.scales.span(), file);
   test.provenance.inputs.push_back(input_file(trace));
 }
 

@@ -41,19 +41,14 @@ Fields<AnalysisOptions> analysis_fields();
 
 // The surface that would explain a friction, held against a height trace of the specimen. Units: those of the test.
 struct HeldSurface {
-  std::string file;
-  double step, width;                  // [m] of the trace
-  double pixel;                        // [m] as SurfaceStudy has it
-  Texture texture;                     // of the trace, of waves no longer than the implied surface is told of
-  std::optional<WaveResolution> wave;  // how the likeliest wave of friction would show in it, if there is one
+  Texture texture;  // of the trace, of waves no longer than the implied surface is told of
   Placement
       placement;  // of the slopes that the friction implies along the trace; position of the trace = offset ± position from midspan
   double begin;  // [m] of the trace, where the support stood at first
 };
 
 struct InputFile {
-  std::string name;  // as the user named it
-  unsigned long bytes;
+  std::string name;    // as the user named it
   std::string sha256;  // empty for standard input, which can be read only once
 };
 

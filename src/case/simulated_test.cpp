@@ -23,7 +23,7 @@ std::string_view name_of(Motion motion) {
 EnergyAccount difference(const EnergyAccount& after, const EnergyAccount& before) {
   EnergyAccount change{};
   for (auto part : {&EnergyAccount::stage_work, &EnergyAccount::bending, &EnergyAccount::load_train,
-                    &EnergyAccount::friction, &EnergyAccount::snaps, &EnergyAccount::cracks, &EnergyAccount::imbalance})
+                    &EnergyAccount::friction, &EnergyAccount::snaps, &EnergyAccount::cracks})
     change.*part = after.*part - before.*part;
   return change;
 }

@@ -45,7 +45,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   require_faultless(record);
   const auto& force = record.force;
   const std::size_t points = force.size();
-  if (points < min_points) return {DropStatus::too_short, {}, 0, 0};
+  if (points < min_points) return {DropStatus::too_short, {}, 0};
 
   double stretches = 0;
   for (std::size_t length = 1; length <= longest; ++length) stretches += static_cast<double>(points - length);
@@ -85,7 +85,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   }
 
   const double noise = step_noise(record, smooth, 1);
-  Drops result{.status = DropStatus::ok, .drops = {}, .step_noise = noise, .smallest_fall = needed * noise};
+  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = needed * noise};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};

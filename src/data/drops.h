@@ -30,7 +30,6 @@ enum class DropStatus {
 struct Drops {
   DropStatus status;
   std::vector<Drop> drops;  // in the order of the record, not overlapping
-  double step_noise;        // [N] standard deviation of one force step
   double smallest_fall;     // [N] a fall in one step smaller than this counts as noise
 };
 

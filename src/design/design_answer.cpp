@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -19,23 +20,22 @@ namespace {
 constexpr double close = 1e-4;  // to where a change is reached
 
 struct PowerInBendingStiffness {
-  DesignParameter parameter;
+  std::string_view parameter;
   int power;
   bool is_depth;
 };
-constexpr std::array powers_in_bending_stiffness{PowerInBendingStiffness{DesignParameter::diameter, 4, true},
-                                                 PowerInBendingStiffness{DesignParameter::height, 3, true},
-                                                 PowerInBendingStiffness{DesignParameter::width, 1, false},
-                                                 PowerInBendingStiffness{DesignParameter::modulus, 1, false}};
+constexpr std::array powers_in_bending_stiffness{
+    PowerInBendingStiffness{"diameter", 4, true}, PowerInBendingStiffness{"height", 3, true},
+    PowerInBendingStiffness{"width", 1, false}, PowerInBendingStiffness{"modulus", 1, false}};
 
 // None if there is no such design.
-std::optional<DesignOutcome> outcome_with(Test input, DesignParameter parameter, double value) {
-  if (!is_within(described(parameter), value)) return std::nullopt;
+std::optional<DesignOutcome> outcome_with(Test input, std::string_view parameter, double value) {
+  if (!is_within(design_parameter(parameter), value)) return std::nullopt;
   set(input, parameter, value);
   return result_of(input).outcome;
 }
 
-std::optional<bool> snaps_with(Test input, DesignParameter parameter, double value) try {
+std::optional<bool> snaps_with(Test input, std::string_view parameter, double value) try {
   set(input, parameter, value);
   return snaps(design_of(input).design);
 } catch (const InputError&) {
@@ -45,7 +45,7 @@ std::optional<bool> snaps_with(Test input, DesignParameter parameter, double val
 }
 
 // Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
-double nearest_between(const Test& input, DesignParameter parameter, double as_now, double otherwise, bool now) {
+double nearest_between(const Test& input, std::string_view parameter, double as_now, double otherwise, bool now) {
   const auto is_close = [](const Bracket& values) { return !(std::abs(values.width()) > close * values.high); };
   const auto is_otherwise = [&](double value) { return snaps_with(input, parameter, value) == !now; };
   return halved_until(is_close, {as_now, otherwise}, is_otherwise).high;
@@ -58,12 +58,12 @@ struct Way {
 };
 
 // The nearest values with which it is otherwise, one more and one less, the nearer first; no more than are wanted.
-std::vector<double> nearest_changes(const Test& input, DesignParameter parameter, bool now, std::size_t wanted) {
+std::vector<double> nearest_changes(const Test& input, std::string_view parameter, bool now, std::size_t wanted) {
   constexpr double step = 1.1;
   constexpr int steps = 36;  // to 30 times as much
   const double from = value_of(input, parameter).value();
   const bool is_nothing = from == 0;
-  const double start = is_nothing ? described(parameter).most * std::pow(step, -2 * steps) : from;
+  const double start = is_nothing ? design_parameter(parameter).most * std::pow(step, -2 * steps) : from;
   std::vector<double> found;
   if (!std::isfinite(start)) return found;
   std::array<Way, 2> ways{{{step, from, true}, {1 / step, from, !is_nothing}}};
@@ -83,7 +83,7 @@ std::vector<double> nearest_changes(const Test& input, DesignParameter parameter
 std::vector<double> stiffness_changes(const Test& input, double own, bool now, double critical) {
   const double just_below = critical * (1 - close);
   if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
-  auto values = nearest_changes(input, DesignParameter::stiffness, now, 2);
+  auto values = nearest_changes(input, "stiffness", now, 2);
   for (double& value : values) value = with_supports(value, support_compliance_of(input));
   if (!std::isfinite(critical)) return values;
   const auto stiffer = std::find_if(values.begin(), values.end(), [&](double value) { return value > own; });
@@ -94,7 +94,7 @@ std::vector<double> stiffness_changes(const Test& input, double own, bool now, d
 }
 
 // Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
-double as_printed(const Test& input, DesignParameter parameter, double to, bool now) {
+double as_printed(const Test& input, std::string_view parameter, double to, bool now) {
   constexpr int min_digits = 3;
   constexpr int max_digits = 9;
   const bool more = to > value_of(input, parameter).value();
@@ -111,8 +111,7 @@ std::optional<double> travel_change(const Test& input, const DesignAnswer& answe
   constexpr double much_farther = 30;
   constexpr double hair = 1e-6;  // beyond which units are not rounded
   if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
-  const auto farther =
-      outcome_with(input, DesignParameter::travel, much_farther * value_of(input, DesignParameter::travel).value());
+  const auto farther = outcome_with(input, "travel", much_farther * value_of(input, "travel").value());
   if (!farther || !farther->first_snap) return std::nullopt;
   return answer.scales.physical_length(farther->first_snap->stage) * (1 + hair);
 }
@@ -122,14 +121,12 @@ std::optional<PhaseStudy> phases_of(Test input) {
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
   if (design_of(input).design.friction.two_supports()) return std::nullopt;
-  if (!value_of(input, DesignParameter::phase) || value_of(input, DesignParameter::amplitude).value() == 0)
-    return std::nullopt;
-  if (design_of(input).units.scales.reduced_length(value_of(input, DesignParameter::wavelength).value()) < finest)
-    return std::nullopt;
+  if (!value_of(input, "phase") || value_of(input, "amplitude").value() == 0) return std::nullopt;
+  if (design_of(input).units.scales.reduced_length(value_of(input, "wavelength").value()) < finest) return std::nullopt;
   PhaseStudy study{0, 0, infinity, 0, 0};
-  const double first = value_of(input, DesignParameter::phase).value();
+  const double first = value_of(input, "phase").value();
   for (int i = 0; i < phases; ++i) {
-    set(input, DesignParameter::phase, first + 2 * std::numbers::pi * i / phases);
+    set(input, "phase", first + 2 * std::numbers::pi * i / phases);
     const auto outcome = result_of(input).outcome;
     if (!outcome) continue;
     ++study.phases;
@@ -157,41 +154,39 @@ DesignAnswer answer_of(const Test& input) {
                       .phases = phases_of(input)};
   answer.wraps_nose = answer.outcome.greatest_curvature > nose_curvature_of(input, scales);
   const bool now = answer.outcome.snaps > 0;
-  const auto add = [&](DesignParameter parameter, double to, bool and_beyond) {
+  const auto add = [&](std::string_view parameter, double to, bool and_beyond) {
     const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
       answer.changes.push_back({parameter, value_of(input, parameter).value(), to,
                                 as_printed(input, parameter, to, now), and_beyond, *outcome});
   };
-  const auto is_told = [&](DesignParameter parameter) {
+  const auto is_told = [&](std::string_view parameter) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),
                        [&](const DesignChange& change) { return change.parameter == parameter; });
   };
   const double supports = support_compliance_of(input);
-  const double own = with_supports(value_of(input, DesignParameter::stiffness).value(), supports);
+  const double own = with_supports(value_of(input, "stiffness").value(), supports);
   const double critical = scales.physical_stiffness(answer.critical);
   // The depth decides elsewhere, too, of a specimen that stands half of it off its supports, or that may break.
   const bool depth_is_more = design.rig.fibre.supports().half_depth > 0 || std::isfinite(design.breaking_curvature);
   for (const double stiffness : stiffness_changes(input, own, now, critical)) {
     const bool and_beyond = now && stiffness == critical;
     const double load_train = without_supports(stiffness, supports);
-    if (std::isfinite(load_train) || std::isinf(stiffness)) add(DesignParameter::stiffness, load_train, and_beyond);
+    if (std::isfinite(load_train) || std::isinf(stiffness)) add("stiffness", load_train, and_beyond);
     if (!std::isfinite(own)) continue;
     // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
     for (const auto& [parameter, power, is_depth] : powers_in_bending_stiffness)
       if (value_of(input, parameter) && !(is_depth && depth_is_more))
         add(parameter, value_of(input, parameter).value() * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
-  std::vector<DesignParameter> others{DesignParameter::span};
+  std::vector<std::string_view> others{"span"};
   // Of supports that are not alike the case varies one.
-  if (!design.friction.two_supports())
-    others.insert(others.end(), {DesignParameter::mu0, DesignParameter::amplitude, DesignParameter::wavelength,
-                                 DesignParameter::pin_friction});
-  if (depth_is_more) others.insert(others.begin(), {DesignParameter::diameter, DesignParameter::height});
+  if (!design.friction.two_supports()) others.insert(others.end(), {"mu0", "amplitude", "wavelength", "pin_friction"});
+  if (depth_is_more) others.insert(others.begin(), {"diameter", "height"});
   for (const auto parameter : others)
     if (value_of(input, parameter) && !is_told(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
-  if (const auto travel = travel_change(input, answer)) add(DesignParameter::travel, *travel, true);
+  if (const auto travel = travel_change(input, answer)) add("travel", *travel, true);
   return answer;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "bending_test/design.h"
@@ -12,7 +13,7 @@ namespace flexslip {
 
 // A value of one parameter, the others as they are, with which the specimen snaps if it does not, or does not if it does.
 struct DesignChange {
-  DesignParameter parameter;
+  std::string_view parameter;
   double from, to;        // [units of the case]
   double printed;         // [units of the case] `to` rounded away from `from`, to as few digits as leave it so
   bool and_beyond;        // it stays so however far beyond `to`

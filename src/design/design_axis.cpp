@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
 #include <fmt/format.h>
@@ -14,66 +15,34 @@
 namespace flexslip {
 namespace {
 
-// What it is, and its limits, are those of its key. The travel is the last position of the programme.
-DesignParameterName of_key(DesignParameter parameter, std::string_view section, std::string_view name,
-                           std::string_view description, std::string_view symbol) {
-  const CaseKey* key = case_key(section, name);
-  return {parameter, key, key->name, *key->kind, description, symbol, key->range, key->max};
-}
+constexpr std::string_view mu0 = "mu0", travel = "travel", step = "step";
 
-std::array<DesignParameterName, 14> parameters_of_designs() {
-  using enum DesignParameter;
-  std::array all{
-      of_key(mu0, "friction", "mu0", "mean friction coefficient", "*μ*_0"),
-      of_key(amplitude, "friction", "amplitude", "relative amplitude of friction", "*A*"),
-      of_key(wavelength, "friction", "wavelength", "wavelength of friction", "*λ*"),
-      of_key(phase, "friction", "phase", "phase of friction", "*φ*"),
-      of_key(span, "rig", "span", "support span", "*L*"),
-      of_key(diameter, "specimen", "diameter", "diameter of the specimen", "*D*"),
-      of_key(modulus, "specimen", "modulus", "flexural modulus", "*E*"),
-      of_key(stiffness, "rig", "stiffness", "load-train stiffness", "*k*"),
-      of_key(travel, "stage", "program", "stage travel", "*w*_s"),
-      of_key(step, "stage", "step", "step of the stage", "*w*_s"),
-      of_key(height, "specimen", "height", "height of the specimen", "*h*"),
-      of_key(width, "specimen", "width", "width of the specimen", "*b*"),
-      of_key(reference, "friction", "reference", "length at which the mean friction holds", "*S*_0"),
-      of_key(pin_friction, "rig", "pin_friction", "friction between roller and pin", "*μ*_{pin}"),
-  };
-  all[static_cast<std::size_t>(mu0)].most = largest_q;  // on the fibre that allows most
-  all[static_cast<std::size_t>(travel)].name = "travel";
-  all[static_cast<std::size_t>(travel)].range = Range::positive;
-  all[static_cast<std::size_t>(step)].range = Range::non_negative;  // 0: all of the curve
-  return all;
+// The last position of the programme is the travel. mu0 is at most what the fibre that allows most takes; a step of 0 gives all of the curve.
+DesignParameter of_key(std::string_view section, std::string_view name, std::string_view description,
+                       std::string_view symbol) {
+  const CaseKey* key = case_key(section, name);
+  if (name == mu0) return {name, key, description, symbol, key->range, largest_q};
+  if (name == step) return {name, key, description, symbol, Range::non_negative, key->max};
+  if (name == "program") return {travel, key, description, symbol, Range::positive, key->max};
+  return {name, key, description, symbol, key->range, key->max};
 }
 
 // Does the number decide anything of such a test?
-bool counts(const Test& test, DesignParameter parameter) {
-  using enum DesignParameter;
+bool counts(const Test& test, std::string_view name) {
   const SpecimenInput& specimen = *test.specimen;
-  const bool has_modulus = !test.reduced && !specimen.bending_stiffness;
-  switch (parameter) {
-    case span:
-      return !test.reduced;
-    case diameter:
-      return has_modulus && !specimen.inner_diameter && !specimen.wall;
-    case modulus:
-    case height:
-    case width:
-      return has_modulus;
-    case mu0:
-      return !test.friction->points && test.friction->model != FrictionModel::rough;
-    default:
-      return true;
-  }
+  if (name == "span") return !test.reduced;
+  if (name == mu0) return !test.friction->points && test.friction->model != FrictionModel::rough;
+  if (design_parameter(name).key->section != "specimen") return true;
+  const bool is_solid = !specimen.inner_diameter && !specimen.wall;
+  return !test.reduced && !specimen.bending_stiffness && (name != "diameter" || is_solid);
 }
 
 // Where it stands in a test; null if there is none.
-double* number_in(Test& test, DesignParameter parameter) {
-  if (!counts(test, parameter)) return nullptr;
-  return number_of(test, *described(parameter).key);
+double* number_in(Test& test, std::string_view name) {
+  return counts(test, name) ? number_of(test, *design_parameter(name).key) : nullptr;
 }
 
-std::string words_of_range(const DesignParameterName& parameter) {
+std::string words_of_range(const DesignParameter& parameter) {
   if (parameter.range == Range::any) return "a finite number";
   return fmt::format("a number {} 0{}", parameter.range == Range::non_negative ? "of at least" : "above",
                      std::isfinite(parameter.most) ? fmt::format(" and at most {:g}", parameter.most) : "");
@@ -87,16 +56,35 @@ double grid_value(const DesignAxis& axis, std::uint64_t point) {
 
 }  // namespace
 
-std::span<const DesignParameterName> design_parameters() {
-  static const auto parameters = parameters_of_designs();
+std::span<const DesignParameter> design_parameters() {
+  static const std::array parameters{
+      of_key("friction", mu0, "mean friction coefficient", "*μ*_0"),
+      of_key("friction", "amplitude", "relative amplitude of friction", "*A*"),
+      of_key("friction", "wavelength", "wavelength of friction", "*λ*"),
+      of_key("friction", "phase", "phase of friction", "*φ*"),
+      of_key("rig", "span", "support span", "*L*"),
+      of_key("specimen", "diameter", "diameter of the specimen", "*D*"),
+      of_key("specimen", "modulus", "flexural modulus", "*E*"),
+      of_key("rig", "stiffness", "load-train stiffness", "*k*"),
+      of_key("stage", "program", "stage travel", "*w*_s"),
+      of_key("stage", step, "step of the stage", "*w*_s"),
+      of_key("specimen", "height", "height of the specimen", "*h*"),
+      of_key("specimen", "width", "width of the specimen", "*b*"),
+      of_key("friction", "reference", "length at which the mean friction holds", "*S*_0"),
+      of_key("rig", "pin_friction", "friction between roller and pin", "*μ*_{pin}"),
+  };
   return parameters;
 }
 
-const DesignParameterName& described(DesignParameter parameter) {
-  return design_parameters()[static_cast<std::size_t>(parameter)];
+const DesignParameter& design_parameter(std::string_view name) {
+  const auto all = design_parameters();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const DesignParameter& each) { return each.name == name; });
+  if (found == all.end()) throw std::invalid_argument(fmt::format("'{}' is no number of a design", name));
+  return *found;
 }
 
-bool is_within(const DesignParameterName& parameter, double value) {
+bool is_within(const DesignParameter& parameter, double value) {
   const double least = parameter.range == Range::any ? -infinity : 0;
   const bool may_be_least = parameter.range == Range::non_negative;
   const bool may_be_infinite = parameter.range == Range::positive_or_infinite;
@@ -104,23 +92,22 @@ bool is_within(const DesignParameterName& parameter, double value) {
          (std::isfinite(value) || may_be_infinite);
 }
 
-std::optional<double> value_of(const Test& test, DesignParameter parameter) {
-  const double* number = number_in(const_cast<Test&>(test), parameter);  // NOLINT: it is only read
+std::optional<double> value_of(const Test& test, std::string_view name) {
+  const double* number = number_in(const_cast<Test&>(test), name);  // NOLINT: it is only read
   return number ? std::optional(*number) : std::nullopt;
 }
 
-void set(Test& test, DesignParameter parameter, double value) {
-  const DesignParameterName& known = described(parameter);
-  double* number = number_in(test, parameter);
+void set(Test& test, std::string_view name, double value) {
+  double* number = number_in(test, name);
   if (!number)
     throw InputError({.file = test.source,
-                      .field = std::string(known.name),
+                      .field = std::string(name),
                       .expected = "a number that the case has and that can be varied",
                       .found = "none"});
-  if (!is_within(known, value))
-    throw InputError({.field = std::string(known.name),
+  if (const DesignParameter& known = design_parameter(name); !is_within(known, value))
+    throw InputError({.field = std::string(name),
                       .expected = words_of_range(known),
-                      .found = readable(value, kind_in(test, known.kind))});
+                      .found = readable(value, kind_in(test, known.kind()))});
   *number = value;
 }
 

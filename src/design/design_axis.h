@@ -14,52 +14,39 @@
 
 namespace flexslip {
 
-// In this order for good: the samples of a sweep are drawn by it.
-enum class DesignParameter {
-  mu0,
-  amplitude,
-  wavelength,
-  phase,
-  span,
-  diameter,
-  modulus,
-  stiffness,
-  travel,
-  step,
-  height,
-  width,
-  reference,
-  pin_friction
-};
-
-struct DesignParameterName {
-  DesignParameter parameter;
+// The row of a key (case_keys.h) that can be varied, known by its name.
+struct DesignParameter {
+  std::string_view name;  // "mu0", as in files and on the command line
   const CaseKey* key;
-  std::string_view name;         // "mu0", as in files and on the command line
-  Kind kind;                     // of the quantity; a plain number in reduced cases
   std::string_view description;  // "mean friction coefficient"
   std::string_view symbol;       // in the markup of figures (report/plot.h)
   Range range;
   double most;  // [units of the case] the greatest value within the range
-};
-std::span<const DesignParameterName> design_parameters();
 
-// The name of one of them.
-const DesignParameterName& described(DesignParameter parameter);
+  const Kind& kind() const { return *key->kind; }  // of the quantity; a plain number in reduced cases
+};
+
+// In this order for good: the samples of a sweep are drawn by it.
+std::span<const DesignParameter> design_parameters();
+
+// One of them.
+// Domain:     there is one of that name; std::invalid_argument otherwise.
+const DesignParameter& design_parameter(std::string_view name);
 
 // Is this a value that it may have?
-bool is_within(const DesignParameterName& parameter, double value);
+bool is_within(const DesignParameter& parameter, double value);
 
 // A number of one loading (design_result.h), in SI or reduced, as the test; none if it has no such parameter. A table of friction has no wavelength, a rectangular
 // section height and width and no diameter, a reduced test neither span nor modulus. Of friction, mu0 is one with any waves, reference only if it
 // is stated (else it is the span, whatever that is), and amplitude, wavelength and phase are those of a single one; tables and rough profiles are
 // used as they are. Those of a section count only if the bending stiffness follows from them.
-std::optional<double> value_of(const Test& test, DesignParameter parameter);
+// Domain:     name as design_parameter, here and below.
+std::optional<double> value_of(const Test& test, std::string_view name);
 
 // Sets it.
 // Fails:      InputError if the test does not have it, or the value is out of its range.
-// Cost:       a few ns. Whether the numbers go together is told by design_of (design_result.h).
-void set(Test& test, DesignParameter parameter, double value);
+// Whether the numbers go together is told by design_of (design_result.h).
+void set(Test& test, std::string_view name, double value);
 
 enum class Spacing { linear, logarithmic };
 
@@ -74,7 +61,7 @@ using AxisValues = std::vector<double>;  // at least one; only in a grid
 
 // A parameter of a design that goes through values.
 struct DesignAxis {
-  DesignParameterName parameter;
+  DesignParameter parameter;
   std::variant<AxisRange, AxisValues> values;
 };
 

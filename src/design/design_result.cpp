@@ -181,13 +181,13 @@ constexpr std::uint64_t max_points = 10000;  // of an axis
 std::vector<std::string> names_of(const Test& input) {
   std::vector<std::string> names;
   for (const auto& known : design_parameters())
-    if (value_of(input, known.parameter)) names.emplace_back(known.name);
+    if (value_of(input, known.name)) names.emplace_back(known.name);
   return names;
 }
 
-const DesignParameterName& parameter_named(const Test& input, std::string_view name) {
+const DesignParameter& parameter_named(const Test& input, std::string_view name) {
   for (const auto& known : design_parameters())
-    if (known.name == name && value_of(input, known.parameter)) return described(known.parameter);
+    if (known.name == name && value_of(input, known.name)) return known;
   const auto names = names_of(input);
   throw InputError({.expected = "a number of this case, one of " + listed(names),
                     .found = in_quotes(name),
@@ -218,16 +218,16 @@ DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usua
     throw InputError({.expected = "a name and its range",
                       .found = in_quotes(text),
                       .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
-  const DesignParameterName& parameter = parameter_named(input, name);
-  const bool is_plain = input.reduced && parameter.kind.dimension != kind::angle.dimension;
-  const Kind& as = is_plain ? kind::number : parameter.kind;
+  const DesignParameter& parameter = parameter_named(input, name);
+  const bool is_plain = input.reduced && parameter.kind().dimension != kind::angle.dimension;
+  const Kind& as = is_plain ? kind::number : parameter.kind();
   const double from = parse_quantity(first, as);
   const double to = parse_quantity(last, as);
   if (!(from != to && std::isfinite(from) && std::isfinite(to)))
     throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
   const std::uint64_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
   Test trial = input;
-  for (const double end : {from, to}) set(trial, parameter.parameter, end);
+  for (const double end : {from, to}) set(trial, parameter.name, end);
 
   constexpr double decade = 10;
   const bool is_logarithmic = from > 0 && to > 0 && std::max(from / to, to / from) >= decade;
@@ -249,7 +249,7 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
     } catch (const InputError& error) {
       throw located(error, "", 0, "--over");
     }
-  if (axes.size() == 2 && axes[0].parameter.parameter == axes[1].parameter.parameter)
+  if (axes.size() == 2 && axes[0].parameter.name == axes[1].parameter.name)
     throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
   std::uint64_t designs = 1;
   for (const DesignAxis& axis : axes) designs *= points_of(axis);
@@ -271,7 +271,7 @@ std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis
     MapPoint& point = points[i];
     Test there = input;
     point.values = grid_inputs(axes, i);
-    for (std::size_t k = 0; k < axes.size(); ++k) set(there, axes[k].parameter.parameter, point.values[k]);
+    for (std::size_t k = 0; k < axes.size(); ++k) set(there, axes[k].parameter.name, point.values[k]);
     point.result = result_of(there);
     point.margin =
         point.result.outcome ? stiffness_margin(design_of(there).design, *point.result.outcome) : not_a_number;

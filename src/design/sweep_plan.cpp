@@ -37,13 +37,13 @@ std::string axis_key(const DesignAxis& axis) { return fmt::format("sweep.axes.{}
 
 // A stiffness may be infinite, and a step continuous, in a list.
 double listed_value(const Keys& keys, const toml::node& node, const std::string& key,
-                    const DesignParameterName& parameter) {
-  if (parameter.parameter == DesignParameter::step && node.value_exact<std::string_view>() == "continuous") return 0;
-  const bool is_stiffness = parameter.parameter == DesignParameter::stiffness;
-  return keys.value(node, key, parameter.kind, is_stiffness ? Range::positive_or_infinite : Range::any);
+                    const DesignParameter& parameter) {
+  if (parameter.name == "step" && node.value_exact<std::string_view>() == "continuous") return 0;
+  const bool is_stiffness = parameter.name == "stiffness";
+  return keys.value(node, key, parameter.kind(), is_stiffness ? Range::positive_or_infinite : Range::any);
 }
 
-AxisValues read_values(const Keys& axes, const toml::array& array, const DesignParameterName& parameter) {
+AxisValues read_values(const Keys& axes, const toml::array& array, const DesignParameter& parameter) {
   if (array.empty()) axes.refuse(parameter.name, "at least one value", "an empty array");
   AxisValues values;
   values.reserve(array.size());
@@ -52,11 +52,12 @@ AxisValues read_values(const Keys& axes, const toml::array& array, const DesignP
   return values;
 }
 
-AxisRange read_range(const Keys& keys, Method method, const DesignParameterName& parameter) {
+AxisRange read_range(const Keys& keys, Method method, const DesignParameter& parameter) {
   const bool is_grid = method == Method::grid;
   keys.only(is_grid ? std::vector<std::string>{"from", "to", "points", "spacing"}
                     : std::vector<std::string>{"from", "to", "spacing"});
-  AxisRange range{keys.quantity("from", parameter.kind, Range::any), keys.quantity("to", parameter.kind, Range::any),
+  AxisRange range{keys.quantity("from", parameter.kind(), Range::any),
+                  keys.quantity("to", parameter.kind(), Range::any),
                   keys.has("spacing") ? static_cast<Spacing>(keys.word("spacing", {"linear", "log"})) : Spacing::linear,
                   is_grid ? keys.whole_number("points", 2) : 0};
   if (range.points > max_axis_points)
@@ -69,7 +70,7 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameterName&
   return range;
 }
 
-DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameterName& parameter,
+DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, const DesignParameter& parameter,
                      const Test& input) {
   if (const toml::table* range = node.as_table())
     return {parameter, read_range({*range, axes.key(parameter.name), input}, method, parameter)};
@@ -150,8 +151,9 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
   std::vector<double> inputs;
   inputs.reserve(plan.axes.size());
   for (const DesignAxis& axis : plan.axes) {
-    // By the parameter, not by its place: an axis that is added leaves the others as they were.
-    const std::uint64_t key = mixed(hypercube.seed ^ mixed(static_cast<std::uint64_t>(axis.parameter.parameter)));
+    // By the parameter, not by the place of its axis: one that is added leaves the others as they were.
+    const auto parameter = &design_parameter(axis.parameter.name) - design_parameters().data();
+    const std::uint64_t key = mixed(hypercube.seed ^ mixed(static_cast<std::uint64_t>(parameter)));
     const std::uint64_t stratum = permuted(row, hypercube.samples, key);
     const double within_it = fraction(mixed(mixed(key) ^ row));
     const double t = (static_cast<double>(stratum) + within_it) / static_cast<double>(hypercube.samples);
@@ -163,7 +165,7 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
 // A refusal of a number, told as one of the axis that it stands in.
 void set_from_axis(Test& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key, double value) {
   try {
-    set(design, axis.parameter.parameter, value);
+    set(design, axis.parameter.name, value);
   } catch (const InputError& error) {
     throw wrong_value(plan.input, key, error.fault.expected, error.fault.found, error.fault.remedy);
   }
@@ -173,7 +175,7 @@ void check(const SweepPlan& plan) {
   Test design = one_loading_of(plan.input);
   for (const DesignAxis& axis : plan.axes) {
     const std::string key = axis_key(axis);
-    if (!value_of(design, axis.parameter.parameter))
+    if (!value_of(design, axis.parameter.name))
       throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
                         "choose another axis, or another kind of case");
     if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
@@ -265,7 +267,7 @@ std::vector<SweepColumn> columns_of(const SweepPlan& plan) {
   const auto units = [&](const Kind& kind) { return std::string(unit_of(kind, plan.input.reduced)); };
   std::vector<SweepColumn> columns;
   for (const auto& [parameter, values] : plan.axes)
-    columns.push_back({fmt::format("/inputs/{}", parameter.name), units(parameter.kind),
+    columns.push_back({fmt::format("/inputs/{}", parameter.name), units(parameter.kind()),
                        std::string(parameter.description), StoredAs::float64});
   columns.push_back({"/outcomes/status", units(kind::number), "whether the design could be computed, and how it ended",
                      StoredAs::uint8});
@@ -279,7 +281,7 @@ std::size_t status_column(const SweepPlan& plan) { return plan.axes.size(); }
 
 RowComputer::RowComputer(const SweepPlan& plan) : loading_(one_loading_of(plan.input)) {
   parameters_.reserve(plan.axes.size());
-  for (const DesignAxis& axis : plan.axes) parameters_.push_back(axis.parameter.parameter);
+  for (const DesignAxis& axis : plan.axes) parameters_.push_back(axis.parameter.name);
 }
 
 std::vector<double> RowComputer::operator()(std::span<const double> inputs) {

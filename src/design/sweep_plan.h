@@ -93,7 +93,7 @@ class RowComputer {
   std::vector<double> operator()(std::span<const double> inputs);
 
  private:
-  std::vector<DesignParameter> parameters_;
+  std::vector<std::string_view> parameters_;
   Test loading_;
 };
 

@@ -82,14 +82,7 @@ Replay replay_of(const TestAnalysis& analysis) {
       stages.push_back(last);
     }
   const History history = follow_in_steps({Friction::as_met(table), analysis.rig}, stages);
-  double sum = 0;
-  const std::size_t counted = history.path.size();
-  for (std::size_t k = 0; k < counted; ++k) {
-    replay.force[rows[k]] = history.path[k].F;
-    const double residual = replay.force[rows[k]] - analysis.reduced.force[rows[k]];
-    sum += residual * residual;
-  }
-  replay.residual_rms = counted > 0 ? std::sqrt(sum / static_cast<double>(counted)) : not_a_number;
+  for (std::size_t k = 0; k < history.path.size(); ++k) replay.force[rows[k]] = history.path[k].F;
   for (const auto& drop : analysis.drops.drops)
     replay.drops_reproduced += replay.force[drop.after] < replay.force[drop.before];  // false where one is NaN
   return replay;
@@ -157,10 +150,9 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
     previous = state;
   }
   auto& account = energy.account;
-  account.imbalance = account.stage_work - (account.bending + account.load_train + account.friction + account.snaps);
   energy.friction_share = (account.friction + account.snaps) / energy.work_of_fracture;
   for (double* part : {&account.stage_work, &account.bending, &account.load_train, &account.friction, &account.snaps,
-                       &account.imbalance, &energy.work_of_fracture})
+                       &energy.work_of_fracture})
     *part *= stiffening;
   return energy;
 }

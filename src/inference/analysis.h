@@ -79,10 +79,10 @@ struct AnalysisOptions {
 enum class SawtoothCategory { clear, nominal, none };
 
 // A test in energies, from contact to failure [EI/L]. As EnergyAccount, from the measured points, at the bending stiffness of the fit: friction = ∫ μ P_n dS while the
-// fibre slides, snaps all that is lost in drops, where a test cannot tell friction from noise and vibration; the imbalance holds
-// the coarseness of the points.
+// fibre slides, snaps all that is lost in drops, where a test cannot tell friction from noise and vibration; that the account does not close
+// tells how coarse the points are.
 struct MeasuredEnergy {
-  EnergyAccount account;
+  EnergyAccount account;    // without its imbalance
   double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
   double friction_share;    // [1] of it: (friction + snaps)/work_of_fracture
 };
@@ -91,7 +91,6 @@ struct MeasuredEnergy {
 struct Replay {
   std::vector<double>
       force;  // [EI/L^2] at the points of the record past the deflection 0.05, on supports up to 1; NaN elsewhere
-  double residual_rms = 0;           // [EI/L^2] there
   std::size_t drops_reproduced = 0;  // drops of the record that the table has at the same point
 };
 

@@ -494,21 +494,6 @@ double systematic(const std::array<double, 2>& slopes, const Eigen::Matrix2d& co
   return g.dot(covariance * g);
 }
 
-double stick_advance(const FrictionLoop& loop, std::span<const Point> points, std::size_t legs) {
-  if (!loop.loading || !loop.unloading) return not_a_number;
-  const auto starts = leg_starts(points, legs);
-  const auto leg = [&](std::size_t i) { return points.subspan(starts[i], starts[i + 1] - starts[i]); };
-  const auto loading = leg(*loop.loading), unloading = leg(*loop.unloading);
-  const auto slides_back =
-      std::find_if(unloading.begin(), unloading.end(), [](const Point& point) { return point.slides; });
-  if (loading.empty() || slides_back == unloading.end()) return not_a_number;
-  const Point& turn = loading.back();
-  const double half = 0.5 * (turn.q + slides_back->q);
-  const auto halfway =
-      std::find_if(unloading.begin(), unloading.end(), [&](const Point& point) { return point.q <= half; });
-  return halfway == unloading.end() ? not_a_number : halfway->S - turn.S;
-}
-
 FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise& noise,
                              const Eigen::Matrix2d& covariance) {
   const auto pairs = pair_directions(block);
@@ -839,9 +824,6 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
                         .log_stiffness = normal_estimate(0, options.stiffness_error),
                         .asymmetry = normal_estimate(not_a_number, not_a_number),
                         .correlation = {not_a_number, not_a_number, not_a_number, 0},
-                        .force_noise = 0,
-                        .roughness_noise = 0,
-                        .roughness_length = 0,
                         .table = {}};
   const auto& legs = result.legs;
   const auto fit = calibrate(record, rig, options, legs);
@@ -851,14 +833,10 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
     return result;
   }
 
-  const bool calibrated = fit.status == CyclesStatus::ok;
   const auto& covariance = fit.covariance;
   result.status = fit.status;
   result.log_stiffness = normal_estimate(fit.calibration.log_stiffness, std::sqrt(covariance(0, 0)));
   result.asymmetry = fit.asymmetry;
-  result.force_noise = fit.noise.force;
-  result.roughness_noise = calibrated ? fit.noise.difference : not_a_number;
-  result.roughness_length = calibrated ? fit.noise.length : not_a_number;
   const auto covariance_with = [&](std::size_t column) {
     const auto at = static_cast<Eigen::Index>(column) + 1;
     Eigen::Matrix2d block;
@@ -882,14 +860,12 @@ CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const
         .loading = loops[i].loading,
         .unloading = loops[i].unloading,
         .contact = normal_estimate(fit.calibration.contact[loops[i].column], std::sqrt(covariance(at, at))),
-        .stick_advance = not_a_number,
         .places = 0,
         .mu_in = normal_estimate(not_a_number, not_a_number),
         .mu_out = normal_estimate(not_a_number, not_a_number),
         .rms_difference = normal_estimate(not_a_number, not_a_number),
         .correlation = {},
         .table = table_of(fit.blocks[i], fit.noise, rig.fibre)};
-    loop.stick_advance = stick_advance(loop, fit.points, legs.size());
     loop = with_directions(std::move(loop), fit.blocks[i], fit.noise, covariance_with(loops[i].column));
     result.loops.push_back(std::move(loop));
   }

@@ -64,8 +64,6 @@ struct CyclicPoint {
 struct FrictionLoop {
   std::optional<std::size_t> loading, unloading;  // legs; not given: the record has none
   Estimate contact;                               // [L] stage position of the contact
-  // [L] of S while q fell halfway from where the stage turned back to where the fibre slides back: 0 in the model; NaN if it did not
-  double stick_advance;
   std::size_t places;      // compared, evenly over what both directions passed; 0: nothing on the directions is valid
   Estimate mu_in, mu_out;  // [1] means; errors are of EI, contact and noise, mostly common and of opposite sign
   // [1] of μ_in - μ_out after calibration, which has made them alike as far as it can, noise of the readings included
@@ -91,9 +89,6 @@ struct CyclicFriction {
   // errors of the model come out magnified: an asymmetry beyond the friction itself tells of them, and of no friction.
   Estimate asymmetry;
   BumpCorrelation correlation;  // of all loops together: the mean of Fisher's transforms; NaN if no loop has enough
-  double force_noise;           // [EI/L^2] of one reading
-  double roughness_noise;       // [1] standard deviation of μ_in - μ_out from place to place...
-  double roughness_length;      // [L] ...and its correlation length in S
   FrictionTable table;          // of all loops: the mean of those that passed there
 };
 

@@ -13,7 +13,8 @@ namespace flexslip {
 namespace {
 
 // Slopes at the places, from the trapezoids between which the heights come.
-ImpliedProfile profile_of(const std::vector<double>& mu, double base, const std::vector<double>& position) {
+ImpliedProfile profile_of(const std::vector<double>& mu, const std::vector<double>& position) {
+  const double base = base_friction(mu);
   ImpliedProfile out;
   for (const double each : mu) out.slope.push_back(slope_of_friction(each, base));
   HeightTrace trace{0, 1, {0}};
@@ -38,18 +39,6 @@ Estimate estimate_of(const std::vector<double>& drawn) {
   return {value, value * deviation, value * elementary::exp(-reach), value * elementary::exp(reach)};
 }
 
-std::vector<double> deviations(const std::vector<ImpliedProfile>& draws, std::vector<double> ImpliedProfile::*part) {
-  std::vector<double> out;
-  const auto n = static_cast<double>(draws.size());
-  for (std::size_t i = 0; i < (draws.front().*part).size(); ++i) {
-    double mean = 0, squares = 0;
-    for (const ImpliedProfile& draw : draws) mean += (draw.*part)[i] / n;
-    for (const ImpliedProfile& draw : draws) squares += ((draw.*part)[i] - mean) * ((draw.*part)[i] - mean);
-    out.push_back(std::sqrt(squares / (n - 1)));
-  }
-  return out;
-}
-
 }  // namespace
 
 ShortWaves without_long_waves(const std::vector<double>& height, double step, double longest) {
@@ -69,12 +58,11 @@ std::optional<ImpliedSurface> implied_surface(const FrictionFit& fit) {
   if (!std::is_sorted(out.position.begin(), out.position.end(), std::less_equal<>())) return std::nullopt;
   const double range = out.position.back() - out.position.front();
   const double step = range / static_cast<double>(out.position.size() - 1);
-  out.base = base_friction(fit.mean.mu);
-  out.mean = profile_of(fit.mean.mu, out.base, out.position);
+  out.mean = profile_of(fit.mean.mu, out.position);
   out.longest = 0.25 * range;
   std::vector<double> slopes, heights;
   for (const FrictionTable& draw : fit.draws) {
-    out.draws.push_back(profile_of(draw.mu, base_friction(draw.mu), out.position));
+    out.draws.push_back(profile_of(draw.mu, out.position));
     const ShortWaves rms = without_long_waves(out.draws.back().height, step, out.longest);
     slopes.push_back(rms.rms_slope);
     heights.push_back(rms.rms_height);
@@ -82,8 +70,6 @@ std::optional<ImpliedSurface> implied_surface(const FrictionFit& fit) {
   if (*std::max_element(slopes.begin(), slopes.end()) < 1e-12) return std::nullopt;  // friction that varies nowhere
   out.rms_slope = estimate_of(slopes);
   out.rms_height = estimate_of(heights);
-  out.slope_deviation = deviations(out.draws, &ImpliedProfile::slope);
-  out.height_deviation = deviations(out.draws, &ImpliedProfile::height);
   return out;
 }
 

@@ -18,10 +18,8 @@ struct ImpliedProfile {
 };
 
 struct ImpliedSurface {
-  std::vector<double> position;                           // [L] from midspan, rising, where the support was
-  double base;                                            // [1] friction of the flat surface, of the mean
-  ImpliedProfile mean;                                    // of the mean of the fit
-  std::vector<double> slope_deviation, height_deviation;  // standard deviations of the draws
+  std::vector<double> position;  // [L] from midspan, rising, where the support was
+  ImpliedProfile mean;           // of the mean of the fit
   std::vector<ImpliedProfile> draws;
   double longest;       // [L] wavelength, a quarter of the fibre seen: of no longer ones are the next two told
   Estimate rms_slope;   // [1] of the draws

@@ -233,7 +233,6 @@ SlipSummary summarise(std::span<const Slip> all) {
       std::count_if(all.begin(), all.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; });
   return {.count = static_cast<std::size_t>(possible),
           .median_spacing = median_of(spacings),
-          .mean_spacing = mean_of(spacings),
           .median_fall = median_of(falls)};
 }
 

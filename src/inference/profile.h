@@ -141,9 +141,8 @@ std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<c
 struct SlipSummary {
   std::size_t count;
   double
-      median_spacing;   // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
-  double mean_spacing;  // [L] likewise
-  double median_fall;   // [1] of μ in a slip; NaN without slips
+      median_spacing;  // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
+  double median_fall;  // [1] of μ in a slip; NaN without slips
 };
 SlipSummary summarise(std::span<const Slip> slips);
 

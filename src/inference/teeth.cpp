@@ -45,20 +45,14 @@ void require(const ReducedRecord& record, const Rig& rig, const MeasurementError
 struct Rise {
   std::size_t first, last;
   double stage, force, slope, slope_error;
-  double travel;
 };
 
 Rise straight_rise(const ReducedRecord& record, std::size_t first, std::size_t last, double force_error) {
   const auto stage = std::span(record.stage).subspan(first, last - first);
   const auto force = std::span(record.force).subspan(first, last - first);
   const Line line = line_through(stage, force);
-  Rise rise{.first = first,
-            .last = last,
-            .stage = line.mean_x,
-            .force = line.mean_y,
-            .slope = line.slope,
-            .slope_error = 0,
-            .travel = stage.back() - stage.front()};
+  Rise rise{
+      .first = first, .last = last, .stage = line.mean_x, .force = line.mean_y, .slope = line.slope, .slope_error = 0};
   if (!(line.sum_xx > 0)) return rise;
   std::vector<double> residuals(stage.size());
   for (std::size_t i = 0; i < stage.size(); ++i)
@@ -230,10 +224,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
       continue;
     }
     const Rise rise = straight_rise(record, first, last, errors.force);
-    if (middle_of(rise, rig, {}))
-      rises.push_back(rise);
-    else
-      ++result.unexplained;
+    if (middle_of(rise, rig, {})) rises.push_back(rise);
   }
   result.compliance = fit_compliance(rises, rig);
 
@@ -243,7 +234,6 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
       const auto shifted = middle_of(rise, rig, shift);
       return shifted ? value(*shifted) : not_a_number;
     };
-    const auto advance = [&](const Middle& m) { return (1 - m.position()) / m.G_S * rise.travel; };
     const double width = middle.stick() - middle.slide();
     const double nu = static_cast<double>(rise.last - rise.first) - 2;
     Tooth tooth{.first = rise.first,
@@ -252,17 +242,9 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
                 .S_end = length_at(record, rig.fibre, rise.last - 1),
                 .slope = student_estimate(rise.slope, rise.slope_error, nu),
                 .position = student_estimate(middle.position(), rise.slope_error / width, nu),
-                .position_systematic = systematic_error(
-                    shifts, middle.position(),
-                    [&](const Shift& shift) { return with(shift, [](const Middle& m) { return m.position(); }); }),
-                .advance = {}};
-    const double advanced = advance(middle);
-    tooth.advance = student_estimate(
-        advanced,
-        elementary::length(
-            tooth.position.standard_error / middle.G_S * rise.travel,
-            systematic_error(shifts, advanced, [&](const Shift& shift) { return with(shift, advance); })),
-        nu);
+                .position_systematic = systematic_error(shifts, middle.position(), [&](const Shift& shift) {
+                  return with(shift, [](const Middle& m) { return m.position(); });
+                })};
 
     const double bound = elementary::length(student_quantile(one_sided, nu) * tooth.position.standard_error,
                                             one_sided * tooth.position_systematic);

@@ -46,7 +46,6 @@ struct Tooth {
   Estimate slope;              // [EI/L^3] dF/d(stage), mean of the rise
   Estimate position;           // [1] p, its error from scatter
   double position_systematic;  // [1] from EI, contact and load train together: common to all teeth of a test
-  Estimate advance;            // [L] of S over the rise, its error with all parts
   ToothVerdict verdict = ToothVerdict::undecided;
   double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
 };
@@ -61,9 +60,8 @@ struct SupportCompliance {
 };
 
 struct Teeth {
-  std::vector<Tooth> teeth;
-  std::size_t too_short = 0;    // rises of fewer than four rows
-  std::size_t unexplained = 0;  // rises whose middle no friction explains
+  std::vector<Tooth> teeth;   // the rises whose middle a friction explains
+  std::size_t too_short = 0;  // rises of fewer than four rows
   SupportCompliance compliance;
 };
 

@@ -139,38 +139,37 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
 
 // What is changed, if to more and if to less, and what stands before its values.
 struct ChangeWords {
-  DesignParameter parameter;
+  std::string_view parameter;
   std::string_view more, less, of, of_less = of;
 };
 constexpr std::array changes_known{
-    ChangeWords{DesignParameter::stiffness, "a stiffer load train", "a softer load train", ""},
-    ChangeWords{DesignParameter::span, "a longer support span", "a shorter support span", ""},
-    ChangeWords{DesignParameter::diameter, "a thicker specimen", "a thinner specimen", "a diameter of "},
-    ChangeWords{DesignParameter::height, "a thicker specimen", "a thinner specimen", "a height of "},
-    ChangeWords{DesignParameter::width, "a wider specimen", "a narrower specimen", "a width of "},
-    ChangeWords{DesignParameter::modulus, "a stiffer specimen", "a softer specimen", "a modulus of "},
-    ChangeWords{DesignParameter::mu0, "supports with more friction", "lubricated supports", "mu0 "},
-    ChangeWords{DesignParameter::amplitude, "rougher supports or specimens", "polished supports", "an amplitude of "},
-    ChangeWords{DesignParameter::wavelength, "another specimen, with roughness of a longer wavelength",
+    ChangeWords{"stiffness", "a stiffer load train", "a softer load train", ""},
+    ChangeWords{"span", "a longer support span", "a shorter support span", ""},
+    ChangeWords{"diameter", "a thicker specimen", "a thinner specimen", "a diameter of "},
+    ChangeWords{"height", "a thicker specimen", "a thinner specimen", "a height of "},
+    ChangeWords{"width", "a wider specimen", "a narrower specimen", "a width of "},
+    ChangeWords{"modulus", "a stiffer specimen", "a softer specimen", "a modulus of "},
+    ChangeWords{"mu0", "supports with more friction", "lubricated supports", "mu0 "},
+    ChangeWords{"amplitude", "rougher supports or specimens", "polished supports", "an amplitude of "},
+    ChangeWords{"wavelength", "another specimen, with roughness of a longer wavelength",
                 "another specimen, with roughness of a shorter wavelength", ""},
-    ChangeWords{DesignParameter::travel, "loading farther", "stopping before the first snap",
-                "up to the stage position ", "at the stage position "},
-    ChangeWords{DesignParameter::pin_friction, "rollers that turn harder on their pins",
-                "rollers that turn more easily on their pins", "pin_friction "}};
+    ChangeWords{"travel", "loading farther", "stopping before the first snap", "up to the stage position ",
+                "at the stage position "},
+    ChangeWords{"pin_friction", "rollers that turn harder on their pins", "rollers that turn more easily on their pins",
+                "pin_friction "}};
 
 std::string change_in_words(const DesignChange& change, const InUnits& shown) {
   const auto known = std::find_if(changes_known.begin(), changes_known.end(),
                                   [&](const ChangeWords& each) { return each.parameter == change.parameter; });
   if (known == changes_known.end()) throw std::invalid_argument("no change of this parameter is looked for");
-  const Kind& kind = described(change.parameter).kind;
+  const Kind& kind = design_parameter(change.parameter).kind();
   const bool more = change.to > change.from;
-  return fmt::format(
-      "{}: {}{}{} instead of {}", more ? known->more : known->less, more ? known->of : known->of_less,
-      shown.exactly(change.printed, kind),
-      !change.and_beyond ? ""
-      : more             ? " or more"
-                         : " or less",
-      change.parameter == DesignParameter::stiffness ? shown.stiffness(change.from) : shown.own(change.from, kind));
+  return fmt::format("{}: {}{}{} instead of {}", more ? known->more : known->less, more ? known->of : known->of_less,
+                     shown.exactly(change.printed, kind),
+                     !change.and_beyond ? ""
+                     : more             ? " or more"
+                                        : " or less",
+                     change.parameter == "stiffness" ? shown.stiffness(change.from) : shown.own(change.from, kind));
 }
 
 bool falls_no_less(const DesignOutcome& then, const DesignOutcome& now) {

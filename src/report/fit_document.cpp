@@ -217,19 +217,22 @@ Chapter teeth_chapter(T test) {
   const std::string title = "Stick or slide";
   if (!test.analysis.teeth)
     return {title, {std::string("There are no rises to judge: fewer than two drops, or no load train is stated.")}};
-  Chapter chapter{title,
-                  {numbers(test, "teeth"),
-                   std::string("A rise that is as if stuck need not be stuck: sliding is as steep where friction rises "
-                               "steeply. Just after a reversal, where the specimen must stick, the authors' tests pull "
-                               "in 8 to 35 % of the stage's motion. Supports that yield imitate sliding, as does "
-                               "friction that builds up, in rises that pull in less than three times its length.")}};
+  Chapter chapter{
+      title,
+      {numbers(test, "teeth"),
+       fmt::format("A rise is called as if stuck where less than {:.0f} % of the stage's motion is pulled in, "
+                   "and sliding where more is, at {:.0f} %. A rise that is as if stuck need not be stuck: "
+                   "sliding is as steep where friction rises steeply. Just after a reversal, where the "
+                   "specimen must stick, the authors' tests pull in 8 to 35 % of the stage's motion. "
+                   "Supports that yield imitate sliding, as does friction that builds up, in rises that "
+                   "pull in less than three times its length.",
+                   100 * test.provenance.options.teeth.min_share, 100 * tooth_confidence)}};
   if (has_judged_teeth(test)) chapter.blocks.emplace_back(picture(teeth_figure, test));
   chapter.blocks.emplace_back(listed(test, "teeth.teeth",
                                      {{.heading = "Rows", .field = "first_row", .last = "last_row"},
                                       {"Slope", "slope"},
                                       {"Position p", "position"},
                                       {"common error", "position_systematic", 2},
-                                      {"Pulled in (both supports)", "advance", 3},
                                       {.heading = "Verdict",
                                        .field = "verdict",
                                        .in_words = {{"sliding", "slides"}, {"as_if_stuck", "as if stuck"}}}}));
@@ -269,7 +272,8 @@ Chapter cycles_chapter(T test) {
            smoothing_in_words(test),
        listed(test, "cycles.loops",
               {{"Loop", ""},
-               {.heading = "Rows", .field = "first_row", .last = "last_row"},
+               {"Rows loading", "loading"},
+               {"unloading", "unloading"},
                {"Contact", "contact"},
                {"μ sliding in", "mu_in"},
                {"μ sliding out", "mu_out"},
@@ -282,7 +286,6 @@ Chapter cycles_chapter(T test) {
                {"Put in", "energy.loading"},
                {"Given back", "energy.unloading"},
                {"Lost", "energy.lost"},
-               {.heading = "Lost, of the work put in (%)", .field = "energy.lost_share", .digits = 3, .factor = 100},
                {"by friction", "energy.friction"},
                {.heading = "Replay, rms (%)", .field = "replay_rms", .digits = 2, .factor = 100}}),
        listed(test, "cycles.loading_stiffness",
@@ -322,9 +325,8 @@ Chapter preparation_chapter(T test) {
 
 Chapter provenance_chapter(T test) {
   const Provenance& provenance = test.provenance;
-  PrintedTable files{{"File", "Bytes", "SHA-256"}, {}};
-  for (const InputFile& file : provenance.inputs)  // of standard input nothing is known
-    files.rows.push_back({file.name, file.sha256.empty() ? "" : fmt::format("{}", file.bytes), file.sha256});
+  PrintedTable files{{"File", "SHA-256"}, {}};
+  for (const InputFile& file : provenance.inputs) files.rows.push_back({file.name, file.sha256});
   return {"Provenance",
           {fmt::format("FlexSlip {}.", provenance.version), numbers(test, "provenance.options"), files,
            Verbatim{provenance.test}}};

@@ -387,7 +387,7 @@ struct ParameterAxis {
 
 ParameterAxis parameter_axis(const Test& input, const DesignAxis& over) {
   const auto& range = std::get<AxisRange>(over.values);
-  const Kind kind = kind_in(input, over.parameter.kind);
+  const Kind kind = kind_in(input, over.parameter.kind());
   const bool logarithmic = range.spacing == Spacing::logarithmic;
   const double magnitude =
       logarithmic ? std::sqrt(range.from * range.to) : std::max(std::abs(range.from), std::abs(range.to));
@@ -478,11 +478,11 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
   PlotTable border{"border", {"x", "y"}};
   for (const auto& [from, to] : border_of_snapping(axes, points))
     border.rows.insert(border.rows.end(), {{x(from[0]), y(from[1])}, {x(to[0]), y(to[1])}, {}});
-  std::vector<Mark> marks{{Mark::pixels, "designs", {1, 2, 4, 5, 6}},
-                          {Mark::line, "border", {0, 1}, {colours::vermillion, 2}, "Border of snapping"},
-                          spot(x(value_of(input, axes[0].parameter.parameter).value()),
-                               y(value_of(input, axes[1].parameter.parameter).value()),
-                               styles::mark(Symbol::disc, colours::black, 4), "This test")};
+  std::vector<Mark> marks{
+      {Mark::pixels, "designs", {1, 2, 4, 5, 6}},
+      {Mark::line, "border", {0, 1}, {colours::vermillion, 2}, "Border of snapping"},
+      spot(x(value_of(input, axes[0].parameter.name).value()), y(value_of(input, axes[1].parameter.name).value()),
+           styles::mark(Symbol::disc, colours::black, 4), "This test")};
   for (const auto& [side, words] : {std::pair{-1.0, "snaps"}, std::pair{1.0, "no snap"}})
     if (const MapPoint* there = middle_of(points, points_of(axes[1]), side))
       marks.push_back(label(x(there->values[0]), y(there->values[1]), words));

@@ -151,8 +151,6 @@ Placement placed(const Slopes& profile, const Slopes& trace, const PlacementOpti
   out.turned = second.correlation > first.correlation;
   const auto best = out.turned ? second : first;
   out.correlation = best.correlation;
-  out.places = 2 * (longer.size() - shorter.size() + 1);
-  out.overlap = static_cast<double>(shorter.size()) * trace.step;
   const double shift = static_cast<double>(best.at) * trace.step;
   const double last = static_cast<double>(shorter.size() - 1) * trace.step;
   // Where the profile lies whose first slope is at profile.begin.

@@ -17,10 +17,8 @@ struct Slopes {
 struct Placement {
   bool turned;         // the trace is run through the other way, its slopes with the other sign
   double offset;       // [L] s of the trace = offset + position of the profile; offset - position if turned
-  double overlap;      // [L] of both there
   double correlation;  // [1]
   double p_value;      // [1] that chance finds one as high at any place, either way round
-  std::size_t places;  // that were tried
 };
 
 // How a placement is sought. The seed makes it the same at every call.

@@ -25,17 +25,17 @@ TEST_CASE("design JSON, identity: every outcome and every parameter of the case,
   CHECK(json.at("snaps") == answer.outcome.snaps);
   CHECK(json.at("work") == answer.scales.physical_energy(answer.outcome.work));
   for (const auto& outcome : outcome_fields()) CHECK(json.contains(std::string(outcome.what.name)));
-  for (const DesignParameterName& known : design_parameters())
-    CHECK(json.at("parameters").contains(std::string(known.name)) == value_of(input, known.parameter).has_value());
+  for (const DesignParameter& known : design_parameters())
+    CHECK(json.at("parameters").contains(std::string(known.name)) == value_of(input, known.name).has_value());
   CHECK(json.at("changes").size() == answer.changes.size());
   CHECK(json.at("phases").at("count") == 24);
 }
 
 TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
   Test input = loading_of(with("[rig]", "[rig]  # stiff"));
-  set(input, DesignParameter::mu0, 0);
-  set(input, DesignParameter::amplitude, 0);
-  set(input, DesignParameter::stiffness, std::numeric_limits<double>::infinity());
+  set(input, "mu0", 0);
+  set(input, "amplitude", 0);
+  set(input, "stiffness", std::numeric_limits<double>::infinity());
   const Json json = Json::parse(told(answer_of(input)).dump());
   CHECK(json.at("first_snap_stage").is_null());
   CHECK(json.at("parameters").at("stiffness").is_null());

@@ -48,7 +48,15 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
   CHECK(analysis.drops.drops.size() <= exact.snaps.size() + 3);
   CHECK(analysis.slip_summary.median_spacing == doctest::Approx(14.0 / 1278).scale(0).epsilon(0.1));
   CHECK(analysis.replay.drops_reproduced == analysis.drops.drops.size());
-  CHECK(analysis.replay.residual_rms < 1e-3);
+  double squares = 0;
+  std::size_t replayed = 0;
+  for (std::size_t i = 0; i < analysis.replay.force.size(); ++i) {
+    if (!std::isfinite(analysis.replay.force[i])) continue;
+    squares += std::pow(analysis.replay.force[i] - analysis.reduced.force[i], 2);
+    ++replayed;
+  }
+  REQUIRE(replayed > 0);
+  CHECK(std::sqrt(squares / static_cast<double>(replayed)) < 1e-3);
 }
 
 TEST_CASE("identity: the measured energies close, and agree with those of the model that made the test") {
@@ -57,7 +65,8 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
   const auto analysis = analyse(to_physical(simulated_record(truth), scales), description_of(truth));
   const auto& measured = analysis.energy.account;
   // Trapezoids over the points of a test: a few per mille of the work.
-  CHECK(std::abs(measured.imbalance) < 5e-3 * measured.stage_work);
+  const double parts = measured.bending + measured.load_train + measured.friction + measured.snaps;
+  CHECK(std::abs(measured.stage_work - parts) < 5e-3 * measured.stage_work);
   const auto exact = follow_in_steps({truth.friction, {truth.stiffness}}, analysis.reduced.stage).energy;
   CHECK(measured.stage_work == doctest::Approx(exact.stage_work).scale(0).epsilon(5e-3));
   CHECK(measured.bending == doctest::Approx(exact.bending).scale(0).epsilon(5e-3));

@@ -132,7 +132,6 @@ TEST_CASE(
       CHECK(loop.table.mu[i] == doctest::Approx(bumpy(loop.table.S[i])).scale(0).epsilon(0.01));
     CHECK(loop.correlation.value > 0.999);
     CHECK(loop.correlation.low > 0);
-    CHECK(std::abs(loop.stick_advance) < 1e-5);  // S moves by EI and contact only
   }
   const auto common = Friction::table(found.table);
   for (double S : {1.02, 1.05, 1.08, 1.1}) CHECK(common.at(S).mu == doctest::Approx(bumpy(S)).epsilon(0.01));
@@ -172,7 +171,6 @@ TEST_CASE("oracle: in 95 of 100 noisy simulations the 95 % intervals hold the tr
     stiffness += covers(found.log_stiffness, truth.log_stiffness);
     contact += covers(found.loops[0].contact, truth.contact);
     symmetric += covers(found.asymmetry, 0);
-    CHECK(found.force_noise == doctest::Approx(data_noise).epsilon(0.2));
   }
   MESSAGE("of 100 intervals: ln EI " << stiffness << ", contact " << contact << ", asymmetry " << symmetric);
   // Binomial: with 95 % true, fewer than 88 happens once in 500 times.
@@ -292,7 +290,6 @@ TEST_CASE("limit: an unloading too short to slide back leaves bounds, and no cal
   CHECK(found.status == CyclesStatus::no_mirror);
   REQUIRE(found.loops.size() == 1);
   CHECK(found.loops[0].unloading.has_value());
-  CHECK(std::isnan(found.loops[0].stick_advance));
   CHECK(found.loops[0].places == 0);
   for (const auto& point : found.points)
     if (point.leg == 1) {
@@ -343,10 +340,6 @@ TEST_CASE("oracle: reloading before contact is lost, growing amplitudes and hold
   CHECK(covers({found.log_stiffness.value, 1.5 * found.log_stiffness.standard_error}, truth.log_stiffness));
   CHECK_FALSE(found.loops[2].unloading.has_value());
   CHECK(found.loops[2].contact.value == found.loops[1].contact.value);
-  for (const std::size_t i : {0U, 1U}) {
-    const auto& loop = found.loops[i];
-    CHECK(std::abs(loop.stick_advance) < 1e-3);
-  }
   for (const auto& point : found.points) {
     const double mu = bumpy(simulated.S[point.index]);
     const double q = simulated.q[point.index];

@@ -112,12 +112,11 @@ std::size_t count(const Teeth& teeth, ToothVerdict verdict) {
                                                 [=](const Tooth& tooth) { return tooth.verdict == verdict; }));
 }
 
-TEST_CASE("oracle: stick-slip simulated without noise has position 1 and no advance, whatever EI within its error") {
+TEST_CASE("oracle: stick-slip simulated without noise has position 1, whatever EI within its error") {
   const auto teeth = judged(with_noise(stick_slip(0), {.deviation = 1e-7}));
   REQUIRE(teeth.teeth.size() >= 4);
   for (const Tooth& tooth : teeth.teeth) {
     CHECK(std::abs(tooth.position.value - 1) < 2e-3);  // second order in the rise, a few hundredths of a span
-    CHECK(std::abs(tooth.advance.value) < 1e-4);       // likewise
     CHECK(tooth.position_systematic < 0.02);           // the stick limit is hardly anything but k
     CHECK(tooth.verdict == ToothVerdict::as_if_stuck);
   }
@@ -131,8 +130,6 @@ TEST_CASE("oracle: the advance of the fibre over rough ground is that of the sim
     for (const Tooth& tooth : teeth.teeth) {
       const double truth = test.S[tooth.last - 1] - test.S[tooth.first];
       CHECK(std::abs(tooth.S_end - tooth.S_begin - truth) < 1e-6);  // noise of 1e-7 in F
-      // A line through a rounded tooth weighs its middle more than its ends: that is part of its error.
-      CHECK(std::abs(tooth.advance.value - truth) < 3 * tooth.advance.standard_error + 0.1 * truth);
     }
   }
 }

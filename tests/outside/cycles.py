@@ -37,13 +37,11 @@ file = "{file}"
 {first} = "{first_title}"
 force = "{force_title}"
 """
-CYCLES = {"status", "bending_stiffness", "asymmetry", "correlation", "build_up_length", "force_noise", "loops", "loading_stiffness", "profile", "points",
-          "mu_in", "mu_out", "rms_difference", "beyond_friction"}
-LOOP = {"first_row", "last_row", "loading", "unloading", "contact", "stick_advance", "places", "mu_in", "mu_out", "rms_difference",
-        "correlation", "energy", "replay_rms"}
+CYCLES = {"status", "bending_stiffness", "asymmetry", "correlation", "build_up_length", "loops", "loading_stiffness", "profile", "points"}
+LOOP = {"loading", "unloading", "contact", "mu_in", "mu_out", "rms_difference", "correlation", "energy", "replay_rms"}
 LOADING = {"status", "rows", "slope", "ratio", "ratio_systematic", "verdict"}
-TEETH = {"confidence", "least_share", "compliance", "sliding", "as_if_stuck", "undecided", "too_short", "unexplained", "teeth"}
-TOOTH = {"first_row", "last_row", "slope", "position", "position_systematic", "advance", "verdict", "compliant_position"}
+TEETH = {"compliance", "too_short", "teeth"}
+TOOTH = {"first_row", "last_row", "slope", "position", "position_systematic", "verdict"}
 
 
 class CyclicRecords(InFolder):
@@ -87,27 +85,24 @@ class Simulated(CyclicRecords):
         fit = self.json("fit", self.record(readings))
         cycles = fit["cycles"]
         self.assertEqual(set(cycles), CYCLES)
-        self.assertEqual(set(cycles["bending_stiffness"]), {"value", "standard_error", "interval95", "unit", "relative_to_nominal"})
         self.assertEqual(len(cycles["loops"]), 2)
         for loop in cycles["loops"]:
             self.assertEqual(set(loop), LOOP)
-            energy = loop["energy"]
-            self.assertAlmostEqual(energy["lost"], energy["loading"] - energy["unloading"] - energy["stored"], delta=1e-12 * energy["loading"])
+            self.assertEqual(set(loop["energy"]), {"loading", "unloading", "lost", "friction"})
         for loading in cycles["loading_stiffness"]:
             self.assertEqual(set(loading), LOADING)
         for point in cycles["points"]:
             self.assertIn(point["motion"], {"slip_in", "slip_out", "stick"})
         self.assertEqual(fit["nominal_bending_stiffness"]["source"], "mirror_symmetry")
-        self.assertIn("remaining", fit["energy"])
 
     def test_identity_rows_are_those_of_the_file(self):
         readings = self.readings()
         loops = self.json("fit", self.record(readings))["cycles"]["loops"]
         farthest = max(stage for stage, _ in readings)
         for loop in loops:
-            self.assertEqual(loop["unloading"]["first_row"], loop["loading"]["last_row"] + 1)
-            self.assertEqual(readings[loop["loading"]["last_row"] - 1][0], farthest)
-        self.assertEqual((loops[0]["loading"]["first_row"], loops[-1]["unloading"]["last_row"]), (1, len(readings)))
+            self.assertEqual(loop["unloading"][0], loop["loading"][1] + 1)
+            self.assertEqual(readings[loop["loading"][1] - 1][0], farthest)
+        self.assertEqual((loops[0]["loading"][0], loops[-1]["unloading"][1]), (1, len(readings)))
 
     def test_identity_reduced_record_says_the_same(self):
         readings = self.readings()
@@ -158,7 +153,6 @@ class OneLoading(InFolder):
         teeth = fit["teeth"]
         self.assertEqual(set(teeth), TEETH)
         self.assertGreater(len(teeth["teeth"]), 0)
-        self.assertEqual(teeth["sliding"] + teeth["as_if_stuck"] + teeth["undecided"], len(teeth["teeth"]))
         for tooth in teeth["teeth"]:
             self.assertEqual(set(tooth), TOOTH)
             self.assertLess(tooth["first_row"], tooth["last_row"])

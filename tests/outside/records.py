@@ -15,6 +15,12 @@ DROPS = 35  # falls of the force in the example, 32 of which are snaps
 SHARED = SOURCE / "../shared/data"
 
 
+def step(fit, name):
+    """What a step from the file to the record did, in words; there is one of that name."""
+    (done,) = [step["done"] for step in fit["preparation"] if step["step"] == name]
+    return done
+
+
 def interpolated(rows):
     last = len(READINGS) - 1
     at = [i * last / (rows - 1) for i in range(rows)]
@@ -39,22 +45,20 @@ class Records(InFolder):
         for times in (2, 3):
             fit = self.fitted([row for row in READINGS for _ in range(times)])
             self.assertEqual(fit["parameters"]["mu0"], once["parameters"]["mu0"])
-            self.assertEqual(fit["measurement"]["rows_repeated"], (times - 1) * len(READINGS))
+            self.assertTrue(step(fit, "repeated").startswith(f"{(times - 1) * len(READINGS)} of the {times * len(READINGS)} rows repeat"))
             self.assertEqual(len(fit["drops"]), DROPS)
 
     def test_a_force_that_is_held_counts_where_it_is_new(self):
         fit = self.fitted([(stage, READINGS[i - i % 2][1]) for i, (stage, _) in enumerate(READINGS)])
         self.holds(fit)
-        self.assertGreater(fit["measurement"]["rows_held"], 150)
-        said = [step for step in fit["preparation"] if step["step"] == "held"]
-        self.assertEqual(len(said), 1, fit["preparation"])
+        self.assertGreater(int(step(fit, "held").split()[0]), 150)
 
     def test_a_snap_of_many_rows_is_one_whatever_the_sampling(self):
         for rows in (1000, 2000, 20000, 100000):
             with self.subTest(rows):
                 fit = self.fitted(interpolated(rows))
                 self.holds(fit)
-                self.assertGreater(fit["measurement"]["rows_interpolated"], rows // 2)
+                self.assertGreater(int(step(fit, "interpolated").split()[0]), rows // 2)
 
     def test_a_record_of_half_the_rows_and_one_whose_stage_trembles(self):
         half = self.fitted(READINGS[::2])
@@ -108,7 +112,6 @@ class Records(InFolder):
         imaged = fit["imaged_length"]
         self.assertAlmostEqual(imaged["offset"], 2e-6, delta=0.5e-6)
         self.assertLess(imaged["scatter"], 1.5e-6)
-        self.assertGreater(len(imaged["points"]), 200)
         self.assertIsNone(self.fitted(READINGS)["imaged_length"])
 
     def case(self, name, readings, more):

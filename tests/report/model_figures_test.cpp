@@ -48,9 +48,9 @@ TEST_CASE("design map figure, identity: the border runs where neighbours snap an
     if (row.empty()) continue;
     // The column of the map on either side of this point of the border: one snaps and the other does not.
     Test there = input;
-    set(there, DesignParameter::mu0, row[1]);
+    set(there, "mu0", row[1]);
     const auto snaps_at = [&](double stiffness) {
-      set(there, DesignParameter::stiffness, stiffness);
+      set(there, "stiffness", stiffness);
       return result_of(there).outcome.value().snaps > 0;
     };
     const double cell = std::pow(10, 0.13);  // 0.125 in the logarithm

@@ -1,37 +1,31 @@
-// The JSON of `fit` and `read`, as far as the page shows it; docs/results.md has every key. Numbers are in SI.
+// The JSON of `fit` and `read`, as far as the page reads it; docs/results.md has every key. Numbers are in SI.
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "phase_at_middle" | "drift" | "roughness" | "correlation_length" | "bending_stiffness" | "reference" | "contact_offset";
 export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
 export interface Drop {
-  row_before: number; row_after: number; stage: number; deflection_before: number; deflection_after: number; force_before: number; force_after: number; force_fall: number;
-  significance: number; slip: string; reading: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
+  row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null; flag: string | null }
-export interface ProfilePoint { row: number; stage: number; deflection: number; force: number; length: number; drawn_in: number; mu: number; mu_error: number; mu_error_force: number; mu_error_bending_stiffness: number; mu_error_contact: number }
-export interface Wave { claimed: boolean; log_evidence: number; amplitude: Estimate; wavelength: Estimate; phase: Estimate; phase_at_middle: Estimate }
+export interface ProfilePoint { row: number; stage: number; deflection: number; force: number; length: number; mu: number; mu_error: number; mu_error_force: number }
+export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate; phase: Estimate; phase_at_middle: Estimate }
 
 export interface FitAnswer {
-  status: string; name: string; model: string; category: string; suspect: boolean;
+  status: string; name: string; model: string; suspect: boolean;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   friction_read: { median: number; low80: number; high80: number } | null;
   residual_rms: number | null; wave: Wave | null;
   verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
-  judgement: { standing: string; drops: string | null; stiffness_lost: number | null; stiffness_lost_error: number | null; stiffness_for_no_snap: number | null } | null;
-  slip_or_crack: { verdict: string; margin: number; rises: number; stiffer_rises: number } | null;
-  drops: Drop[]; slips: { count: number; median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
-  teeth: { sliding: number; as_if_stuck: number; undecided: number; too_short: number; compliance: { p_value: number | null } | null } | null;
-  suspects: { row: number }[];
+  drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   energy: { work_of_fracture: number; friction_share: number } | null;
-  cycles: { status: string; loading_stiffness: { ratio: Estimate | null; verdict: string | null; status: string }[] } | null;
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
-  preparation: Step[]; contact: { source: string; taken_off: number; line_offset: Estimate } | null;
+  preparation: Step[]; contact: { source: string; line_offset: Estimate } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;
-  noise: { force: number } | null; profile: ProfilePoint[];
-  provenance: { version: string; case: string };
+  profile: ProfilePoint[];
+  provenance: { case: string };
 }
 
 export interface ReadColumn { number: number; name: string; unit: string | null; role: string }

@@ -129,9 +129,10 @@ export class CardView {
     const contact = fit?.answer.contact;
     if (contact) {
       const offset = contact.line_offset, u = unitFor(Math.max(Math.abs(offset.value), offset.standard_error), "length");
+      const taken = `${significant(fit!.answer.parameters.contact_offset!.value / u.factor, 3)} ${u.name}`;
       const where = `${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name}`;
       lines.push(["contact", [
-        { words: contact.source === "first_point" ? "zero of the file" : contact.source === "found" ? `found: ${significant(contact.taken_off / u.factor, 3)} ${u.name}` : `stated: ${significant(contact.taken_off / u.factor, 3)} ${u.name}`, change: () => undefined, chosen: true },
+        { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}: ${taken}`, change: () => undefined, chosen: true },
         { words: `find (line: ${where})`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
         ...(settings.contact ? [{ words: "as found", change: decide({ contact: undefined }) }] : []),
       ], settings.contact !== undefined]);
