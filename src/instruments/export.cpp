@@ -62,11 +62,7 @@ struct Layout {
   std::vector<std::string> notes{};    // on rows of statistics, which are left out, and rows that may be some
 };
 
-using Cells = std::span<const std::string_view>;
-
-bool is_blank(Cells cells) {
-  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
-}
+using Cells = Sheet::Cells;
 
 bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(); }
 
@@ -125,7 +121,9 @@ bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
 
 bool fits(Cells cells, const UsualRow& usual) {
   if (cells.size() < usual.pattern.size()) return false;
-  return cells.size() <= usual.cells || is_blank(cells.subspan(usual.cells));
+  for (std::size_t i = usual.cells; i < cells.size(); ++i)
+    if (!cells[i].empty()) return false;
+  return true;
 }
 
 // Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
@@ -266,7 +264,7 @@ Layout layout_of(const Sheet& sheet) {
                                                   }));
     // A line of numbers among the remarks above a table is not its first row: that fits.
     if (!is_one || (begins && !fits(cells, usual))) {
-      if (is_one || !is_blank(cells)) gap.push_back(line);
+      if (is_one || !sheet.is_blank(line)) gap.push_back(line);
       continue;
     }
     if (begins) {
