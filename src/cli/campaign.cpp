@@ -11,8 +11,6 @@
 #include "campaign/campaign_run.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/report.h"
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,6 @@
 #include "cli/options.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 

@@ -10,7 +10,6 @@
 #include "case/simulated_test.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/input_error.h"
 #include "report/figures.h"
 #include "result/table.h"
 

@@ -10,7 +10,6 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "case/keys.h"
 #include "case/toml.h"

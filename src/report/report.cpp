@@ -13,7 +13,6 @@
 #include "finding/answer.h"
 #include "finding/printed.h"
 #include "io/text.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/page.h"
 #include "report/studio_page.h"
