@@ -29,6 +29,7 @@ struct WorkbookSheet {
   // numbers of days that they are.
   Sheet cells;
   std::optional<std::string> text;  // instead, of words in one column alone: a text file that was opened as a workbook
+  std::string which;                // it is, and why, of several sheets; the first of the notes
   std::vector<std::string> notes;   // what was decided
 };
 
