@@ -12,6 +12,7 @@
 #include "case/mechanics.h"
 #include "finding/answer.h"
 #include "finding/printed.h"
+#include "io/durable_file.h"
 #include "io/text.h"
 #include "report/answer_documents.h"
 #include "report/page.h"
