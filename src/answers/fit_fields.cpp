@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-
 #include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
