@@ -12,7 +12,6 @@
 #include "case/fitted.h"
 #include "figures.h"
 #include "interruptible.h"
-#include "io/text_file.h"
 #include "parts.h"
 #include "plain.h"
 #include "report/answer_documents.h"

@@ -1,7 +1,6 @@
 #include "figures.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <pybind11/numpy.h>
 

@@ -12,7 +12,6 @@
 #include "case/fitted.h"
 #include "figures.h"
 #include "finding/answer.h"
-#include "inference/process_mode.h"
 #include "interruptible.h"
 #include "parts.h"
 #include "plain.h"

@@ -1,7 +1,6 @@
 #include "plain.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
 #include <variant>

@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cfenv>
-#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <span>

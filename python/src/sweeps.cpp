@@ -2,7 +2,6 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +11,6 @@
 #include <pybind11/stl.h>
 
 #include "answers/design_fields.h"
-#include "data/names.h"
 #include "design/design_result.h"
 #include "design/sweep_parts.h"
 #include "design/sweep_plan.h"

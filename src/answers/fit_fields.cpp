@@ -5,8 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "answers/mechanics_fields.h"
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "answers/mechanics_fields.h"
-#include "data/names.h"
 
 namespace flexslip {
 namespace {

@@ -10,7 +10,6 @@
 #include "bending_test/rig.h"
 #include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
-#include "contact/two_supports.h"
 #include "numerics/elementary.h"
 #include "numerics/quadrature.h"
 #include "numerics/root.h"

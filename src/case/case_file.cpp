@@ -137,7 +137,7 @@ bool is_in_unit(const toml::table& section, std::string_view name, std::string_v
   const auto text = section[name].value_exact<std::string_view>();
   if (!text || !text->ends_with(symbol)) return false;
   const std::string_view number = text->substr(0, text->size() - symbol.size());
-  return !number.empty() && (number.back() == ' ' || (number.back() >= '0' && number.back() <= '9'));
+  return !number.empty() && (number.back() == ' ' || is_digit(number.back()));
 }
 
 // Reads [friction], to which `further` keys belong with any model, or [friction.other], which has none. The model alone is one to fit.
@@ -358,9 +358,8 @@ std::string changed_key(std::string_view change) {
       known.push_back(full_name(key));  // those of arrays change as a whole
   const auto same =
       std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
-  const std::string meant = same != case_keys().end() ? full_name(*same) : nearest(name, known);
-  throw no_change(in_quotes(name),
-                  meant.empty() ? "flexslip keys lists the keys" : fmt::format("did you mean {}?", in_quotes(meant)));
+  throw no_change(in_quotes(name), did_you_mean(same != case_keys().end() ? full_name(*same) : name, known,
+                                                "flexslip keys lists the keys"));
 }
 
 bool is_text(const CaseKey& key, std::string_view value) {

@@ -87,10 +87,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
   const auto skipped = begin - record.stage.begin();
   if (record.stage.size() - static_cast<std::size_t>(skipped) < min_fitted_points) return;
-  for (auto* column : {&record.stage, &record.deflection, &record.force})
-    column->erase(column->begin(), column->begin() + skipped);
-  for (double& stage : record.stage) stage -= contact.value;
-  for (double& deflection : record.deflection) deflection -= contact.value;
+  record = counted_from(contact.value, std::move(record), static_cast<std::size_t>(skipped));
   measurement.first += static_cast<std::size_t>(skipped);
   measurement.contact = ContactSource::found;
   measurement.contact_offset += contact.value;

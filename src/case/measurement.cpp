@@ -125,7 +125,7 @@ ColumnRole role_of(DisplacementOf displacement) {
 
 ExportOptions options_of(const RecordInput& asked) {
   ExportOptions options;
-  options.sheet = asked.sheet;
+  options.file.sheet = asked.sheet;
   options.decimal = asked.decimal;
   if (asked.displacement_column)
     options.columns[asked.displacement ? role_of(*asked.displacement) : ColumnRole::displacement] =
@@ -150,27 +150,17 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
 }
 
 // The one column with a role; how to name it where there is none, or several.
-const ExportColumn& only_column(const Export& file, const ExportedSpecimen& specimen, ColumnRole role,
-                                std::string_view key, std::string_view flag) {
-  std::vector<const ExportColumn*> columns;
-  std::vector<std::string> names;
-  for (const ExportColumn& column : specimen.columns) {
-    if (column.role != role) continue;
-    columns.push_back(&column);
-    names.push_back(column.name);
-  }
-  if (columns.size() == 1) return *columns.front();
-  throw InputError({.file = file.origin.source,
-                    .field = role == ColumnRole::force ? "the force" : "the displacement",
-                    .expected = "one column with it",
-                    .found = names.empty() ? "none" : listed(names),
-                    .remedy = fmt::format("write {} = \"…\" into [record], or pass {}: the name of the column, or its "
-                                          "number in the file, from 1",
-                                          key, flag)});
+// The column with a role; the key that names it is what a file that has none, or several, is asked for.
+const ExportColumn& column_for(std::string_view key, const Export& file, const ExportedSpecimen& specimen,
+                               ColumnRole role) {
+  return column_with(file, specimen, role,
+                     fmt::format("write {} = \"…\" into [record], or pass {}: the name of the column, or its number in "
+                                 "the file, from 1",
+                                 key, flag_of(key)));
 }
 
 const ExportColumn& displacement_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
-  return only_column(file, specimen, role, "displacement_column", "--displacement-column");
+  return column_for("displacement_column", file, specimen, role);
 }
 
 struct FoundDisplacement {
@@ -230,7 +220,7 @@ Readings readings_from(const Test& input, const Export& file) {
   const RecordInput& asked = *input.record;
   const ExportedSpecimen& specimen = specimen_of(input, file);
   const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
-  const ExportColumn& force = only_column(file, specimen, ColumnRole::force, "force", "--force");
+  const ExportColumn& force = column_for("force", file, specimen, ColumnRole::force);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
   Readings readings{.test = input,
                     .table = {file.origin.source,
@@ -243,7 +233,7 @@ Readings readings_from(const Test& input, const Export& file) {
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
                   is_stated ? "stated" : "the file says", force.name);
-  if (file.origin.sheet && file.origin.sheets.size() > 1) words += "; " + file.notes.front();  // of which sheet
+  if (!file.origin.which_sheet.empty()) words += "; " + file.origin.which_sheet;
   for (const std::string& note : file.row_notes) words += "; " + note;
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
@@ -348,21 +338,12 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size
 }
 
 void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& steps) {
-  if (sampling.repeated > 0)
-    steps.add("repeated", true,
-              fmt::format("{} of the {} rows repeat the previous row and count once", sampling.repeated, rows), {});
-  if (sampling.held > 0)
-    steps.add(
-        "held", true,
-        fmt::format(
-            "{} of the {} rows repeat the force of the previous row while the displacement moves on, and are left out",
-            sampling.held, rows),
-        {});
-  if (sampling.interpolated > 0)
-    steps.add("interpolated", true,
-              fmt::format("{} of the {} rows are interpolated between readings and are left out", sampling.interpolated,
-                          rows),
-              {});
+  const auto add = [&](const char* name, std::size_t count, std::string_view what) {
+    if (count > 0) steps.add(name, true, fmt::format("{} of the {} rows {}", count, rows, what), {});
+  };
+  add("repeated", sampling.repeated, "repeat the previous row and count once");
+  add("held", sampling.held, "repeat the force of the previous row while the displacement moves on, and are left out");
+  add("interpolated", sampling.interpolated, "are interpolated between readings and are left out");
   if (sampling.stride > 1)
     steps.add("thinning", true,
               fmt::format("one row in {} is used, out of {}", sampling.stride,
@@ -492,13 +473,6 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
   return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / rise_per_row;
 }
 
-Record without_first(const Record& record, std::size_t points) {
-  const auto rest = [=](const std::vector<double>& values) {
-    return std::vector<double>(values.begin() + static_cast<std::ptrdiff_t>(points), values.end());
-  };
-  return {rest(record.stage), rest(record.deflection), rest(record.force)};
-}
-
 void require_points(const Table& table, const Record& record, std::size_t min_points) {
   if (record.force.size() >= min_points) return;
   throw InputError({.file = table.source,
@@ -517,15 +491,19 @@ void require_loading_first(const Table& table, const Record& record, const Leg& 
                               "otherwise leave out the rows before the first loading"});
 }
 
-// How many rows lie before a place: those before the row, or before the stage or the deflection first gets there.
+// How many rows lie before a place, a row or where the stage or the deflection first gets there; and how many up to it, itself among them.
+struct RowsTo {
+  std::size_t before, up_to;
+};
+
 // Fails:      InputError where the record does not get there.
-std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
-                        const std::string& file) {
+RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
+               const std::string& file) {
   if (const auto* at = std::get_if<AtRow>(&place)) {
     if (at->row > every.force.size())
       throw wrong_value(input, key, fmt::format("one of the {1} rows of {0}", file, every.force.size()),
                         std::to_string(at->row));
-    return at->row - 1;
+    return {at->row - 1, at->row};
   }
   const auto* stage = std::get_if<AtStage>(&place);
   const auto& positions = stage ? every.stage : every.deflection;
@@ -536,19 +514,8 @@ std::size_t rows_before(const PlaceInRecord& place, std::string_view key, const 
                       fmt::format("a {} within the record, which reaches {}", stage ? "stage position" : "deflection",
                                   readable_length(input, *std::max_element(positions.begin(), positions.end()))),
                       readable_length(input, position));
-  return static_cast<std::size_t>(there - positions.begin());
-}
-
-// And those up to it, the row or the position itself among them.
-std::size_t rows_up_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
-                       const std::string& file) {
-  const std::size_t before = rows_before(place, key, input, every, file);
-  if (std::holds_alternative<AtRow>(place)) return before + 1;
-  const auto& positions = std::holds_alternative<AtStage>(place) ? every.stage : every.deflection;
-  const bool is_there =
-      positions[before] == (std::holds_alternative<AtStage>(place) ? std::get<AtStage>(place).position
-                                                                   : std::get<AtDeflection>(place).position);
-  return before + (is_there ? 1 : 0);
+  const auto before = static_cast<std::size_t>(there - positions.begin());
+  return {before, before + (*there == position ? 1 : 0)};
 }
 
 // Ends the record before the failure, or where it is stated to end. What is left, in points.
@@ -657,9 +624,10 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   require_finite(every, table);
   const std::size_t max_points = find_legs(every.stage).size() > 1 ? max_cyclic_points : max_record_points;
   std::optional<std::size_t> until;  // the last row
-  if (const auto& place = input.record->until) until = rows_up_to(*place, "record.until", input, every, result.file);
+  if (const auto& place = input.record->until) until = rows_to(*place, "record.until", input, every, result.file).up_to;
   std::size_t first = 0;
-  if (const auto& place = input.record->first) first = rows_before(*place, "record.first", input, every, result.file);
+  if (const auto& place = input.record->first)
+    first = rows_to(*place, "record.first", input, every, result.file).before;
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
@@ -698,13 +666,8 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   if (points - skipped < min_points)
     throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", min_points),
                       std::to_string(points - skipped));
-  result.record = without_first(whole, skipped);
-  const auto take_contact_off = [&](Record& record) {
-    for (double& stage : record.stage) stage -= result.contact_offset;
-    for (double& deflection : record.deflection) deflection -= result.contact_offset;
-  };
-  take_contact_off(result.record);
-  if (result.cycles) take_contact_off(*result.cycles);
+  result.record = counted_from(result.contact_offset, std::move(whole), skipped);
+  if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
   return result;
 }
 

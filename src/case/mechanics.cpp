@@ -15,7 +15,6 @@
 #include "contact/build_up.h"
 #include "contact/over_rollers.h"
 #include "data/names.h"
-#include "fibre/elastica.h"
 #include "inference/analysis.h"
 #include "instruments/trace_file.h"
 #include "io/quantity.h"

@@ -10,7 +10,6 @@
 
 #include "data/names.h"
 #include "data/section.h"
-#include "io/input_error.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {

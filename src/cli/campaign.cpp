@@ -11,8 +11,6 @@
 #include "campaign/campaign_run.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/report.h"
 
@@ -92,8 +90,8 @@ void add_campaign_command(CLI::App& app) {
   command.add_flag("!--no-figures", request.figures, "Write only the tables, without report.html and figures");
   command.add_flag("--test-reports", request.test_reports, "Also write the report of each test, with its figures");
   add_threads_option(command, "-j,--jobs NUMBER", request.jobs, "Number of tests computed at the same time");
-  add_option(command, "--share PARAMETER", request.shared,
-             "Estimate one value of this parameter from all records together; may be repeated")
+  add_repeated(command, "--share PARAMETER", request.shared,
+               "Estimate one value of this parameter from all records together; may be repeated")
       ->check(CLI::IsMember(shareable_names()));
   add_analysis_options(command, request.flags);
   add_output_options(command, request.output);

@@ -7,8 +7,6 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/text_file.h"
-#include "result/table.h"
 
 namespace flexslip {
 namespace {

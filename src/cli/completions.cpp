@@ -42,13 +42,6 @@ std::vector<Verb> verbs_of(const CLI::App& app) {
   return verbs;
 }
 
-// Text in single quotes of a shell.
-std::string shell_quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
 std::string names_of(const std::vector<Flag>& flags) {
   std::string out;
   for (const Flag& flag : flags) out += (out.empty() ? "" : " ") + flag.name;
@@ -60,7 +53,7 @@ std::string bash_script(const CLI::App& app) {
   std::string names;
   for (const Verb& verb : verbs_of(app)) {
     names += verb.name + " ";
-    cases += fmt::format("    {}) words={} ;;\n", verb.name, shell_quoted(names_of(verb.flags)));
+    cases += fmt::format("    {}) words={} ;;\n", verb.name, shell_word(names_of(verb.flags)));
   }
   return fmt::format(R"(# bash completion for flexslip, written by: flexslip completions bash
 _flexslip() {{
@@ -78,7 +71,7 @@ _flexslip() {{
 }}
 complete -o bashdefault -o default -F _flexslip flexslip
 )",
-                     cases, shell_quoted(names_of(flags_of(app))), shell_quoted(names + names_of(flags_of(app))));
+                     cases, shell_word(names_of(flags_of(app))), shell_word(names + names_of(flags_of(app))));
 }
 
 // The text of a description within the brackets of zsh's _arguments.
@@ -94,17 +87,17 @@ std::string zsh_description(std::string_view text) {
 std::string zsh_arguments(const std::vector<Flag>& flags, std::string_view rest) {
   std::string out = "_arguments";
   for (const Flag& flag : flags)
-    out += fmt::format(" \\\n        {}",
-                       shell_quoted(fmt::format("{}[{}]{}", flag.name, zsh_description(flag.description),
-                                                flag.takes_value ? ":value:_files" : "")));
-  return out + fmt::format(" \\\n        {}", shell_quoted(rest));
+    out +=
+        fmt::format(" \\\n        {}", shell_word(fmt::format("{}[{}]{}", flag.name, zsh_description(flag.description),
+                                                              flag.takes_value ? ":value:_files" : "")));
+  return out + fmt::format(" \\\n        {}", shell_word(rest));
 }
 
 std::string zsh_script(const CLI::App& app) {
   std::string names;
   std::string cases;
   for (const Verb& verb : verbs_of(app)) {
-    names += fmt::format("    {}\n", shell_quoted(verb.name + ":" + zsh_description(verb.description)));
+    names += fmt::format("    {}\n", shell_word(verb.name + ":" + zsh_description(verb.description)));
     cases += fmt::format(
         "    {})\n      {}\n      ;;\n", verb.name,
         zsh_arguments(verb.flags, verb.name == "completions" ? "1:shell:(bash zsh fish)" : "*:file:_files"));
@@ -134,9 +127,8 @@ std::string fish_flags(const std::vector<Flag>& flags, std::string_view conditio
   std::string out;
   for (const Flag& flag : flags) {
     const bool is_long = flag.name.starts_with("--");
-    out +=
-        fmt::format("complete -c flexslip -n {} {} {}{} -d {}\n", shell_quoted(condition), is_long ? "-l" : "-s",
-                    flag.name.substr(is_long ? 2 : 1), flag.takes_value ? " -r" : "", shell_quoted(flag.description));
+    out += fmt::format("complete -c flexslip -n {} {} {}{} -d {}\n", shell_word(condition), is_long ? "-l" : "-s",
+                       flag.name.substr(is_long ? 2 : 1), flag.takes_value ? " -r" : "", shell_word(flag.description));
   }
   return out;
 }
@@ -146,7 +138,7 @@ std::string fish_script(const CLI::App& app) {
   out += fish_flags(flags_of(app), "__fish_use_subcommand");
   for (const Verb& verb : verbs_of(app)) {
     out += fmt::format("complete -c flexslip -f -n '__fish_use_subcommand' -a {} -d {}\n", verb.name,
-                       shell_quoted(verb.description));
+                       shell_word(verb.description));
     out += fish_flags(verb.flags, "__fish_seen_subcommand_from " + verb.name);
   }
   return out + "complete -c flexslip -f -n '__fish_seen_subcommand_from completions' -a 'bash zsh fish'\n";

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -10,8 +9,6 @@
 #include "cli/options.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 
@@ -57,9 +54,9 @@ void add_design_command(CLI::App& app) {
   const auto [command, request] = add_command(
       app, "design", "Before a test: whether it will show a sawtooth, and what would change that", run_design);
   add_case(command, request.test);
-  add_option(command, "--over RANGE", request.over,
-             "Write a table over a parameter and its range, NAME=FROM:TO[:POINTS], instead of the answer in "
-             "words; given twice, a map over both");
+  add_repeated(command, "--over RANGE", request.over,
+               "Write a table over a parameter and its range, NAME=FROM:TO[:POINTS], instead of the answer in "
+               "words; given twice, a map over both");
   add_threads_option(command, "-j,--threads NUMBER", request.threads,
                      "With --over, number of designs computed at the same time");
   add_figure_option(command, request.figure);

@@ -8,8 +8,6 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "finding/answer.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/report.h"
 

@@ -48,8 +48,9 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-std::string with_guess(const std::string& message, const std::string& meant) {
-  return meant.empty() ? message : fmt::format("{}; did you mean {}?", message, in_quotes(meant));
+std::string with_guess(const std::string& message, std::string_view word, const std::vector<std::string>& names) {
+  const std::string guess = did_you_mean(word, names);
+  return guess.empty() ? message : fmt::format("{}; {}", message, guess);
 }
 
 // What is wrong with the call, and the remedy.
@@ -63,11 +64,10 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   if (!unknown.empty()) {
     const std::string word = unknown.front().substr(0, unknown.front().find('='));
     if (word.starts_with('-'))
-      return with_guess(fmt::format("{} has no option {}", program, in_quotes(word)),
-                        nearest(word, option_names(command))) +
+      return with_guess(fmt::format("{} has no option {}", program, in_quotes(word)), word, option_names(command)) +
              help;
     if (is_program)
-      return with_guess(fmt::format("unknown command {}", in_quotes(word)), nearest(word, command_names(app))) + help;
+      return with_guess(fmt::format("unknown command {}", in_quotes(word)), word, command_names(app)) + help;
     return fmt::format("{} takes no further argument, but was given {}", program, in_quotes(word)) + help;
   }
   if (is_program && command.get_subcommands().empty())

@@ -7,8 +7,6 @@
 #include "case/studies.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/input_error.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 
 namespace flexslip {

@@ -10,6 +10,7 @@
 #include "case/mechanics.h"
 #include "case/toml.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -37,16 +38,7 @@ std::string type_of(const CaseKey& key) {
   }
 }
 
-std::string capitalised(std::string_view phrase) {
-  std::string text(phrase);
-  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
-    text.front() = static_cast<char>(text.front() - 'a' + 'A');
-  return text;
-}
-
-bool is_whole(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-}
+bool is_whole(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_digit); }
 
 bool has_flags(const TestRequest& request) {
   return std::any_of(request.flags.begin(), request.flags.end(),
@@ -74,13 +66,6 @@ Test case_of_flags(const TestRequest& request) {
 }
 
 }  // namespace
-
-CLI::Option* add_repeated(CLI::App& command, std::string_view option, std::vector<std::string>& values,
-                          const std::string& meaning) {
-  return add_option(command, option, values, meaning)
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
 
 CLI::Validator number_between(double low, double high) {
   return {[=](const std::string& text) {
@@ -201,10 +186,14 @@ void add_output_option(CLI::App& command, std::string& path) {
   add_output_file(command, "-o,--output", path, "Write to this file; - is standard output")->capture_default_str();
 }
 
-void add_output_options(CLI::App& command, Output& output, std::string_view otherwise) {
-  command.add_flag("--json", output.json, fmt::format("Write JSON instead of {}", otherwise));
-  add_output_option(command, output.path);
+void add_output_flags(CLI::App& command, Output& output, const std::string& json) {
+  command.add_flag("--json", output.json, json);
   command.add_flag("--quiet", output.quiet, "Write no remarks on standard error, only errors");
+}
+
+void add_output_options(CLI::App& command, Output& output, std::string_view otherwise) {
+  add_output_flags(command, output, fmt::format("Write JSON instead of {}", otherwise));
+  add_output_option(command, output.path);
 }
 
 void add_figure_option(CLI::App& command, std::string& path) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,7 +11,6 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
-#include <fmt/format.h>
 
 #include "case/case_file.h"
 #include "case/case_keys.h"
@@ -48,8 +46,13 @@ CLI::Option* add_option(CLI::App& command, std::string_view option, Value& value
       ->type_name(std::string(option.substr(space + 1)));
 }
 // One that may be repeated.
-CLI::Option* add_repeated(CLI::App& command, std::string_view option, std::vector<std::string>& values,
-                          const std::string& meaning);
+template <class Value>
+CLI::Option* add_repeated(CLI::App& command, std::string_view option, std::vector<Value>& values,
+                          const std::string& meaning) {
+  return add_option(command, option, values, meaning)
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
 
 // What numbers options take, beyond what CLI11 checks: NaN lies in each of its ranges, and -1 is a whole number without a sign.
 CLI::Validator number_between(double low, double high);
@@ -131,7 +134,8 @@ CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::s
                              const std::string& meaning);
 void add_output_option(CLI::App& command, std::string& path);
 
-// Gives a command the options --json, --output and --quiet. Without --json it writes `otherwise`.
+// Gives a command the options --json, of this meaning, and --quiet; and with --output, where without --json it writes `otherwise`.
+void add_output_flags(CLI::App& command, Output& output, const std::string& json);
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise = "text");
 
 // Gives a command the option --figure; --report, whose files are announced so; and a number of threads, as many as there are cores.

@@ -61,7 +61,8 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
     as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.origin.encoding),
                       file.origin.byte_order_mark ? " with byte order mark" : "", words_for(file.origin.separator));
   if (file.has_marks)
-    as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.decimal), words_for(file.thousands));
+    as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.marks.decimal),
+                      words_for(file.marks.thousands));
   say(fmt::format("{}: {}; {}", file.origin.source, file.format, as));
   say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
                   specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));

@@ -6,8 +6,6 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/input_error.h"
-#include "io/text_file.h"
-#include "result/table.h"
 
 namespace flexslip {
 namespace {

@@ -10,7 +10,6 @@
 #include "case/simulated_test.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/input_error.h"
 #include "report/figures.h"
 #include "result/table.h"
 
@@ -85,8 +84,8 @@ void add_simulate_command(CLI::App& app) {
       ->capture_default_str();
   command.add_flag("--energies", request.energies, "Add the energies from the start to each point of the path");
   add_figure_option(command, request.figure);
-  add_option(command, "--equilibria-at LENGTH", request.equilibria_at,
-             "Draw all equilibria at this stage position in the figure; may be repeated");
+  add_repeated(command, "--equilibria-at LENGTH", request.equilibria_at,
+               "Draw all equilibria at this stage position in the figure; may be repeated");
   add_output_options(command, request.output, "CSV");
   command.footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"

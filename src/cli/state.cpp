@@ -25,15 +25,8 @@ struct StateRequest {
   bool on_supports() const { return radius || thickness; }
 };
 
-// States by their length, on edges, or by their deflection, on rollers.
-struct Input {
-  std::string source;  // empty: the command line
-  std::string first;   // "S" or "w"
-  std::vector<double> values, q;
-  std::vector<std::size_t> lines;
-};
-
-Input read_input(const StateRequest& request) {
+// States by their length S, on edges, or by their deflection w, on rollers; and q. Without a source where the command line states one.
+Table read_input(const StateRequest& request) {
   const std::string first = request.on_supports() ? "w" : "S";
   const auto& value = request.on_supports() ? request.w : request.S;
   if (request.on_supports() && request.S)
@@ -55,39 +48,36 @@ Input read_input(const StateRequest& request) {
                       .expected = fmt::format("either a file or --{} and --q", first),
                       .found = value ? "both" : "neither",
                       .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
-  if (value) return {"", first, {*value}, {*request.q}, {0}};
-  const Table table = read_table(request.file, {{first, kind::number}, {"q", kind::number}});
-  return {table.source, first, table.columns[0].values, table.columns[1].values, table.lines};
+  if (value) return {"", {{first, {*value}}, {"q", {*request.q}}}, {0}};
+  return read_table(request.file, {{first, kind::number}, {"q", kind::number}});
 }
 
-void require_domain(const Input& input) {
-  const auto refuse = [&](std::size_t row, std::string_view name, std::string expected, double found) {
-    const bool has_file = !input.source.empty();
-    throw InputError({.file = input.source,
-                      .line = input.lines[row],
-                      .field = has_file ? fmt::format("column '{}'", name) : fmt::format("--{}", name),
-                      .expected = std::move(expected),
-                      .found = fmt::format("{}", found)});
+void require_domain(const Table& input) {
+  const auto refuse = [&](std::size_t row, const Column& column, std::string expected) {
+    InputFault fault = wrong_cell(input, row, column, std::move(expected), fmt::format("{}", column.values[row])).fault;
+    if (input.source.empty()) fault.field = fmt::format("--{}", column.name);
+    throw InputError(std::move(fault));
   };
-  for (std::size_t row = 0; row < input.q.size(); ++row) {
-    const double value = input.values[row];
-    const double q = input.q[row];
-    if (input.first == "S" && !(value >= 1 && std::isfinite(value)))
-      refuse(row, "S", "a length of at least 1, in spans", value);
-    if (input.first == "w" && !(value > 0 && value <= deepest_on_supports))
-      refuse(row, "w", "a deflection of 0 to 2 spans", value);
-    if (!(std::abs(q) <= largest_q))
-      refuse(row, "q", fmt::format("mobilised friction from {:g} to {:g}", -largest_q, largest_q), q);
+  const Column &first = input.columns[0], &q = input.columns[1];
+  for (std::size_t row = 0; row < input.rows(); ++row) {
+    const double value = first.values[row];
+    if (first.name == "S" && !(value >= 1 && std::isfinite(value)))
+      refuse(row, first, "a length of at least 1, in spans");
+    if (first.name == "w" && !(value > 0 && value <= deepest_on_supports))
+      refuse(row, first, "a deflection of 0 to 2 spans");
+    if (!(std::abs(q.values[row]) <= largest_q))
+      refuse(row, q, fmt::format("mobilised friction from {:g} to {:g}", -largest_q, largest_q));
   }
 }
 
 // Writes the states of all rows, and complains of the first that has none, with what it lacks.
 template <class State, class Compute, class Why>
-void run_rows(const StateRequest& request, const Input& input, const Fields<State>& fields, Compute compute, Why why) {
+void run_rows(const StateRequest& request, const Table& input, const Fields<State>& fields, Compute compute, Why why) {
   std::vector<State> states;
   std::vector<std::size_t> missing;
-  for (std::size_t row = 0; row < input.q.size(); ++row) {
-    states.push_back(compute(input.values[row], input.q[row]));
+  const std::vector<double>&values = input.columns[0].values, &q = input.columns[1].values;
+  for (std::size_t row = 0; row < input.rows(); ++row) {
+    states.push_back(compute(values[row], q[row]));
     if (!states.back().state) missing.push_back(row);
   }
   write_rows(request.output, states_fields(no_state, fields), {missing.empty() ? "ok" : "beyond_branch", states},
@@ -96,11 +86,11 @@ void run_rows(const StateRequest& request, const Input& input, const Fields<Stat
   const std::size_t row = missing.front();
   throw CalculationFailed(fmt::format(
       "{}{}{}", input.source.empty() ? "" : fmt::format("{}:{}: ", input.source, input.lines[row]),
-      why(input.values[row], input.q[row]),
+      why(values[row], q[row]),
       missing.size() == 1 ? "" : fmt::format("; nor for {} more rows, which are written as nan", missing.size() - 1)));
 }
 
-void run_on_supports(const StateRequest& request, const Input& input) {
+void run_on_supports(const StateRequest& request, const Table& input) {
   const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
     throw InputError({.field = "--slopes", .expected = "edges as supports", .found = "rollers or a thickness"});
@@ -116,7 +106,7 @@ void run_on_supports(const StateRequest& request, const Input& input) {
 }
 
 void run_state(const StateRequest& request) {
-  const Input input = read_input(request);
+  const Table input = read_input(request);
   require_domain(input);
   if (request.on_supports()) return run_on_supports(request, input);
   run_rows(

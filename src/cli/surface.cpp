@@ -7,7 +7,6 @@
 #include "case/surface_study.h"
 #include "cli/commands.h"
 #include "cli/options.h"
-#include "io/text_file.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 

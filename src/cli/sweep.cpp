@@ -314,8 +314,7 @@ void add_sweep_command(CLI::App& app) {
   add_option(command, "--shards N", request.shards, "With --slurm, number of jobs")
       ->check(CLI::PositiveNumber.description(""))
       ->needs(slurm);
-  command.add_flag("--json", request.output.json, "Report the outcome in JSON");
-  command.add_flag("--quiet", request.output.quiet, "No remarks on standard error, only errors");
+  add_output_flags(command, request.output, "Report the outcome in JSON");
   command.footer(
       "The section [sweep] names the numbers of the case that vary:\n"
       "  [sweep]\n"
@@ -408,8 +407,7 @@ void add_merge_command(CLI::App& app) {
   add_option(command, "-o,--output FILE", request.path, "HDF5 file to write")
       ->default_str("the first folder without .parts");
   command.add_flag("--keep-parts", request.keep_parts, "Keep the parts after they are joined");
-  command.add_flag("--json", request.output.json, "Report the outcome in JSON");
-  command.add_flag("--quiet", request.output.quiet, "No remarks on standard error, only errors");
+  add_output_flags(command, request.output, "Report the outcome in JSON");
   command.footer(
       "If parts are missing or damaged, no file is written and the exit code is 1. Those parts are listed with their\n"
       "rows and with the call that computes only them. The parts are removed when the file is complete and safe on "

@@ -1,7 +1,6 @@
 #include "contact/build_up.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>

@@ -171,6 +171,14 @@ Record first_points(const Record& record, std::size_t points) {
   return {head(record.stage), head(record.deflection), head(record.force)};
 }
 
+Record counted_from(double contact, Record record, std::size_t skipped) {
+  for (auto* column : {&record.stage, &record.deflection, &record.force})
+    column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(skipped));
+  for (auto* column : {&record.stage, &record.deflection})
+    for (double& value : *column) value -= contact;
+  return record;
+}
+
 Record picked(const Record& record, std::span<const std::size_t> points) {
   const auto of = [points](const std::vector<double>& values) {
     std::vector<double> result;

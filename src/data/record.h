@@ -46,6 +46,9 @@ Record record_from_stage_and_deflection(std::span<const double> stage, std::span
 // The first points of a record: with find_failure, the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
+// A record without its first points, its stage and deflection counted from a contact [m].
+Record counted_from(double contact, Record record, std::size_t skipped = 0);
+
 // Some of its points. (Means would smear the drops.)
 // Domain: points of the record.
 Record picked(const Record& record, std::span<const std::size_t> points);

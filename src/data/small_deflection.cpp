@@ -6,7 +6,6 @@
 #include <span>
 #include <sstream>
 #include <stdexcept>
-#include <vector>
 
 #include "numerics/statistics.h"
 

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "bending_test/rig.h"
 #include "io/input_error.h"
 #include "io/parallel.h"
 #include "io/quantity.h"

@@ -2,7 +2,6 @@
 // slips, and how much of the work was friction; and what is known without a fit: may it slide, how stiff is it. SI in, everything of the model in reduced variables with their Scales beside.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <vector>

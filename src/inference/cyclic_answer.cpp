@@ -6,7 +6,6 @@
 
 #include "bending_test/history.h"
 #include "contact/build_up.h"
-#include "fibre/elastica.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 

@@ -2,7 +2,6 @@
 // work went, and whether the specimen lost stiffness, and over which length friction builds up.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>

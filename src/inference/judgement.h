@@ -1,9 +1,7 @@
 // What a test comes to when all is weighed: what stands against its answer, the weightiest first, and what to do next.
 #pragma once
 
-#include <cmath>
 #include <string_view>
-#include <vector>
 
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"

@@ -1,7 +1,6 @@
 // What all modes together say of friction along the fibre: mixtures, a band, and draws.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <vector>
 

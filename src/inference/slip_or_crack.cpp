@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "data/names.h"
-#include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"

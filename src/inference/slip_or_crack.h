@@ -11,7 +11,6 @@
 #include <cstddef>
 #include <span>
 #include <string_view>
-#include <vector>
 
 #include "bending_test/rig.h"
 #include "data/drops.h"

@@ -269,10 +269,10 @@ Export with_units(Export file, const std::map<ColumnRole, std::string>& units) {
 
 // A file that states the highest force contradicts a unit that is wrong. What is said if they differ a little: it was evaluated within limits, or
 // of smoothed values.
-std::string beside_stated_maximum(const Export& file, const ExportOptions& options, const NumberFormat& format) {
+std::string beside_stated_maximum(const Export& file, const ExportOptions& options) {
   if (file.specimens.size() != 1) return "";
   const std::vector<Metadatum> metadata = all_metadata(file);
-  const std::optional<StatedForce> stated = stated_maximum(metadata, format);
+  const std::optional<StatedForce> stated = stated_maximum(metadata, file.marks);
   const Columns forces = with_role(file.specimens.front().columns, ColumnRole::force);
   if (!stated || forces.size() != 1) return "";
   const ExportColumn& force = *forces.front();
@@ -359,7 +359,8 @@ std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>
     flags.push_back(
         fmt::format("--encoding {} --separator {}", name_of(file.origin.encoding), mark_word(file.origin.separator)));
   if (file.has_marks)
-    flags.push_back(fmt::format("--decimal {} --thousands {}", mark_word(file.decimal), mark_word(file.thousands)));
+    flags.push_back(
+        fmt::format("--decimal {} --thousands {}", mark_word(file.marks.decimal), mark_word(file.marks.thousands)));
   for (const ColumnRole role : {ColumnRole::time, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force})
     if (const Columns columns = with_role(file.specimens.front().columns, role); columns.size() == 1)
       flags.push_back(fmt::format("{} {}", words_for(role).flag, columns.front()->number));
@@ -370,14 +371,13 @@ std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>
 
 }  // namespace
 
-Export decided(Export file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line) {
+Export decided(Export file, const ExportOptions& options, std::size_t header_line) {
   file = with_columns(std::move(file), options.columns);
   require_no_voltage_for_force(file, options, header_line);
   if (options.displacement) file = with_displacement(std::move(file), *options.displacement);
   file = with_units(std::move(file), options.units);
   require_force_in_newtons(file, header_line);
-  if (std::string said = beside_stated_maximum(file, options, format); !said.empty())
-    file.notes.push_back(std::move(said));
+  if (std::string said = beside_stated_maximum(file, options); !said.empty()) file.notes.push_back(std::move(said));
   file.asks = asks_of(file.specimens.front().columns);
   file.repeat_with = flags_of(file, options.units);
   return file;

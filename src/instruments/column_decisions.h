@@ -11,6 +11,6 @@ namespace flexslip {
 // that decide the same again. The header of its numbers stands on a line, counted from 1.
 // Fails:      InputError for options that name no such column, a force in volts without its calibration, a unit that what the file states of its
 //             greatest force contradicts.
-Export decided(Export file, const ExportOptions& options, const NumberFormat& format, std::size_t header_line);
+Export decided(Export file, const ExportOptions& options, std::size_t header_line);
 
 }  // namespace flexslip

@@ -6,7 +6,6 @@
 #include <map>
 #include <numeric>
 #include <optional>
-#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -62,11 +61,7 @@ struct Layout {
   std::vector<std::string> notes{};    // on rows of statistics, which are left out, and rows that may be some
 };
 
-using Cells = std::span<const std::string_view>;
-
-bool is_blank(Cells cells) {
-  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) { return cell.empty(); });
-}
+using Cells = Sheet::Cells;
 
 bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(); }
 
@@ -125,7 +120,9 @@ bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
 
 bool fits(Cells cells, const UsualRow& usual) {
   if (cells.size() < usual.pattern.size()) return false;
-  return cells.size() <= usual.cells || is_blank(cells.subspan(usual.cells));
+  for (std::size_t i = usual.cells; i < cells.size(); ++i)
+    if (!cells[i].empty()) return false;
+  return true;
 }
 
 // Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
@@ -266,7 +263,7 @@ Layout layout_of(const Sheet& sheet) {
                                                   }));
     // A line of numbers among the remarks above a table is not its first row: that fits.
     if (!is_one || (begins && !fits(cells, usual))) {
-      if (is_one || !is_blank(cells)) gap.push_back(line);
+      if (is_one || !sheet.is_blank(line)) gap.push_back(line);
       continue;
     }
     if (begins) {
@@ -756,12 +753,8 @@ Export recognise(const SheetFile& opened, const ExportOptions& options) {
   const Sheet& sheet = opened.cells;
   const Layout layout = layout_of(sheet);
   const auto [format, apply] = marks_in(sheet, layout, options, opened.origin.separator);
-  Export file{.origin = opened.origin,
-              .decimal = format.decimal,
-              .thousands = format.thousands,
-              .has_marks = apply,
-              .quoted = sheet.quoted(),
-              .notes = opened.notes};
+  Export file{
+      .origin = opened.origin, .marks = format, .has_marks = apply, .quoted = sheet.quoted(), .notes = opened.notes};
   const TableBlock& main =
       *std::max_element(layout.blocks.begin(), layout.blocks.end(),
                         [](const auto& a, const auto& b) { return a.rows.size() < b.rows.size(); });
@@ -782,7 +775,7 @@ Export recognise(const SheetFile& opened, const ExportOptions& options) {
   const bool has_bracketed_units = !main.titles.empty() && !main.units.empty() &&
                                    sheet.text(main.header_line + 1).find('(') != std::string_view::npos;
   file.format = program_of(file, has_bracketed_units);
-  file = decided(std::move(file), options, format, layout.blocks.front().header_line + 1);
+  file = decided(std::move(file), options, layout.blocks.front().header_line + 1);
   require_no_dates(file, opened);
   return file;
 }
@@ -804,7 +797,7 @@ Export recognised(const SheetFile& file, const ExportOptions& options) {
     return recognise(file, options);
   } catch (const InputError& error) {
     const InputFault& fault = error.fault;
-    const bool is_placed = !fault.file.empty() || (fault.field.starts_with("--") && fault.key.empty());
+    const bool is_placed = !fault.file.empty() || is_of_call(fault);
     throw with_other_sheets(is_placed ? error : located(error, file.origin.source, fault.line, fault.field),
                             file.origin);
   }
@@ -845,10 +838,12 @@ ExportOptions options_of(const ReadingWords& words) {
   using namespace std::string_view_literals;
   const auto said = [&](std::string_view name) { return flexslip::said(words, name); };
   ExportOptions options;
-  if (const std::string sheet = said("sheet"); !sheet.empty()) options.sheet = sheet;
-  if (const std::string number = said("sheet-number"); !number.empty()) options.sheet = std::size_t{std::stoul(number)};
-  if (const std::string name = said("encoding"); !name.empty()) options.encoding = encoding_named(name);
-  if (const std::string mark = said("separator"); !mark.empty()) options.separator = mark_named(mark, "--separator");
+  if (const std::string sheet = said("sheet"); !sheet.empty()) options.file.sheet = sheet;
+  if (const std::string number = said("sheet-number"); !number.empty())
+    options.file.sheet = std::size_t{std::stoul(number)};
+  if (const std::string name = said("encoding"); !name.empty()) options.file.encoding = encoding_named(name);
+  if (const std::string mark = said("separator"); !mark.empty())
+    options.file.separator = mark_named(mark, "--separator");
   if (const std::string mark = said("decimal"); !mark.empty()) options.decimal = mark_of(mark, "--decimal", ".,");
   if (const std::string mark = said("thousands"); !mark.empty())
     options.thousands = mark_of(mark, "--thousands", "., '\0"sv);
@@ -876,11 +871,11 @@ std::vector<Metadatum> all_metadata(const Export& file) {
 }
 
 Export read_export(const std::string& path, const ExportOptions& options) {
-  return recognised(open_sheet(path, options.file(), SheetFor::readings), options);
+  return recognised(open_sheet(path, options.file, SheetFor::readings), options);
 }
 
 Export export_in(std::string bytes, const std::string& source, const ExportOptions& options) {
-  return recognised(sheet_in(std::move(bytes), source, options.file(), SheetFor::readings), options);
+  return recognised(sheet_in(std::move(bytes), source, options.file, SheetFor::readings), options);
 }
 
 std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
@@ -951,9 +946,9 @@ std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, s
   return found.front();
 }
 
-const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
-  std::vector<std::string> names;
-  std::vector<std::string> all;
+const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role,
+                                std::string remedy) {
+  std::vector<std::string> names, all;
   const ExportColumn* found = nullptr;
   for (const ExportColumn& column : specimen.columns) {
     all.push_back(column.name);
@@ -961,12 +956,13 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
     found = &column;
     names.push_back(column.name);
   }
-  if (found != nullptr && names.size() == 1) return *found;
+  if (names.size() == 1) return *found;
+  if (remedy.empty()) remedy = fmt::format("say which with {} COLUMN", words_for(role).flag);
   throw InputError({.file = file.origin.source,
-                    .field = std::string(words_for(role).word()),
+                    .field = fmt::format("the {}", is_displacement(role) ? "displacement" : words_for(role).name),
                     .expected = "one column with it",
                     .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),
-                    .remedy = fmt::format("say which with {} COLUMN", words_for(role).flag)});
+                    .remedy = std::move(remedy)});
 }
 
 }  // namespace flexslip

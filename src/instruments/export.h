@@ -19,17 +19,13 @@ namespace flexslip {
 
 // What a user decides about a file; all else is found.
 struct ExportOptions {
-  std::optional<SheetChoice> sheet{};  // of a workbook
-  std::optional<Encoding> encoding{};
-  std::optional<char> separator{};              // ',', ';', '\t'; ' ' for runs of spaces and tabs
+  SheetOptions file{};
   std::optional<char> decimal{};                // '.' or ','
   std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none; as decimal: see Regrouped
   std::map<ColumnRole, std::string> columns{};  // name or number (from 1) of the column with this role
   std::map<ColumnRole, std::string> units{};    // of a column, whatever it states; "222 N/V" for a force given in volts
   std::optional<ColumnRole>
       displacement{};  // which displacement a column is whose words do not say: crosshead, deflection
-
-  SheetOptions file() const { return {sheet, encoding, separator}; }
 };
 
 // The same in words, by the names of flags: {"sheet", "Data"}, {"force-unit", "N"}. Nothing is said where they are missing or empty; "sheet-number"
@@ -58,9 +54,9 @@ struct ExportedSpecimen {
 
 struct Export {
   SheetOrigin origin{};
-  std::string format{};                  // "Instron Bluehill", ..., "table"
-  char decimal = '.', thousands = '\0';  // as in ExportOptions
-  bool has_marks = false;                // are there numbers in words, to which these apply?
+  std::string format{};  // "Instron Bluehill", ..., "table"
+  NumberFormat marks{};
+  bool has_marks = false;  // are there numbers in words, to which these apply?
   bool quoted = false;
   std::vector<ExportedSpecimen> specimens{};  // at least one, with at least one row
   std::vector<Metadatum> metadata{};
@@ -95,8 +91,9 @@ std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, 
 std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
                          std::string_view flag);
 
-// The column with a role.
+// The column with a role. Without a remedy given, its flag is.
 // Fails:      InputError if none has it, or several.
-const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role);
+const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role,
+                                std::string remedy = "");
 
 }  // namespace flexslip

@@ -108,7 +108,7 @@ Fields<ToldExport> export_fields() {
   const auto chosen = [](E told) -> const ExportedSpecimen& { return told.file.specimens.at(told.chosen); };
   const auto of = [](auto part) { return [part](E told) { return told.file.*part; }; };
   const auto of_origin = [](auto part) { return [part](E told) { return told.file.origin.*part; }; };
-  const auto mark = [](char Export::*part) { return [part](E told) { return text_of(told.file.*part); }; };
+  const auto mark = [](char NumberFormat::*part) { return [part](E told) { return text_of(told.file.marks.*part); }; };
   return Fields<ToldExport>()
       .words("format", "format of the file: Instron Bluehill, …, or table", of(&Export::format))
       .words("sheet", "sheet of the workbook (.xlsx) that was read; null for a text file",
@@ -117,8 +117,8 @@ Fields<ToldExport> export_fields() {
       .words("encoding", "encoding of the text", [](E told) { return name_of(told.file.origin.encoding); })
       .yes_no("byte_order_mark", "the file begins with a byte order mark", of_origin(&SheetOrigin::byte_order_mark))
       .words("delimiter", "separator between columns", [](E told) { return text_of(told.file.origin.separator); })
-      .words("decimal", "decimal mark", mark(&Export::decimal))
-      .words("thousands", "mark between thousands; null without one", mark(&Export::thousands))
+      .words("decimal", "decimal mark", mark(&NumberFormat::decimal))
+      .words("thousands", "mark between thousands; null without one", mark(&NumberFormat::thousands))
       .yes_no("quoted", "cells stand in quotes", of(&Export::quoted))
       .list("columns", "columns of the chosen specimen", column_fields(),
             [chosen](E told) { return chosen(told).columns; })
@@ -138,8 +138,7 @@ void write_canonical(std::ostream& out, const Export& file, const ExportedSpecim
   const bool of_several = file.specimens.size() > 1;  // whose highest force need not be that of this one
   if (of_several) std::erase_if(all, states_maximum_force);
   all.insert(all.end(), specimen.metadata.begin(), specimen.metadata.end());
-  const NumberFormat format{file.decimal, file.thousands};
-  for (const Metadatum& datum : all) out << translated(datum, format);
+  for (const Metadatum& datum : all) out << translated(datum, file.marks);
   if (!specimen.name.empty() && specimen_name(all) != specimen.name) out << remark({"Specimen", specimen.name, 0});
   std::vector<std::string> titles;
   titles.reserve(specimen.columns.size());

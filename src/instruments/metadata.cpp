@@ -70,7 +70,7 @@ Metadatum metadatum_on(const Sheet& sheet, std::size_t line) {
   const bool comment = sheet.is_comment(line);
   if (comment) text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
   if (!comment && cells.size() > 1 && text.find_first_of(",;\t") != std::string::npos) {
-    const auto values = std::span(cells).subspan(sheet.cells(line).front().empty() ? 0 : 1);
+    const auto values = std::span(cells).subspan(sheet.at(line, 0).empty() ? 0 : 1);
     return datum(sheet.at(line, 0), fmt::format("{}", fmt::join(values, " ")));
   }
   if (!comment && cells.size() == 1) text = cells.front();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <iostream>
 #include <string>
 #include <string_view>
@@ -166,6 +167,17 @@ UnfinishedFile::~UnfinishedFile() {
 void UnfinishedFile::finish() {
   rename_synced(name_, file_);
   is_finished_ = true;
+}
+
+std::time_t date_of_source(std::time_t otherwise) {
+  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
+  return asked ? std::strtoll(asked, nullptr, 10) : otherwise;
+}
+
+std::tm calendar_date(std::time_t seconds) {
+  std::tm date{};
+  gmtime_r(&seconds, &date);
+  return date;
 }
 
 }  // namespace flexslip

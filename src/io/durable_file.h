@@ -1,6 +1,7 @@
 // Files that are there whole or not at all, whatever happens to the program or the computer while they are written.
 #pragma once
 
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -68,5 +69,9 @@ class UnfinishedFile {
   int lock_ = -1;  // descriptor
   bool is_finished_ = false;
 };
+
+// The date that files bear, [s] SOURCE_DATE_EPOCH where it is set, so that they can be made again to the byte; and a date of Greenwich.
+std::time_t date_of_source(std::time_t otherwise);
+std::tm calendar_date(std::time_t seconds);
 
 }  // namespace flexslip

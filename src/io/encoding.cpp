@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <iconv.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -24,11 +27,10 @@ struct Known {
 };
 
 // CP932 is Shift-JIS as Windows writes it: with a backslash at 5C, and NEC's and IBM's characters.
-constexpr std::array known{Known{Encoding::utf8, "utf-8", "UTF-8", "\xEF\xBB\xBF"},
-                           Known{Encoding::utf16le, "utf-16le", "UTF-16LE", "\xFF\xFE"},
-                           Known{Encoding::utf16be, "utf-16be", "UTF-16BE", "\xFE\xFF"},
-                           Known{Encoding::cp1252, "cp1252", "CP1252", ""},
-                           Known{Encoding::shift_jis, "shift-jis", "CP932", ""}};
+constexpr std::array known{
+    Known{Encoding::utf8, "utf-8", "", "\xEF\xBB\xBF"}, Known{Encoding::utf16le, "utf-16le", "UTF-16LE", "\xFF\xFE"},
+    Known{Encoding::utf16be, "utf-16be", "UTF-16BE", "\xFE\xFF"}, Known{Encoding::cp1252, "cp1252", "CP1252", ""},
+    Known{Encoding::shift_jis, "shift-jis", "CP932", ""}};
 
 const Known& entry(Encoding encoding) {
   const auto* const found =
@@ -85,8 +87,43 @@ std::size_t line_at(std::string_view bytes, std::size_t at) {
   return 1 + static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-bool is_ascii(std::string_view bytes) {
-  return std::none_of(bytes.begin(), bytes.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+// How far bytes can be read as UTF-8.
+struct AsUtf8 {
+  std::size_t characters = 0;  // beyond ASCII
+  std::size_t strays = 0;      // bytes of no character
+  std::size_t first_stray = 0;
+  std::size_t cut_off = 0;  // bytes at the end, of a character that lacks some: that is how truncated files end
+};
+
+bool is_cut_off(std::string_view last) {
+  const auto first = static_cast<unsigned char>(last.front());
+  const std::size_t wanted = first < 0xc2 || first > 0xf4 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  return last.size() < wanted && std::all_of(last.begin() + 1, last.end(),
+                                             [](char c) { return (static_cast<unsigned char>(c) & 0xc0) == 0x80; });
+}
+
+AsUtf8 as_utf8(std::string_view bytes) {
+  AsUtf8 found;
+  for (std::size_t at = 0; at < bytes.size();) {
+    std::uint64_t eight = 0;
+    if (at + 8 <= bytes.size()) std::memcpy(&eight, bytes.data() + at, 8);
+    if (at + 8 <= bytes.size() && (eight & 0x8080808080808080U) == 0) {
+      at += 8;
+      continue;
+    }
+    const std::string_view rest = bytes.substr(at, 4);
+    // U+FFFE and U+FFFF are no characters, but are well-formed: UTF-16 with a damaged byte has them.
+    const bool is_well_formed = rest.starts_with("\xef\xbf\xbe") || rest.starts_with("\xef\xbf\xbf");
+    const std::size_t size = is_well_formed ? 3 : first_character(rest).bytes;
+    if (size == 0 && is_cut_off(rest)) {
+      found.cut_off = rest.size();
+      break;
+    }
+    if (size == 0 && found.strays++ == 0) found.first_stray = at;
+    if (size > 1) ++found.characters;
+    at += std::max<std::size_t>(size, 1);
+  }
+  return found;
 }
 
 // Figures, separators and line ends are half zeros in UTF-16: more than a third of the bytes on one side of each pair.
@@ -115,11 +152,27 @@ bool looks_japanese(std::string_view bytes) {
 }
 
 Encoding encoding_of(std::string_view bytes) {
-  if (const auto utf16 = utf16_without_mark(bytes)) return *utf16;
-  if (is_ascii(bytes)) return Encoding::utf8;
-  if (converted(bytes, Encoding::utf8)) return Encoding::utf8;
+  if (bytes.find('\0') != std::string_view::npos)
+    if (const auto utf16 = utf16_without_mark(bytes)) return *utf16;
+  const AsUtf8 found = as_utf8(bytes);
+  if (found.strays == 0 || found.characters > found.strays) return Encoding::utf8;
   if (looks_japanese(bytes) && converted(bytes, Encoding::shift_jis)) return Encoding::shift_jis;
   return Encoding::cp1252;
+}
+
+[[noreturn]] void refuse_byte(std::string_view bytes, std::size_t at, Encoding encoding) {
+  throw InputError(
+      {.line = line_at(bytes, at),
+       .expected = fmt::format("text in {}", name_of(encoding)),
+       .found = fmt::format("the byte {:02x}", static_cast<unsigned char>(bytes[at])),
+       .remedy = "correct that character, name another encoding with --encoding, or export the measurement as CSV"});
+}
+
+std::string utf8_of(std::string bytes) {
+  const AsUtf8 found = as_utf8(bytes);
+  if (found.strays > 0) refuse_byte(bytes, found.first_stray, Encoding::utf8);
+  if (found.cut_off > 0) bytes.replace(bytes.size() - found.cut_off, found.cut_off, "\uFFFD");
+  return bytes;
 }
 
 }  // namespace
@@ -145,15 +198,11 @@ DecodedText decode(std::string bytes, std::optional<Encoding> wanted) {
   if (has_mark) bytes.erase(0, marked->mark.size());
   const Encoding encoding = wanted ? *wanted : has_mark ? marked->encoding : encoding_of(bytes);
   DecodedText decoded{"", encoding, has_mark};
-  if (encoding == Encoding::utf8 && is_ascii(bytes)) {
-    decoded.text = std::move(bytes);
+  if (encoding == Encoding::utf8) {
+    decoded.text = utf8_of(std::move(bytes));
   } else {
     auto [text, taken] = Converter(entry(encoding).iconv_name).convert(bytes);
-    if (taken < bytes.size())
-      throw InputError({.line = line_at(bytes, taken),
-                        .expected = fmt::format("text in {}", name_of(encoding)),
-                        .found = fmt::format("the byte {:02x}", static_cast<unsigned char>(bytes[taken])),
-                        .remedy = "name its encoding with --encoding, or export the measurement as CSV"});
+    if (taken < bytes.size()) refuse_byte(bytes, taken, encoding);
     decoded.text = std::move(text);
   }
   if (const std::size_t nul = decoded.text.find('\0'); nul != std::string::npos)

@@ -23,7 +23,8 @@ struct DecodedText {
 
 // The text in some bytes.
 // Fails:      InputError, without a file, for binary data and for bytes that the wanted encoding does not have.
-// Method:     the byte order mark; or else UTF-16 by its zero bytes; strict UTF-8; Shift-JIS if the bytes are valid
+// Method:     the byte order mark; or else UTF-16 by its zero bytes; UTF-8 where all bytes are, or fewer are none than it explains characters beyond
+//             ASCII (the first that is none is refused then); Shift-JIS if the bytes are valid
 //             and most of its two-byte characters are of the rows of kana and common kanji, whose first bytes are rare
 //             signs in CP1252; or else CP1252. No statistics of letters: these take German CP1252 for ISO-8859-3.
 DecodedText decode(std::string bytes, std::optional<Encoding> wanted = {});

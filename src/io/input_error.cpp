@@ -76,6 +76,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 InputError::InputError(InputFault what_is_wrong)
     : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)) {}
 
+bool is_of_call(const InputFault& fault) { return fault.field.starts_with("--") && fault.key.empty(); }
+
 InputError unreadable(std::string file, std::string reason) {
   std::string problem = "cannot be read: " + reason;
   return InputError({.file = std::move(file),

@@ -49,6 +49,9 @@ struct InputError : std::runtime_error {
 // The same error with its place filled in: what a reader of text throws, told by the reader of the file it stands in.
 InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field);
 
+// Is it a flag of the call that is wrong, which stands in no file?
+bool is_of_call(const InputFault& fault);
+
 // A file that the system does not let us read or write, and the reason that it gives.
 InputError unreadable(std::string file, std::string reason);
 InputError unwritable(std::string file, std::string reason);

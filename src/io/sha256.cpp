@@ -1,7 +1,6 @@
 #include "io/sha256.h"
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <sstream>

@@ -8,83 +8,62 @@
 
 #include <fmt/format.h>
 
+#include "io/input_error.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t block = 1 << 16;    // [bytes] of the rows of a workbook that are kept together
+constexpr std::size_t most_text = std::size_t{1} << 31;  // [bytes]
+constexpr const char* remedy_for_large = "split the table, or leave out the columns that are not needed";
 constexpr std::size_t sample = 1000;      // lines judged for the separator; more do not change the answer
 constexpr double of_blanks = 0.9;         // tabs are blanks too, but where they separate names have spaces in them
 constexpr double longest_days = 2958466;  // to the end of 9999, as far as spreadsheets go
 
-// Takes the cells off a line, one by one, without spaces and quotes around them. With a space as delimiter, any run of spaces and tabs separates.
-class CellReader {
- public:
-  CellReader(std::string_view line, char delimiter) : rest_(line), delimiter_(delimiter) {
-    if (delimiter_ == ' ') {
-      rest_ = trimmed(rest_);
-      more_ = !rest_.empty();
+// Hands over where each cell of a line begins and ends, with the blanks and quotes around it; nothing more, and false, where a quote has no
+// partner. With a space as separator, any run of spaces and tabs separates.
+template <class Take>
+bool cut_line(std::string_view line, char separator, bool has_quotes, const Take& take) {
+  const bool by_blanks = separator == ' ';
+  const auto is_end = [&](std::size_t at) {
+    return at == line.size() || line[at] == separator || (by_blanks && line[at] == '\t');
+  };
+  const auto behind_blanks = [&](std::size_t at) {
+    while (at < line.size() && (line[at] == ' ' || (line[at] == '\t' && separator != '\t'))) ++at;
+    return at;
+  };
+  for (std::size_t begin = by_blanks ? behind_blanks(0) : 0;;) {
+    std::size_t end = begin;
+    const std::size_t open = has_quotes ? behind_blanks(begin) : line.size();
+    if (open < line.size() && line[open] == '"') {
+      std::size_t close = line.find('"', open + 1);
+      while (close < line.size() && line.substr(close + 1, 1) == "\"") close = line.find('"', close + 2);
+      if (close >= line.size()) return false;
+      end = by_blanks ? close + 1 : behind_blanks(close + 1);
+      if (!is_end(end)) return false;
     }
+    while (!is_end(end)) ++end;
+    take(begin, end);
+    begin = by_blanks ? behind_blanks(end) : end + 1;
+    if (end == line.size() || (by_blanks && begin == line.size())) return true;
   }
+}
 
-  // The next cell; nothing at the end of the line, or where a quote is not closed.
-  std::optional<std::string_view> next() {
-    if (!more_) return std::nullopt;
-    if (const std::size_t first = rest_.find_first_not_of(' '); first != std::string_view::npos && rest_[first] == '"')
-      return next_quoted(first);
-    return next_plain();
+// Makes single quotes of the doubled ones within a quoted cell, and blanks behind it of what is left.
+void make_single(char* cell, std::size_t size) {
+  std::size_t to = 1;
+  for (std::size_t from = 1; from + 1 < size; ++from) {
+    cell[to++] = cell[from];
+    if (cell[from] == '"') ++from;
   }
+  cell[to++] = '"';
+  std::fill(cell + to, cell + size, ' ');
+}
 
-  // The next cell, whatever quotes are in it.
-  std::optional<std::string_view> next_plain() {
-    if (!more_) return std::nullopt;
-    const std::size_t end = delimiter_ == ' ' ? rest_.find_first_of(" \t") : rest_.find(delimiter_);
-    const std::string_view cell = trimmed(rest_.substr(0, end));
-    advance(end);
-    return cell;
-  }
-
-  bool broken() const { return broken_; }  // a quote is not closed
-
- private:
-  std::optional<std::string_view> next_quoted(std::size_t open) {
-    std::size_t close = rest_.find('"', open + 1);
-    while (close != std::string_view::npos && close + 1 < rest_.size() && rest_[close + 1] == '"')
-      close = rest_.find('"', close + 2);
-    const bool closed = close != std::string_view::npos;
-    const std::size_t end = closed ? rest_.find_first_not_of(delimiter_ == ' ' ? "" : " ", close + 1) : 0;
-    const bool at_delimiter =
-        end == std::string_view::npos || rest_[end] == delimiter_ || (delimiter_ == ' ' && rest_[end] == '\t');
-    if (!closed || !at_delimiter) {
-      broken_ = true;
-      more_ = false;
-      return std::nullopt;
-    }
-    const std::string_view cell = trimmed(rest_.substr(open + 1, close - open - 1));
-    advance(end);
-    return cell;
-  }
-
-  void advance(std::size_t end) {
-    more_ = end != std::string_view::npos;
-    if (!more_) return;
-    rest_.remove_prefix(end + 1);
-    if (delimiter_ == ' ') rest_ = trimmed(rest_);
-  }
-
-  std::string_view rest_;
-  char delimiter_;
-  bool more_ = true, broken_ = false;
-};
-
-// A cell with its doubled quotes made single, which it is then kept as.
-std::string_view unescaped(std::string_view cell, std::deque<std::string>& kept) {
-  if (cell.find("\"\"") == std::string_view::npos) return cell;
-  std::string& text = kept.emplace_back(cell);
-  for (std::size_t at = text.find("\"\""); at != std::string::npos; at = text.find("\"\"", at + 1)) text.erase(at, 1);
-  return text;
+// A cell without its quotes, if it has any.
+std::string_view unquoted(std::string_view cell) {
+  return cell.starts_with('"') ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
 }
 
 bool is_comment_or_blank(std::string_view line) {
@@ -105,13 +84,13 @@ std::string_view take_line(std::string_view& text) {
 double numbers_on(std::string_view line, char separator) {
   double numbers = 0;
   double cells = 0;
-  CellReader reader(line, separator);
-  while (const std::optional<std::string_view> cell = reader.next()) {
-    if (cell->empty()) continue;
+  const bool is_whole = cut_line(line, separator, true, [&](std::size_t begin, std::size_t end) {
+    const std::string_view cell = unquoted(trimmed(line.substr(begin, end - begin)));
+    if (cell.empty()) return;
     ++cells;
-    if (!number_cell(*cell).number.empty()) ++numbers;
-  }
-  const bool is_row = !reader.broken() && 3 * numbers > cells;  // or else a line of names with a number in them
+    if (!number_cell(cell).number.empty()) ++numbers;
+  });
+  const bool is_row = is_whole && 3 * numbers > cells;  // or else a line of names with a number in them
   return is_row ? numbers * numbers / cells : 0;
 }
 
@@ -121,88 +100,112 @@ bool is_dated(CellKind kind) {
   return kind == CellKind::date || kind == CellKind::clock || kind == CellKind::date_and_clock;
 }
 
-Sheet::Sheet(std::string text, char separator) {
-  texts_.push_back(std::move(text));
-  const std::string_view all = texts_.front();
-  const auto count = [&](char c) { return static_cast<std::size_t>(std::count(all.begin(), all.end(), c)); };
-  const std::size_t lines = 1 + count('\n');
-  lines_.reserve(lines);
-  cells_.reserve(lines + count(separator));
-  for (std::string_view rest = all; !rest.empty();) cut(take_line(rest), separator);
+Sheet::Sheet(std::string text, char separator, std::size_t most) : text_(std::move(text)), separator_(separator) {
+  if (text_.size() > most_text)
+    throw InputError({.expected = "at most 2 GiB of text", .found = "more", .remedy = remedy_for_large});
+  if (!text_.empty() && text_.back() != '\n' && text_.back() != '\r') text_ += '\n';
+  const bool may_be_quoted = text_.find('"') != std::string::npos;
+  for (std::string_view rest = text_; !rest.empty();) {
+    cut(take_line(rest), may_be_quoted, most);
+    if (size() != sample) continue;  // the others will be like these
+    const double share = 1.02 * static_cast<double>(text_.size()) / static_cast<double>(text_.size() - rest.size());
+    for (std::vector<std::uint32_t>* each : {&begins_, &first_cells_})
+      each->reserve(std::min(most, static_cast<std::size_t>(share * static_cast<double>(each->size()))));
+  }
+  if (may_be_quoted) make_quotes_single();
 }
 
-void Sheet::cut(std::string_view line, char separator) {
-  const std::size_t first = cells_.size();
-  const bool may_be_quoted = line.find('"') != std::string_view::npos;
-  CellReader reader(line, separator);
-  while (const std::optional<std::string_view> cell = reader.next())
-    cells_.push_back(may_be_quoted ? unescaped(*cell, texts_) : *cell);
-  if (reader.broken()) {  // the quotes mean nothing
-    stray_quotes_.emplace(lines_.size(), cells_.size() - first + 1);
-    cells_.resize(first);
-    CellReader plain(line, separator);
-    while (const std::optional<std::string_view> cell = plain.next_plain()) cells_.push_back(*cell);
-  } else {
-    quoted_ = quoted_ || may_be_quoted;
+void Sheet::cut(std::string_view line, bool may_be_quoted, std::size_t most) {
+  const auto at = static_cast<std::uint32_t>(line.data() - text_.data());
+  const std::size_t first = begins_.size();
+  const auto add = [&](std::size_t begin, std::size_t /*end*/) {
+    if (begins_.size() == most)
+      throw InputError({.line = size(),
+                        .expected = fmt::format("at most {} cells", most),
+                        .found = "more",
+                        .remedy = remedy_for_large});
+    begins_.push_back(at + static_cast<std::uint32_t>(begin));
+  };
+  first_cells_.push_back(static_cast<std::uint32_t>(first));
+  const bool has_quotes = may_be_quoted && line.find('"') != std::string_view::npos;
+  if (!cut_line(line, separator_, has_quotes, add)) {  // the quotes mean nothing
+    stray_quotes_.push_back(static_cast<std::uint32_t>(size() - 1));
+    begins_.resize(first);
+    cut_line(line, separator_, false, add);
   }
-  lines_.push_back({line, first, static_cast<std::uint32_t>(cells_.size() - first), trimmed(line).starts_with('#')});
+  begins_[first] = at;  // with the blanks before it
+}
+
+void Sheet::make_quotes_single() {
+  for (std::size_t line = 0; line < size(); ++line)
+    for (std::size_t cell = first_cells_[line]; !has_stray_quote(line) && cell < end_of(line); ++cell) {
+      const std::string_view quotes = raw(cell);
+      if (!quotes.starts_with('"')) continue;
+      quoted_ = true;
+      make_single(text_.data() + (quotes.data() - text_.data()), quotes.size());
+    }
+}
+
+bool Sheet::has_stray_quote(std::size_t line) const {
+  return std::binary_search(stray_quotes_.begin(), stray_quotes_.end(), line);
 }
 
 void Sheet::append(std::size_t line, std::span<const SheetCell> cells) {
-  lines_.resize(line, {{}, cells_.size(), 0, false});
-  std::size_t size = cells.size();
-  for (const SheetCell& cell : cells) size += cell.text.size();
-  if (texts_.empty() || texts_.back().capacity() - texts_.back().size() < size)
-    texts_.emplace_back().reserve(std::max(size, block));
-  std::string& text = texts_.back();
-  const std::size_t begin = text.size(), first = cells_.size();
+  first_cells_.resize(line, static_cast<std::uint32_t>(begins_.size()));
+  first_cells_.push_back(static_cast<std::uint32_t>(begins_.size()));
   for (const SheetCell& cell : cells) {
-    if (&cell != cells.data()) text += '\t';
-    cells_.push_back(std::string_view(text).substr(text.size(), 0));
-    text += cell.text;
-    cells_.back() = std::string_view(text).substr(text.size() - cell.text.size());
+    begins_.push_back(static_cast<std::uint32_t>(text_.size()));
     kinds_.push_back(cell.kind);
+    text_.append(cell.text) += '\t';
   }
-  const bool is_comment =
-      !cells.empty() && cells.front().text.starts_with('#') && cells.front().kind != CellKind::error;
-  lines_.push_back({std::string_view(text).substr(begin), first, static_cast<std::uint32_t>(cells.size()), is_comment});
+  if (!cells.empty()) text_.back() = '\n';
 }
 
 void Sheet::fill() {
-  std::uint32_t widest = 0;
-  for (const Line& line : lines_) widest = std::max(widest, line.cells);
-  Sheet filled(dates_from_1904_);
-  for (Line& line : lines_) {
-    if (line.cells == 0) continue;
-    const auto first = static_cast<std::ptrdiff_t>(line.first_cell);
-    const auto end = first + static_cast<std::ptrdiff_t>(line.cells);
-    line.first_cell = filled.cells_.size();
-    filled.cells_.insert(filled.cells_.end(), cells_.begin() + first, cells_.begin() + end);
-    filled.kinds_.insert(filled.kinds_.end(), kinds_.begin() + first, kinds_.begin() + end);
-    line.cells = widest;
-    filled.cells_.resize(line.first_cell + widest);
-    filled.kinds_.resize(line.first_cell + widest, CellKind::word);
-  }
-  cells_ = std::move(filled.cells_);
-  kinds_ = std::move(filled.kinds_);
+  for (std::size_t line = 0; line < size(); ++line) width_ = std::max(width_, cells(line).size());
+}
+
+std::string_view Sheet::text(std::size_t line) const {
+  const std::size_t begin = begin_of(first_cells_[line]);
+  const std::string_view all = std::string_view(text_).substr(begin, begin_of(end_of(line)) - begin);
+  return all.substr(0, all.find_last_not_of("\r\n") + 1);
+}
+
+bool Sheet::is_comment(std::size_t line) const {
+  const std::size_t first = first_cells_[line];
+  return first < end_of(line) && raw(first).starts_with('#') && kind(line, 0) != CellKind::error;
 }
 
 bool Sheet::is_blank(std::size_t line) const {
-  const auto all = cells(line);
+  const Cells all = cells(line);
   return std::all_of(all.begin(), all.end(), [](std::string_view cell) { return cell.empty(); });
 }
 
 std::size_t Sheet::stray_quote(std::size_t line) const {
-  const auto found = stray_quotes_.find(line);
-  return found == stray_quotes_.end() ? 0 : found->second;
+  std::size_t cell = 1;
+  if (!has_stray_quote(line)) return 0;
+  cut_line(text(line), separator_, true, [&](std::size_t, std::size_t) { ++cell; });
+  return cell;
+}
+
+std::string_view Sheet::raw(std::size_t cell) const {
+  const char* begin = text_.data() + begins_[cell];
+  const char* end = text_.data() + begin_of(cell + 1) - 1;
+  while (begin < end && (*begin == ' ' || *begin == '\t')) ++begin;
+  while (begin < end && (end[-1] == ' ' || end[-1] == '\t' || end[-1] == '\r')) --end;
+  return {begin, static_cast<std::size_t>(end - begin)};
 }
 
 std::string_view Sheet::at(std::size_t line, std::size_t column) const {
-  return column < lines_[line].cells ? cells_[lines_[line].first_cell + column] : std::string_view{};
+  const std::size_t cell = first_cells_[line] + column;
+  if (cell >= end_of(line)) return {};
+  const std::string_view text = raw(cell);
+  return quoted_ && !has_stray_quote(line) ? unquoted(text) : text;
 }
 
 CellKind Sheet::kind(std::size_t line, std::size_t column) const {
-  return !kinds_.empty() && column < lines_[line].cells ? kinds_[lines_[line].first_cell + column] : CellKind::word;
+  const std::size_t cell = first_cells_[line] + column;
+  return !kinds_.empty() && cell < end_of(line) ? kinds_[cell] : CellKind::word;
 }
 
 double Sheet::number(std::size_t line, std::size_t column, const NumberFormat& format) const {

@@ -27,6 +27,7 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
   WorkbookSheet sheet = read_sheet(bytes, options.sheet, purpose);
   origin.sheet = std::move(sheet.name);
   origin.sheets = std::move(sheet.sheets);
+  origin.which_sheet = std::move(sheet.which);
   origin.sheet_is_chosen = options.sheet.has_value();
   origin.has_delimiters = sheet.text.has_value();
   for (const auto& [is_given, flag] :
@@ -63,8 +64,7 @@ SheetFile sheet_in(std::string bytes, const std::string& source, const SheetOpti
   try {
     return sheet_in_bytes(std::move(bytes), source, options, purpose);
   } catch (const InputError& error) {
-    const bool is_of_call = error.fault.field.starts_with("--") && error.fault.key.empty();
-    if (is_of_call) throw;
+    if (is_of_call(error.fault)) throw;
     throw located(error, source, error.fault.line, error.fault.field);
   }
 }

@@ -102,8 +102,10 @@ struct LabelledRow {
   bool is_statistic;
 };
 
+bool are_data(std::size_t labels, std::size_t rows) { return 2 * labels >= rows; }
+
 std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
-  if (labelled.empty() || 2 * labelled.size() >= rows) return {};
+  if (labelled.empty() || are_data(labelled.size(), rows)) return {};
   std::vector<std::size_t> found;
   std::size_t below = 0;  // how many stand at the end
   while (below < labelled.size() && labelled[labelled.size() - 1 - below].row == rows - 1 - below) ++below;
@@ -179,7 +181,7 @@ std::string_view label_of(const Sheet& sheet, std::size_t line) {
 StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
                                 std::span<const std::vector<double>> columns, std::vector<std::size_t> known_lines) {
   std::vector<LabelledRow> labelled;
-  for (std::size_t row = 0; row < lines.size(); ++row)
+  for (std::size_t row = 0; row < lines.size() && !are_data(labelled.size(), lines.size()); ++row)
     if (const std::string_view label = label_of(sheet, lines[row]); !label.empty())
       labelled.push_back({row, names_statistic(label)});
   const std::size_t below_break = rows_below_break(sheet, lines);

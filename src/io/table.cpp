@@ -66,13 +66,12 @@ struct Opened {
   bool is_row(std::size_t line) const { return !sheet().is_comment(line) && !sheet().is_blank(line); }
 
   // A number, which is that of a workbook or written with the mark of the table; NaN if it is none.
-  double number(std::size_t line, std::size_t column) const {
-    const bool is_word = sheet().kind(line, column) == CellKind::word;
-    return number_in(sheet().at(line, column), {is_word ? decimal : '.'});
+  double number(std::size_t line, std::size_t column, CellKind kind) const {
+    return number_in(sheet().at(line, column), {kind == CellKind::word ? decimal : '.'});
   }
   // Likewise, or what is called one: "nan", "-inf".
   bool has_number(std::size_t line, std::size_t column) const {
-    return !std::isnan(number(line, column)) || is_not_finite(sheet().at(line, column));
+    return !std::isnan(number(line, column, sheet().kind(line, column))) || is_not_finite(sheet().at(line, column));
   }
 
   // Lines count from 0.
@@ -238,10 +237,10 @@ std::string remedy_for_cell(std::string_view cell, char decimal) {
 
 // As many cells as the header, or empty ones beyond.
 void require_count(const Opened& opened, const Header& header, std::size_t line) {
-  const auto cells = opened.sheet().cells(line);
+  const Sheet::Cells cells = opened.sheet().cells(line);
   const std::size_t count = header.cells.size();
-  const bool has_surplus = std::any_of(cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), count)),
-                                       cells.end(), [](std::string_view cell) { return !cell.empty(); });
+  bool has_surplus = false;
+  for (std::size_t i = count; i < cells.size(); ++i) has_surplus = has_surplus || !cells[i].empty();
   if (cells.size() >= count && !has_surplus) return;
   const bool perhaps_commas = opened.file.origin.separator == ',' && cells.size() > count;
   opened.refuse(line, "", fmt::format("{} cells as in the header on line {}", count, header.line + 1),
@@ -262,13 +261,16 @@ Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Heade
                const std::vector<Source>& sources, const std::vector<Unit>& units) {
   Rows out{{}, std::vector<std::vector<double>>(sources.size()), {}};
   std::vector<double> values(sources.size());
+  const std::size_t most = opened.sheet().size() - header.line;
+  out.lines.reserve(most);
+  for (std::vector<double>& column : out.columns) column.reserve(most);
   for (; row; row = next_row(opened, *row + 1)) {
     const Source* lacking = nullptr;  // the first that has no number
     for (std::size_t i = 0; i < sources.size(); ++i) {
       const std::size_t cell = sources[i].cell;
-      if (is_dated(opened.sheet().kind(*row, cell)))
-        throw dated(opened.file, *row, cell, "a number in the " + sources[i].field);
-      values[i] = opened.number(*row, cell);
+      const CellKind kind = opened.sheet().kind(*row, cell);
+      if (is_dated(kind)) throw dated(opened.file, *row, cell, "a number in the " + sources[i].field);
+      values[i] = opened.number(*row, cell, kind);
       if (std::isnan(values[i]) && (lacking == nullptr || cell < lacking->cell)) lacking = &sources[i];
     }
     require_count(opened, header, *row);

@@ -53,7 +53,7 @@ struct Table {
 // The decimal mark of a workbook is that of its numbers kept as words. A date or clock time in a column wanted is refused.
 // Domain:     at least one wanted column; decimal is '.' or ',' (std::invalid_argument otherwise).
 // Fails:      InputError with file, line and column, for anything that is not such a table.
-// Cost:       10^7 rows of three columns in about 3 s; memory for the file, 24 bytes a cell and 40 a row.
+// Cost:       10^7 rows of two columns in about 1.3 s; memory for the file, 4 bytes a cell of it, and 12 a row and 8 a number wanted.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
                  const std::optional<SheetChoice>& sheet = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace flexslip {
 namespace {
@@ -101,20 +102,26 @@ bool in_natural_order(std::string_view first, std::string_view second) {
   return a.empty() && b.empty() ? first < second : a.empty();
 }
 
-std::string html_escaped(std::string_view text) {
+std::string capitalised(std::string_view phrase) {
+  std::string text(phrase);
+  if (!text.empty() && text.front() >= 'a' && text.front() <= 'z')
+    text.front() = static_cast<char>(text.front() - 'a' + 'A');
+  return text;
+}
+
+std::string replaced(std::string_view text, std::string_view what, std::string_view by) {
   std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '"')
-      out += "&quot;";
-    else
-      out += c;
+  for (auto at = text.find(what); at != std::string_view::npos; at = text.find(what)) {
+    out.append(text.substr(0, at)).append(by);
+    text.remove_prefix(at + what.size());
   }
+  return out.append(text);
+}
+
+std::string html_escaped(std::string_view text) {
+  std::string out = replaced(text, "&", "&amp;");
+  for (const auto& [character, entity] : {std::pair{"<", "&lt;"}, std::pair{">", "&gt;"}, std::pair{"\"", "&quot;"}})
+    out = replaced(out, character, entity);
   return out;
 }
 

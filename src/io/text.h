@@ -38,6 +38,12 @@ std::string with_formula(std::string words);
 // A strict order: names that differ in leading zeros alone are ordered as text.
 bool in_natural_order(std::string_view first, std::string_view second);
 
+// A phrase whose first letter, if it is one of ASCII, is a capital.
+std::string capitalised(std::string_view phrase);
+
+// Text with all that stands in it replaced.
+std::string replaced(std::string_view text, std::string_view what, std::string_view by);
+
 // Text as it may stand in HTML and SVG, also within double quotes.
 std::string html_escaped(std::string_view text);
 

@@ -29,14 +29,23 @@ std::shared_ptr<std::istream> open_to_read(const std::string& path) {
 
 std::string bytes_of(const std::string& path) {
   constexpr std::size_t piece = 1 << 20;
-  constexpr std::size_t most = std::size_t{1}
-                               << 31;  // no test has as many readings; what never ends must not fill the memory
+  constexpr std::size_t most = std::size_t{1} << 31;  // no test has as many readings
   const auto in = open_to_read(path);
   const std::string source = path == "-" ? "standard input" : path;
   std::string bytes;
+  const auto require_at_most = [&](std::uintmax_t size) {
+    if (size > most)
+      throw InputError({.file = source,
+                        .expected = "a file of at most 2 GiB",
+                        .found = "a longer one",
+                        .remedy = "split it, or export fewer readings a second"});
+  };
   std::error_code unknown;
   const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-  if (!unknown && size < most) bytes.reserve(size + piece);
+  if (!unknown) {
+    require_at_most(size);
+    bytes.reserve(size + piece);
+  }
   for (std::size_t got = piece; got > 0;) {
     const std::size_t before = bytes.size();
     bytes.resize(before + piece);
@@ -44,8 +53,12 @@ std::string bytes_of(const std::string& path) {
     got = static_cast<std::size_t>(in->gcount());
     bytes.resize(before + got);
     if (in->bad()) throw unreadable(source, "an error while reading");
-    if (bytes.size() > most)
-      throw InputError({.file = source, .expected = "a file of at most 2 GiB", .found = "a longer one"});
+    require_at_most(bytes.size());
+    if (before == 0 && got == piece && bytes.find_first_not_of('\0') == std::string::npos)
+      throw InputError({.file = source,
+                        .expected = "a table",
+                        .found = "nothing but NUL characters in its first MiB",
+                        .remedy = "copy the file again from where it was recorded"});
   }
   return bytes;
 }

@@ -14,7 +14,8 @@ namespace flexslip {
 std::shared_ptr<std::istream> open_to_read(const std::string& path);
 
 // All that a file holds.
-// Fails:      as open_to_read; InputError for more than 2 GiB, or an error while reading.
+// Fails:      as open_to_read; InputError for more than 2 GiB, before it is read if the file says its size; for a MiB of NUL characters, as
+//             /dev/zero has without end; for an error while reading.
 std::string bytes_of(const std::string& path);
 
 // The whole of a file of the program's own; none if it cannot be read.

@@ -733,14 +733,16 @@ WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice
                     .sheets = workbook.names(),
                     .cells = std::move(sheet.cells),
                     .text = {},
+                    .which = {},
                     .notes = notes_on(sheet)};
   if (!sheet.lines.empty()) out.text = std::move(sheet.lines);
-  if (out.sheets.size() > 1)
-    out.notes.insert(out.notes.begin(),
-                     wanted ? fmt::format("the sheet is {}, as stated", in_quotes(out.name))
-                            : fmt::format("the sheet is {}, the first of {} with {}; another is read with --sheet NAME",
-                                          in_quotes(out.name), listed(out.sheets),
-                                          has_readings ? "a table of numbers" : "a number"));
+  if (out.sheets.size() > 1) {
+    out.which =
+        wanted ? fmt::format("the sheet is {}, as stated", in_quotes(out.name))
+               : fmt::format("the sheet is {}, the first of {} with {}; another is read with --sheet NAME",
+                             in_quotes(out.name), listed(out.sheets), has_readings ? "a table of numbers" : "a number");
+    out.notes.insert(out.notes.begin(), out.which);
+  }
   return out;
 }
 

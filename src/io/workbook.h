@@ -29,6 +29,7 @@ struct WorkbookSheet {
   // numbers of days that they are.
   Sheet cells;
   std::optional<std::string> text;  // instead, of words in one column alone: a text file that was opened as a workbook
+  std::string which;                // it is, and why, of several sheets; the first of the notes
   std::vector<std::string> notes;   // what was decided
 };
 
@@ -38,7 +39,7 @@ bool is_packed(std::string_view bytes);
 // A sheet of a workbook: that wanted, or the one that suits.
 // Fails:      InputError, without a file, that says what to do: with a password, .xls, .xlsb, .ods, .numbers, another archive; damaged;
 //             no such sheet; none with a number; a cell that is out of place or no number; more than 512 MiB of text or 2^26 cells.
-// Cost:       10^5 rows of three columns in about 0.3 s, and the memory of their text and 17 bytes a cell.
+// Cost:       10^5 rows of three columns in about 0.3 s, and the memory of their text and five bytes a cell.
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted = {},
                          SheetFor purpose = SheetFor::readings);
 

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "finding/printed.h"
 #include "io/quantity.h"
 #include "io/text.h"
+#include "numerics/statistics.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 #include "surface/texture.h"
@@ -122,7 +122,7 @@ std::string work_in_words(const Campaign& campaign) {
       shares.push_back(test.summary->friction_share);
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / static_cast<double>(shares.size());
+  const double mean = mean_of(shares);
   return fmt::format("; {}{} of the work went into friction", format_percent(mean),
                      shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, format_percent(*most)));
 }
@@ -334,7 +334,7 @@ Rows surface_of_waves(const Campaign& campaign) {
   if (heights.empty()) return {};
   const auto length = [](double value) { return readable(value, kind::length); };
   const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
-  const double mean = std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
+  const double mean = mean_of(heights);
   // The least wave wants the finest pixel, the longest the widest field.
   const WantedImage wanted = wanted_image(*std::max_element(wavelengths.begin(), wavelengths.end()), 2 * *least);
   return {

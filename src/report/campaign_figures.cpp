@@ -1,5 +1,4 @@
 #include <array>
-#include <cctype>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -269,9 +268,8 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
 
 std::vector<Plot> atlas_pages(const Campaign& campaign) {
   std::vector<Plot> pages;
-  const auto add_pages = [&](std::string_view key, std::string title,
+  const auto add_pages = [&](std::string_view key, const std::string& title,
                              const std::function<bool(const TestSummary&)>& belongs) {
-    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
     std::vector<const CampaignTest*> tests;
     for (const auto& test : campaign.tests)
       if (test.summary && test.curves && !test.curves->force.empty() && belongs(*test.summary)) tests.push_back(&test);
@@ -284,9 +282,9 @@ std::vector<Plot> atlas_pages(const Campaign& campaign) {
     }
   };
   for (const Category& each : categories)
-    add_pages(name_of(each.category), std::string(each.title),
+    add_pages(name_of(each.category), capitalised(each.title),
               [&](const TestSummary& test) { return test.category == each.category; });
-  add_pages("suspect", "suspect tests", [](const TestSummary& test) { return test.suspect; });
+  add_pages("suspect", "Suspect tests", [](const TestSummary& test) { return test.suspect; });
   return pages;
 }
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <string_view>
@@ -14,7 +13,6 @@
 #include "io/durable_file.h"
 #include "io/text_file.h"
 #include "report/answer_documents.h"
-#include "report/figures.h"
 #include "report/page.h"
 #include "report/report.h"
 #include "report/workbook.h"

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
-#include "report/draw.h"
 
 namespace flexslip {
 namespace {
@@ -146,7 +145,7 @@ std::string latex_of_numbers(std::string_view cell) {
   std::size_t from = 0;
   for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
     const bool begins = i == 0 || cell[i - 1] == ' ' || cell[i - 1] == '(' || cell[i - 1] == '[';
-    if (cell[i] != '-' || !begins || cell[i + 1] < '0' || cell[i + 1] > '9') continue;
+    if (cell[i] != '-' || !begins || !is_digit(cell[i + 1])) continue;
     out += latex_escaped(cell.substr(from, i - from)) + "$-$";
     from = i + 1;
   }
@@ -258,7 +257,7 @@ std::string latex_escaped(std::string_view text) {
         std::find_if(commands.begin(), commands.end(), [c](const auto& each) { return each.first == c; });
     out += known == commands.end() ? std::string(1, c) : std::string(known->second);
   }
-  for (const auto& [symbol, command] : symbols) out = replaced(std::move(out), symbol, command);
+  for (const auto& [symbol, command] : symbols) out = replaced(out, symbol, command);
   return out;
 }
 

@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <system_error>
@@ -14,6 +13,7 @@
 
 #include "data/names.h"
 #include "io/child_process.h"
+#include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text.h"
 #include "io/text_file.h"
@@ -259,13 +259,13 @@ std::string csv(const PlotTable& table) {
 
 // Says what the picture shows, and takes fonts that exist everywhere.
 std::string finished_svg(std::string text, const Plot& plot) {
-  text = replaced(std::move(text), "<title>Gnuplot</title>", "<title>" + html_escaped(plot.title) + "</title>");
+  text = replaced(text, "<title>Gnuplot</title>", "<title>" + html_escaped(plot.title) + "</title>");
   const auto from = text.find("<desc>");
   const auto to = text.find("</desc>");
   if (from != std::string::npos && to != std::string::npos)
     text.replace(from, to - from, "<desc>" + html_escaped(plot.caption));
-  text = replaced(std::move(text), "<text>", "<text xml:space=\"preserve\">");
-  return replaced(std::move(text), "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
+  text = replaced(text, "<text>", "<text xml:space=\"preserve\">");
+  return replaced(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
 }
 
 // The date of the drawing would make every PDF another.
@@ -362,23 +362,6 @@ DrawStatus draw(Plot plot, const std::string& picture) {
     throw InputError(
         {.file = picture, .expected = "a file name without control characters", .found = in_quotes(plot.name)});
   return draw(plot, path.parent_path().string(), {format});
-}
-
-std::time_t date_of_source(std::time_t otherwise) {
-  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
-  return asked ? std::strtoll(asked, nullptr, 10) : otherwise;
-}
-
-std::tm calendar_date(std::time_t seconds) {
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  return date;
-}
-
-std::string replaced(std::string text, std::string_view what, std::string_view by) {
-  for (auto at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
 }
 
 }  // namespace flexslip

@@ -1,9 +1,7 @@
 // Figures drawn by gnuplot. Each is a script and its data as CSV, kept beside the pictures for restyling.
 #pragma once
 
-#include <ctime>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "report/plot.h"
@@ -23,12 +21,5 @@ DrawStatus draw(const Plot& plot, const std::string& folder, const std::vector<s
 // The same to one picture FILE.svg, FILE.pdf or FILE.png, script and data beside it under the same name.
 // Fails:      also InputError for another ending.
 DrawStatus draw(Plot plot, const std::string& picture);
-
-// [s] SOURCE_DATE_EPOCH, where it is set, so that what is made can be made again to the byte; and a date of Greenwich.
-std::time_t date_of_source(std::time_t otherwise);
-std::tm calendar_date(std::time_t seconds);
-
-// Text with all that stands in it replaced.
-std::string replaced(std::string text, std::string_view what, std::string_view by);
 
 }  // namespace flexslip

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <string_view>
-#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

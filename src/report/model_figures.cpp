@@ -1,9 +1,9 @@
-#include <cctype>
 #include <stdexcept>
 #include <tuple>
 
 #include <fmt/format.h>
 
+#include "io/text.h"
 #include "report/figures.h"
 #include "result/frame.h"
 
@@ -393,8 +393,7 @@ ParameterAxis parameter_axis(const Test& input, const DesignAxis& over) {
       logarithmic ? std::sqrt(range.from * range.to) : std::max(std::abs(range.from), std::abs(range.to));
   PlotUnit unit{"", 1};
   if (!kind.units.empty()) unit = plot_unit(magnitude, kind, input.reduced, typeset(unit_of(kind, true)));
-  std::string words(over.parameter.description);
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
+  std::string words = capitalised(over.parameter.description);
   if (!over.parameter.symbol.empty()) words += fmt::format(" {}", over.parameter.symbol);
   Axis axis = unit.axis(words, std::min(range.from, range.to), std::max(range.from, range.to));
   axis.logarithmic = logarithmic;

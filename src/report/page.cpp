@@ -71,7 +71,7 @@ std::string in_page(const std::string& words) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const bool begins = i == 0 || text[i - 1] == ' ' || text[i - 1] == '(';
-    const bool number = i + 1 < text.size() && text[i + 1] >= '0' && text[i + 1] <= '9';
+    const bool number = i + 1 < text.size() && is_digit(text[i + 1]);
     out += text[i] == '-' && begins && number ? std::string("−") : std::string(1, text[i]);
   }
   return out;
@@ -138,7 +138,7 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
   if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
   for (const std::string_view before : {"id='", "id=\"", "xlink:href='#", "xlink:href=\"#", "url(#"})
-    svg = replaced(std::move(svg), before, fmt::format("{}{}-", before, plot.name));
+    svg = replaced(svg, before, fmt::format("{}{}-", before, plot.name));
   svg.insert(4, fmt::format(" role=\"img\" aria-label=\"{}\"", html_escaped(plot.caption)));
   return svg;
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -94,8 +95,7 @@ std::string number_text(double value) {
   if (const auto e = text.find('e'); e != std::string::npos)
     text = fmt::format("{}10^{{{}}}", text.substr(0, e) == "1" ? "" : text.substr(0, e) + "·",
                        std::stoi(text.substr(e + 1)));
-  for (auto minus = text.find('-'); minus != std::string::npos; minus = text.find('-')) text.replace(minus, 1, "−");
-  return text;
+  return replaced(text, "-", "−");
 }
 
 // A round distance of ticks: 1, 2 or 5 times a power of ten, at least the value given.

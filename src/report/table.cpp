@@ -71,6 +71,32 @@ std::vector<std::string> column_of_numbers(const Shown& column, const std::vecto
   return cells;
 }
 
+Kind kind_in(const Frame& frame, const Description& field) {
+  return frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
+}
+
+// One value, as it is printed; empty where there is nothing, and of lists and groups.
+std::string cell_of(const Description& field, const Json& value, const Frame& frame) {
+  const Json number = value.is_object() ? entry(value, "value") : value;
+  switch (field.shape) {
+    case Shape::estimate:
+      return number.is_number()
+                 ? readable(number_or_nan(number), number_or_nan(entry(value, "standard_error")), kind_in(frame, field))
+                 : "";
+    case Shape::quantity:
+    case Shape::number:
+      return std::isfinite(number_or_nan(number)) ? readable(number_or_nan(number), kind_in(frame, field)) : "";
+    case Shape::count:
+      return value.is_null() ? "" : value.dump();
+    case Shape::yes_no:
+      return !value.is_boolean() ? "" : value.get<bool>() ? "yes" : "no";
+    case Shape::words:
+      return value.is_string() && field.name != "unit" ? printable(value.get<std::string>()) : "";
+    default:
+      return "";
+  }
+}
+
 // The heading of a column, and a cell per row.
 std::vector<std::string> column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
                                    const Shown& column) {
@@ -80,11 +106,10 @@ std::vector<std::string> column_of(const std::vector<Description>& fields, const
     return cells;
   }
   const Description field = described(fields, column.field);
-  const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
   if (field.shape == Shape::number) {
     std::vector<double> values;
     for (const Json& row : rows) values.push_back(column.factor * number_or_nan(entry(row, column.field)));
-    return column_of_numbers(column, values, kind);
+    return column_of_numbers(column, values, kind_in(frame, field));
   }
   constexpr std::array as_cells{Shape::estimate, Shape::count, Shape::numbers, Shape::words};
   if (std::find(as_cells.begin(), as_cells.end(), field.shape) == as_cells.end())
@@ -92,27 +117,13 @@ std::vector<std::string> column_of(const std::vector<Description>& fields, const
   if (!column.last.empty()) described(fields, column.last);
   for (const Json& row : rows) {
     const Json value = entry(row, column.field);
-    std::string& cell = cells.emplace_back();
-    switch (field.shape) {
-      case Shape::estimate:
-        if (entry(value, "value").is_number())
-          cell = readable(number_or_nan(value["value"]), number_or_nan(entry(value, "standard_error")), kind);
-        break;
-      case Shape::count: {
-        const Json last = column.last.empty() ? nullptr : entry(row, column.last);
-        if (!value.is_null()) cell = value.dump() + (last.is_null() ? "" : "–" + last.dump());
-        break;
-      }
-      case Shape::numbers:
-        for (const Json& each : value)
-          cell += (cell.empty() ? "" : "–") + (each.is_number() ? fmt::format("{}", each.get<double>()) : "");
-        break;
-      case Shape::words:
-        cell = words_for(value, column);
-        break;
-      default:
-        break;
-    }
+    std::string& cell =
+        cells.emplace_back(field.shape == Shape::words ? words_for(value, column) : cell_of(field, value, frame));
+    if (const Json last = column.last.empty() ? nullptr : entry(row, column.last); !cell.empty() && !last.is_null())
+      cell += "–" + last.dump();
+    if (field.shape != Shape::numbers) continue;
+    for (const Json& each : value)
+      cell += (cell.empty() ? "" : "–") + (each.is_number() ? fmt::format("{}", each.get<double>()) : "");
   }
   return cells;
 }
@@ -146,44 +157,20 @@ void add_told(PrintedTable& table, const std::vector<Description>& entries, cons
   for (const Description& each : entries) {
     const Json value = entry(values, each.name);
     const std::string name = above + std::string(each.name);
-    const Kind& kind = frame.reduced ? kind::number : frame.in_inches ? in_inches(each.kind) : each.kind;
-    std::string cell, interval;
-    switch (each.shape) {
-      case Shape::group:
-        add_told(table, each.entries, value, frame, name + ".");
-        break;
-      case Shape::estimate:
-        if (!value.is_object()) break;
-        cell = readable(number_or_nan(value["value"]), number_or_nan(value["standard_error"]), kind);
-        if (const Json ends = value["interval95"]; ends.is_array() && ends[0].is_number() && ends[0] != ends[1])
-          interval = with_ends(
-              {number_or_nan(value["value"]), number_or_nan(value["standard_error"]), ends[0], ends[1]}, kind);
-        break;
-      case Shape::quantity:
-        if (value.is_object()) cell = readable(number_or_nan(value["value"]), kind);
-        break;
-      case Shape::number:
-        if (std::isfinite(number_or_nan(value))) cell = readable(number_or_nan(value), kind);
-        break;
-      case Shape::count:
-        if (!value.is_null()) cell = value.dump();
-        break;
-      case Shape::yes_no:
-        if (value.is_boolean()) cell = value.get<bool>() ? "yes" : "no";
-        break;
-      case Shape::words:
-        if (value.is_string() && each.name != "unit") cell = printable(value.get<std::string>());
-        break;
-      default:
-        break;
-    }
+    const std::string cell = cell_of(each, value, frame);
+    std::string interval;
+    if (const Json ends = each.shape == Shape::estimate ? entry(value, "interval95") : nullptr;
+        ends.is_array() && ends[0].is_number() && ends[0] != ends[1])
+      interval = with_ends({number_or_nan(value["value"]), number_or_nan(value["standard_error"]), ends[0], ends[1]},
+                           kind_in(frame, each));
     const std::string meaning = meaning_for_people(each.meaning);
     if (!cell.empty())
       table.rows.push_back({name, cell, interval,
                             each.shape == Shape::yes_no
                                 ? "yes if " + (meaning.starts_with("whether ") ? meaning.substr(8) : meaning)
                                 : meaning});
-    if (each.shape == Shape::estimate) add_told(table, each.entries, value, frame, name + ".");
+    if (each.shape == Shape::estimate || each.shape == Shape::group)
+      add_told(table, each.entries, value, frame, name + ".");
   }
 }
 

@@ -10,7 +10,6 @@
 #include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text.h"
-#include "report/draw.h"
 
 namespace flexslip {
 namespace {

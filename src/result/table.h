@@ -1,8 +1,6 @@
 // Answers as tables: the rows of what describes itself, a column a number. What CSV, XLSX and print lay out; and answers as JSON.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>

@@ -53,7 +53,7 @@ void check(const Export& found, const ExpectedExport& wanted) {
   CHECK(found.format == wanted.format);
   CHECK(found.origin.encoding == wanted.encoding);
   CHECK(found.origin.separator == wanted.separator);
-  CHECK(found.decimal == wanted.decimal);
+  CHECK(found.marks.decimal == wanted.decimal);
   const ExportedSpecimen& specimen = found.specimens.front();
   CHECK(specimen.lines.size() == wanted.rows);
   CHECK(specimen.lines.front() == wanted.first_line);
@@ -410,7 +410,7 @@ TEST_CASE("export: decimal commas lost in a spreadsheet are restored to an even 
     CHECK(values[i] > values[i - 1]);
     CHECK(values[i] - values[i - 1] < 0.022);
   }
-  CHECK(file.thousands == ',');
+  CHECK(file.marks.thousands == ',');
   REQUIRE(file.notes.size() == 1);
   CHECK(has(file.notes.front(), "put back"));
 }
@@ -566,10 +566,9 @@ TEST_CASE("export: the flags that repeat the decisions make the same of the file
   for (const ExpectedExport& wanted : made) {
     const std::string bytes = bytes_of(fixtures / wanted.file);
     const Export file = export_in(bytes, wanted.file);
-    ExportOptions options{.encoding = file.origin.encoding,
-                          .separator = file.origin.separator,
-                          .decimal = file.decimal,
-                          .thousands = file.thousands};
+    ExportOptions options{.file = {.encoding = file.origin.encoding, .separator = file.origin.separator},
+                          .decimal = file.marks.decimal,
+                          .thousands = file.marks.thousands};
     const Export again = export_in(bytes, wanted.file, options);
     CHECK(again.repeat_with == file.repeat_with);
     CHECK(canonical(again) == canonical(file));

@@ -31,6 +31,7 @@ TEST_CASE("encoding: German, French and Japanese bytes against the code tables")
   CHECK(decode("\x8E\x9E\x8A\xD4,\x97\xCD").text == "時間,力");
   CHECK(decode("\x8E\x9E\x8A\xD4,\x97\xCD").encoding == Encoding::shift_jis);
   CHECK(decode("時間").encoding == Encoding::utf8);
+  CHECK(decode("1,2\n時\xE9\x96").text == "1,2\n時\uFFFD");  // cut off within a character
   CHECK(decode("\xE9", Encoding::cp1252).text == "é");
 }
 
@@ -46,6 +47,9 @@ TEST_CASE("encoding: what is no text, or not in the encoding asked for, is refus
   CHECK(line_of(std::string("ab\n\0cdefgh", 10)) == 2);
   CHECK(line_of("a\nb\n\x81") == 3);  // no character of CP1252
   CHECK(line_of("a\n\xFF", Encoding::utf8) == 2);
+  CHECK(line_of("Weg µm, Prüfkraft µN\nL\xE4nge") ==
+        2);  // more is explained as UTF-8: no mojibake for the sake of one byte
+  CHECK(line_of("L\xE4nge µm") == 0);
   CHECK_THROWS_AS(encoding_named("latin9"), InputError);
   CHECK(encoding_named("Shift-JIS") == Encoding::shift_jis);
 }

@@ -6,6 +6,8 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/refusal.h"
+
 using namespace flexslip;
 
 namespace {
@@ -27,6 +29,37 @@ TEST_CASE("sheet: cells, quotes and line endings as RFC 4180 and spreadsheets ha
   CHECK(cells_of("  1\t 2   3 ", ' ') == Cells{"1", "2", "3"});
   CHECK(cells_of("5\" pipe,2", ',') == Cells{"5\" pipe", "2"});
   CHECK(cells_of("\"broken,2", ',') == Cells{"\"broken", "2"});
+}
+
+TEST_CASE("sheet: a quote without its partner makes all quotes of its line ordinary characters, of that line alone") {
+  const Sheet sheet("\"a \"\"x\"\"\",\"b\"\n\"a\",\"b\"c\r\n \"d;\" , \"\"\n\n", ',');
+  REQUIRE(sheet.size() == 4);
+  CHECK(sheet.at(0, 0) == "a \"x\"");
+  CHECK(sheet.at(0, 1) == "b");
+  CHECK(sheet.stray_quote(0) == 0);
+  CHECK(sheet.at(1, 0) == "\"a\"");
+  CHECK(sheet.at(1, 1) == "\"b\"c");
+  CHECK(sheet.stray_quote(1) == 2);
+  CHECK(sheet.text(1) == "\"a\",\"b\"c");
+  CHECK(sheet.at(2, 0) == "d;");
+  CHECK(sheet.at(2, 1).empty());
+  CHECK(sheet.cells(2).size() == 2);
+  CHECK(sheet.is_blank(3));
+  CHECK(sheet.quoted());
+  CHECK_FALSE(Sheet("5\" pipe,2\n", ',').quoted());
+  const Sheet blanks("\"a b\"  1 \n\n  2 3", ' ');
+  CHECK(blanks.at(0, 0) == "a b");
+  CHECK(blanks.at(0, 1) == "1");
+  CHECK(blanks.cells(0).size() == 2);
+  CHECK(blanks.is_blank(1));
+  CHECK(blanks.text(2) == "  2 3");
+  CHECK(blanks.at(2, 1) == "3");
+}
+
+TEST_CASE("sheet: more cells than memory should be filled with are refused with their line") {
+  CHECK(Sheet("1,2\n3\n", ',', 3).size() == 2);
+  CHECK(message_of([] { Sheet("1,2\n3,4\n", ',', 3); }) ==
+        "line 2: expected at most 3 cells, found more; split the table, or leave out the columns that are not needed");
 }
 
 TEST_CASE("sheet: the separator of small tables whose separator is plain to see") {
@@ -68,7 +101,7 @@ TEST_CASE("sheet: rows of a workbook know what their cells hold, and all are as 
   sheet.append(4, std::vector<SheetCell>{{"#REF!", CellKind::error}, {}});
   sheet.fill();
   REQUIRE(sheet.size() == 5);
-  CHECK(sheet.cells(0).empty());
+  CHECK(sheet.cells(0).size() == 0);
   CHECK(sheet.is_comment(1));
   CHECK_FALSE(sheet.is_comment(4));
   CHECK(sheet.cells(4).size() == 3);

@@ -212,10 +212,10 @@ TEST_CASE("oracle: the line of every row, against a count by hand") {
   CHECK(read("# c\nx,y\n\n1,2\n3,4\n#\n\n5,6\n7,8\n").lines == std::vector<std::size_t>{4, 5, 8, 9});
 }
 
-TEST_CASE("limit: a table much longer than what is read at a time") {
+TEST_CASE("limit: a table much longer than the lines by which its cells are estimated") {
   const TemporaryFolder folder;
   std::string text = "x,y\n";
-  const std::size_t rows = 300'000;  // several MiB
+  const std::size_t rows = 300'000;
   for (std::size_t i = 0; i < rows; ++i) text += std::to_string(i) + "," + std::to_string(i) + ".25\n";
   const Table table = read_table(folder.file("a.csv", text), x_and_y);
   REQUIRE(table.rows() == rows);
