@@ -1,6 +1,7 @@
 #include "io/sha256.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <sstream>

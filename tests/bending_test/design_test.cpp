@@ -117,7 +117,7 @@ TEST_CASE("design, oracle: a fibre breaks where the path followed first has so m
       double most = 0;
       for (const PathPoint& point : history.path) most = std::max(most, curvature(point));
       RC_ASSERT(outcome.greatest_curvature >= 0.98 * most);  // as the header says
-      RC_ASSERT(outcome.greatest_curvature <= most * (1 + 1e-9));
+      RC_ASSERT(outcome.greatest_curvature <= most * 1.01);  // a peak between two of the follower's points
       RC_ASSERT(most < 1.02 * design.breaking_curvature);
     }
   }));
