@@ -343,6 +343,10 @@ double within(Range range, double value, std::string_view text, const Kind& kind
   if (range == Range::positive && value <= 0) refuse("positive", "");
   if (range == Range::positive_or_infinite && value <= 0)
     refuse("positive", "write \"inf\" if it is too large to matter");
+  constexpr double farthest = 1e60;  // from 1: products of a few, EI/L^3 say, are still numbers
+  const double size = std::abs(value);
+  if (value != 0 && std::isfinite(value) && !(1 / farthest <= size && size <= farthest))
+    refuse("possible", "no test has one of that size; look at its exponent");
   return value;
 }
 

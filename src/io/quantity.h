@@ -81,7 +81,8 @@ enum class Range { any, non_negative, positive, positive_or_infinite };
 // A quantity of the given kind from text.
 // Units:      the result is in SI, radians.
 // Max error:  correctly rounded where the unit is decimal; 1 ulp otherwise (deg, in, lbf, psi, min, h).
-// Fails:      InputError, without a place, for a missing, unknown or wrong unit, a value out of range, no number.
+// Fails:      InputError, without a place, for a missing, unknown or wrong unit, a value out of range or, unless 0 or infinite, of [1e-60, 1e60],
+//             no number.
 double parse_quantity(std::string_view text, const Kind& kind, Range range = Range::any);
 
 // What parse_quantity does once the number is known: refuses it, as an InputError quoting `text`, if out of range.

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <new>
+#include <set>
 #include <utility>
 
 #include <expat.h>
@@ -36,6 +37,10 @@ constexpr std::uint64_t largest_part = 1ULL << 30;
 constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // of the format
 constexpr std::size_t most_text = std::size_t{1} << 29;             // [bytes]
 constexpr std::size_t most_cells = std::size_t{1} << 26;
+constexpr std::size_t most_listed = 10'000;  // sheets, and relations of a part
+constexpr std::size_t longest_token = 16U
+                                      << 20;  // [bytes] of XML: one that does not end is begun again with each piece
+constexpr int deepest = 100;                  // elements within each other
 
 // ---- the archive, which minizip unpacks
 
@@ -80,6 +85,12 @@ int no_error(void* /*opaque*/, void* /*stream*/) { return 0; }
   throw InputError({.expected = "a whole workbook",
                     .found = found,
                     .remedy = "copy or download the file again, or save it anew in the spreadsheet program"});
+}
+
+[[noreturn]] void refuse_odd(const std::string& found) {
+  throw InputError({.expected = "a workbook as spreadsheet programs write it",
+                    .found = found,
+                    .remedy = "save it anew in the spreadsheet program"});
 }
 
 [[noreturn]] void refuse_large(const std::string& part) {
@@ -174,17 +185,23 @@ class XmlStream {
     XML_SetElementHandler(
         parser_,
         [](void* user, const char* name, const char** attributes) {
-          guarded(user, [&](XmlStream& self) { self.handlers_.begin(local(name), XmlAttributes(attributes)); });
+          guarded(user, [&](XmlStream& self) {
+            if (++self.depth_ > deepest) refuse_odd("elements more than 100 deep in its XML");
+            self.handlers_.begin(local(name), XmlAttributes(attributes));
+          });
         },
-        [](void* user, const char* name) { guarded(user, [&](XmlStream& self) { self.handlers_.end(local(name)); }); });
+        [](void* user, const char* name) {
+          guarded(user, [&](XmlStream& self) {
+            --self.depth_;
+            self.handlers_.end(local(name));
+          });
+        });
     XML_SetCharacterDataHandler(parser_, [](void* user, const char* text, int length) {
       guarded(user, [&](XmlStream& self) { self.handlers_.text({text, static_cast<std::size_t>(length)}); });
     });
     XML_SetStartDoctypeDeclHandler(parser_, [](void* user, const char*, const char*, const char*, int) {
       guarded(user, [](XmlStream&) {  // it could define entities
-        throw InputError({.expected = "a workbook as spreadsheet programs write it",
-                          .found = "a document type in its XML",
-                          .remedy = "save it anew in the spreadsheet program"});
+        refuse_odd("a document type in its XML");
       });
     });
   }
@@ -197,6 +214,10 @@ class XmlStream {
     const XML_Status status =
         XML_Parse(parser_, piece.data(), static_cast<int>(piece.size()), is_last ? XML_TRUE : XML_FALSE);
     if (thrown_) std::rethrow_exception(thrown_);
+    fed_ += piece.size();
+    const auto begun = static_cast<std::uint64_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_), 0));
+    if (status == XML_STATUS_OK && fed_ > begun + longest_token)
+      refuse_odd("a name or an attribute in its XML without an end");
     if (status == XML_STATUS_OK) return;
     throw InputError({.expected = "a whole workbook",
                       .found = fmt::format("broken XML in it ({})", XML_ErrorString(XML_GetErrorCode(parser_))),
@@ -220,6 +241,8 @@ class XmlStream {
   XmlHandlers handlers_;
   XML_Parser parser_ = XML_ParserCreateNS(nullptr, between);
   std::exception_ptr thrown_{};
+  std::uint64_t fed_ = 0;  // [bytes]
+  int depth_ = 0;
 };
 
 void parse(const ZipArchive& archive, const std::string& part, XmlHandlers handlers) {
@@ -405,7 +428,6 @@ class SheetReader {
       for (std::size_t line = 0; line < out_.cells.size(); ++line) out_.lines.append(out_.cells.at(line, 0)) += '\n';
       return std::move(out_);
     }
-    if (filled_rows_ * widest_ > most_cells) refuse_large();
     out_.cells.fill();
     return std::move(out_);
   }
@@ -480,10 +502,11 @@ class SheetReader {
 
   void end_row() {
     if (row_ <= out_.cells.size()) return;  // an end without a beginning
+    widest_ = std::max(widest_, cells_.size());
+    if ((filled_rows_ + 1) * widest_ > most_cells) refuse_large();
     out_.cells.append(row_ - 1, cells_);
     if (cells_.empty()) return;
     ++filled_rows_;
-    widest_ = std::max(widest_, cells_.size());
     std::size_t numbers = 0, words = 0;
     for (const SheetCell& cell : cells_)
       if (!cell.text.empty())
@@ -564,6 +587,7 @@ std::map<std::string, Relation> relations_of(const ZipArchive& archive, const st
     const std::string_view target = attributes.find("Target").value_or("");
     const std::filesystem::path to =
         target.starts_with('/') ? std::filesystem::path(target.substr(1)) : path.parent_path() / target;
+    if (relations.size() == most_listed) refuse_odd("more than 10,000 relations of " + in_quotes(part));
     relations.insert_or_assign(
         std::string(attributes.find("Id").value_or("")),
         Relation{std::string(type.substr(type.rfind('/') + 1)), to.lexically_normal().generic_string()});
@@ -594,6 +618,7 @@ class Workbook {
       strings_ = read_shared_strings(archive_, strings->part);
     if (const std::optional<Relation> styles = of_kind(relations, "styles"))
       styles_ = read_cell_styles(archive_, styles->part);
+    std::set<std::string> parts;
     const auto begin = [&](std::string_view name, const XmlAttributes& attributes) {
       if (name == "workbookPr") {
         const std::string_view from_1904 = attributes.find("date1904").value_or("0");
@@ -602,7 +627,10 @@ class Workbook {
       if (name != "sheet") return;
       const auto relation = relations.find(std::string(attributes.find("id").value_or("")));
       if (relation == relations.end() || relation->second.kind != "worksheet") return;  // a chart
-      sheets_.push_back({std::string(attributes.find("name").value_or("")), relation->second.part,
+      const std::string& part = relation->second.part;
+      if (!parts.insert(part).second) refuse_odd("two sheets of one part");
+      if (parts.size() > most_listed) refuse_odd("more than 10,000 sheets");
+      sheets_.push_back({std::string(attributes.find("name").value_or("")), part,
                          attributes.find("state").value_or("visible") != "visible"});
     };
     parse(archive_, main, {begin});

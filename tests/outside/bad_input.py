@@ -269,8 +269,10 @@ class WrongCall(InFolder):
         self.refused("equilibrium", truth, "--longest", "100 um", says=["--longest", "greater than the span"])
 
     def test_a_modulus_of_another_world(self):
-        for modulus in "1e200 Pa", "1e-300 Pa", "1e60 Pa":
+        for modulus in "1e50 Pa", "1e-40 Pa", "1e60 Pa":
             self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"specimen.modulus={modulus}", says=["specimen.modulus", "initial slope"])
+        for key, value in (("specimen.modulus", "1e200 Pa"), ("rig.span", "1e200 m"), ("record.zero", "1e300 N")):
+            self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"{key}={value}", says=[key, "a possible", "look at its exponent"])
 
     def test_output_that_cannot_be_written(self):
         self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / "none" / "x.csv", says=["x.csv", "No such file"])

@@ -290,6 +290,17 @@ class Workbooks(InFolder):
         self.refused_as(out.getvalue(), "parts of at most 1024 MiB", "save the sheet with the measurement as CSV")
         wide = "".join(f'<row r="{i}"><c r="XFD{i}"><v>1</v></c></row>' for i in range(1, 60000))
         self.refused_as(raw({"a": wide}), "512 MiB")
+        self.refused_as(raw({"a": "<a>" * 3_000_000}), "elements more than 100 deep")
+        self.refused_as(raw({"a": '<row><c r="' + "A" * 40_000_000}), "an attribute in its XML without an end")
+        one_part = raw({"a": NUMBERS, "b": NUMBERS})
+        with zipfile.ZipFile(io.BytesIO(one_part)) as old:
+            parts = {name: old.read(name) for name in old.namelist()}
+        parts["xl/_rels/workbook.xml.rels"] = parts["xl/_rels/workbook.xml.rels"].replace(b"s2.xml", b"s1.xml")
+        twins = io.BytesIO()
+        with zipfile.ZipFile(twins, "w") as new:
+            for name, content in parts.items():
+                new.writestr(name, content)
+        self.refused_as(twins.getvalue(), "two sheets of one part")
 
     def test_a_hundred_thousand_rows(self):
         """oracle: the numbers that were written; no assertion on time."""
