@@ -57,7 +57,7 @@ TestDescription some_description() {
           .fibre = wide + thick > 0 ? Fibre({wide, thick}) : Fibre()};
 }
 
-// Of 2,000 such tests the worst took 270,000 states a row, that of the shipped example 20,000.
+// Of 800 such tests the worst took 270,000 states a row.
 TEST_CASE("effort: a fit takes no more than its rows allow, whatever its record meets (identity)") {
   constexpr std::uint64_t most_each = 400'000;
   constexpr std::size_t shortest = 100;  // [rows] below, draws and scans of a given number count
