@@ -149,7 +149,6 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
                     .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
 }
 
-// The one column with a role; how to name it where there is none, or several.
 // The column with a role; the key that names it is what a file that has none, or several, is asked for.
 const ExportColumn& column_for(std::string_view key, const Export& file, const ExportedSpecimen& specimen,
                                ColumnRole role) {

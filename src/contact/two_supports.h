@@ -25,9 +25,9 @@ class TwoSupportPath final : public PathDependentFriction {
  public:
   // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
   // that of the point (S - 1)/2 from where the straight fibre touches.
-  // Domain:     sides that are not themselves of two supports; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Of two sides at one level of
-  //             which one falls, the one that falls the more slides; if both are alike, the left; over a crest as high as the friction of the
-  //             other side, the one that does.
+  // Domain:     sides that are not themselves of two supports; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Of
+  //             two sides at one level of which one falls, the one that falls the more slides; if both are alike, the left; over a crest as high
+  //             as the friction of the other side, the one that does.
   // Tolerance:  lengths at which sides change are bisected to rounding; between samples at a sixteenth of the shortest period, and the knots of
   //             tables, no crest is looked for.
   TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most);

@@ -155,7 +155,7 @@ Encoding encoding_of(std::string_view bytes) {
   if (bytes.find('\0') != std::string_view::npos)
     if (const auto utf16 = utf16_without_mark(bytes)) return *utf16;
   const AsUtf8 found = as_utf8(bytes);
-  if (found.strays == 0 || found.characters >= found.strays) return Encoding::utf8;
+  if (found.characters >= found.strays) return Encoding::utf8;
   if (looks_japanese(bytes) && converted(bytes, Encoding::shift_jis)) return Encoding::shift_jis;
   return Encoding::cp1252;
 }

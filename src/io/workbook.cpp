@@ -37,10 +37,10 @@ constexpr std::uint64_t largest_part = 1ULL << 30;
 constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // of the format
 constexpr std::size_t most_text = std::size_t{1} << 29;             // [bytes]
 constexpr std::size_t most_cells = std::size_t{1} << 26;
-constexpr std::size_t most_listed = 10'000;  // sheets, and relations of a part
-constexpr std::size_t longest_token = 16U
-                                      << 20;  // [bytes] of XML: one that does not end is begun again with each piece
-constexpr int deepest = 100;                  // elements within each other
+constexpr std::size_t most_relations = 10'000;  // of a part, and so sheets
+constexpr std::uint64_t longest_token = 1ULL
+                                        << 24;  // [bytes] of XML: one that does not end is begun anew with each piece
+constexpr int deepest = 100;                    // elements within each other
 
 // ---- the archive, which minizip unpacks
 
@@ -186,7 +186,7 @@ class XmlStream {
         parser_,
         [](void* user, const char* name, const char** attributes) {
           guarded(user, [&](XmlStream& self) {
-            if (++self.depth_ > deepest) refuse_odd("elements more than 100 deep in its XML");
+            if (++self.depth_ > deepest) refuse_odd(fmt::format("elements more than {} deep in its XML", deepest));
             self.handlers_.begin(local(name), XmlAttributes(attributes));
           });
         },
@@ -216,9 +216,10 @@ class XmlStream {
     if (thrown_) std::rethrow_exception(thrown_);
     fed_ += piece.size();
     const auto begun = static_cast<std::uint64_t>(std::max<XML_Index>(XML_GetCurrentByteIndex(parser_), 0));
-    if (status == XML_STATUS_OK && fed_ > begun + longest_token)
-      refuse_odd("a name or an attribute in its XML without an end");
-    if (status == XML_STATUS_OK) return;
+    if (status == XML_STATUS_OK) {
+      if (fed_ > begun + longest_token) refuse_odd("a name or an attribute in its XML without an end");
+      return;
+    }
     throw InputError({.expected = "a whole workbook",
                       .found = fmt::format("broken XML in it ({})", XML_ErrorString(XML_GetErrorCode(parser_))),
                       .remedy = "save it anew in the spreadsheet program"});
@@ -587,7 +588,8 @@ std::map<std::string, Relation> relations_of(const ZipArchive& archive, const st
     const std::string_view target = attributes.find("Target").value_or("");
     const std::filesystem::path to =
         target.starts_with('/') ? std::filesystem::path(target.substr(1)) : path.parent_path() / target;
-    if (relations.size() == most_listed) refuse_odd("more than 10,000 relations of " + in_quotes(part));
+    if (relations.size() == most_relations)
+      refuse_odd(fmt::format("more than {} relations of {}", most_relations, in_quotes(part)));
     relations.insert_or_assign(
         std::string(attributes.find("Id").value_or("")),
         Relation{std::string(type.substr(type.rfind('/') + 1)), to.lexically_normal().generic_string()});
@@ -629,7 +631,6 @@ class Workbook {
       if (relation == relations.end() || relation->second.kind != "worksheet") return;  // a chart
       const std::string& part = relation->second.part;
       if (!parts.insert(part).second) refuse_odd("two sheets of one part");
-      if (parts.size() > most_listed) refuse_odd("more than 10,000 sheets");
       sheets_.push_back({std::string(attributes.find("name").value_or("")), part,
                          attributes.find("state").value_or("visible") != "visible"});
     };

@@ -292,15 +292,17 @@ class Workbooks(InFolder):
         self.refused_as(raw({"a": wide}), "512 MiB")
         self.refused_as(raw({"a": "<a>" * 3_000_000}), "elements more than 100 deep")
         self.refused_as(raw({"a": '<row><c r="' + "A" * 40_000_000}), "an attribute in its XML without an end")
+        many = b"".join(b'<Relationship Id="x%d" Type="a/b" Target="c"/>' % i for i in range(10_001))
         one_part = raw({"a": NUMBERS, "b": NUMBERS})
         with zipfile.ZipFile(io.BytesIO(one_part)) as old:
             parts = {name: old.read(name) for name in old.namelist()}
-        parts["xl/_rels/workbook.xml.rels"] = parts["xl/_rels/workbook.xml.rels"].replace(b"s2.xml", b"s1.xml")
-        twins = io.BytesIO()
-        with zipfile.ZipFile(twins, "w") as new:
-            for name, content in parts.items():
-                new.writestr(name, content)
-        self.refused_as(twins.getvalue(), "two sheets of one part")
+        relations = parts["xl/_rels/workbook.xml.rels"]
+        for changed, words in ((relations.replace(b"s2.xml", b"s1.xml"), "two sheets of one part"), (relations.replace(b"</R", many + b"</R"), "more than 10000 relations")):
+            out = io.BytesIO()
+            with zipfile.ZipFile(out, "w") as new:
+                for name, content in (parts | {"xl/_rels/workbook.xml.rels": changed}).items():
+                    new.writestr(name, content)
+            self.refused_as(out.getvalue(), words)
 
     def test_a_hundred_thousand_rows(self):
         """oracle: the numbers that were written; no assertion on time."""
