@@ -63,6 +63,7 @@ struct TestDescription {
   std::optional<double> bending_stiffness_error{};  // [1] standard deviation; not given: 3 %, or what the slope says
   std::optional<double> contact_error{};            // [m] standard deviation of the contact point; not given: as found
   Fibre fibre{};                                    // on its supports
+  RigErrors rig_errors{};
 };
 
 struct AnalysisOptions {

@@ -58,11 +58,21 @@ struct ProfileBand {
 
 // What is fitted: a record, the rig it was taken on, and what limits its accuracy.
 
+// By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
+// by, unless the case states better (theory.md, "What the answer hangs on").
+struct RigErrors {
+  double load_train = 0.01, span = 0.005;
+  double force_gain = 0.01;
+  double thickness = 0.01, support_radius = 0.01;
+  double slow_force = 0.0075;  // of the greatest force: bow, relaxation, drift of the cell
+};
+
 // Units: reduced, with the nominal bending stiffness.
 struct FitProblem {
   ReducedRecord record;  // one loading, up to the failure; stage rising
   Rig rig;
   MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
+  RigErrors rig_errors{};
 };
 
 inline constexpr double max_stiffness_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
