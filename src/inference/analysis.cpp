@@ -236,8 +236,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
 
   analysis.force_noise = scales.reduced_force(force_noise(record));
   analysis.drops = find_drops(record, options.drops);
-  const double contact_error =
-      description.contact_error.value_or(contact.status == ContactStatus::found ? contact.offset.standard_error : 0.0);
+  constexpr double usual_contact_error = 0.0005;  // [L]
+  const double contact_error = std::max(
+      description.contact_error.value_or(contact.status == ContactStatus::found ? contact.offset.standard_error : 0.0),
+      usual_contact_error * L);
   const MeasurementErrors errors{.force = analysis.force_noise,
                                  .bending_stiffness = analysis.bending_stiffness_error,
                                  .contact = scales.reduced_length(contact_error)};

@@ -2,10 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <stdexcept>
+#include <utility>
 
+#include <Eigen/Dense>
+
+#include "bending_test/equilibrium.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"
+#include "inference/chain.h"
 #include "inference/profile.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -52,6 +59,84 @@ InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std:
   return slopes;
 }
 
+// What a bending stiffness and a rig that are off do to the readings: first that of ln EI by one, then those of the rig, one standard deviation
+// each, combined so that the first tells most; left out is what no noise would let show.
+std::vector<RigError> errors_of(const FitProblem& problem, const Passages& passages, double from) {
+  constexpr int points = 100;
+  const double friction = std::clamp(median_of(passages.q), 0.0, 1.5);
+  const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
+  std::vector<double> stage, w, S, F;
+  for (const auto& point : sliding_up_to(deepest, friction, points, passages.fibre)) {
+    if (!(point.w > 0.9 * from)) continue;
+    stage.push_back(point.w + point.F * passages.compliance);
+    w.push_back(point.w);
+    S.push_back(point.S);
+    F.push_back(point.F);
+  }
+  if (w.size() < 2) throw std::invalid_argument("readings that hardly bend tell of no friction");
+  const auto slopes = inverse_slopes(passages.fibre, S, std::vector<double>(S.size(), friction));
+
+  // Along that curve, a column for each deviation.
+  using Eigen::Index;
+  using Eigen::MatrixXd;
+  using Eigen::VectorXd;
+  const RigShifts rig(problem);
+  MatrixXd shift_w, shift_F, of_friction, of_place;
+  for (std::size_t k = 0; k < w.size(); ++k) {
+    auto shifts = rig.deviations(w[k], F[k]);
+    shifts.insert(shifts.begin(), {0, -F[k]});  // of ln EI
+    if (k == 0)
+      for (MatrixXd* each : {&shift_w, &shift_F, &of_friction, &of_place})
+        each->resize(static_cast<Index>(w.size()), static_cast<Index>(shifts.size()));
+    for (std::size_t r = 0; r < shifts.size(); ++r) {
+      const auto row = static_cast<Index>(k), column = static_cast<Index>(r);
+      const Shift& shift = shifts[r];
+      shift_w(row, column) = shift.deflection;
+      shift_F(row, column) = shift.force;
+      of_friction(row, column) = -(slopes.q_w[k] * shift.deflection + slopes.q_F[k] * shift.force);
+      of_place(row, column) = slopes.S_w[k] * shift.deflection + slopes.S_F[k] * shift.force;
+    }
+  }
+  // By the stage, which has no noise: with that of the deflection read, noise itself would pass for an error of the rig.
+  const auto at_readings = [&](const MatrixXd& along) {
+    MatrixXd at(static_cast<Index>(passages.size()), along.cols());
+    for (std::size_t i = 0; i < passages.size(); ++i) {
+      const auto beyond = std::upper_bound(stage.begin(), stage.end(), passages.stage[i]) - stage.begin();
+      const auto next = std::clamp<std::ptrdiff_t>(beyond, 1, static_cast<std::ptrdiff_t>(stage.size()) - 1);
+      const double before = stage[static_cast<std::size_t>(next - 1)];
+      const double part = std::clamp((passages.stage[i] - before) / (stage[static_cast<std::size_t>(next)] - before), 0.0, 1.0);
+      at.row(static_cast<Index>(i)) = (1 - part) * along.row(next - 1) + part * along.row(next);
+    }
+    return at;
+  };
+
+  constexpr double nugget = 0.0007;
+  const VectorXd noise_gain = at_readings(Eigen::Map<const VectorXd>(slopes.q_F.data(), static_cast<Index>(w.size())));
+  MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - 1));
+  for (Index i = 0; i < over_noise.rows(); ++i)
+    over_noise.row(i) /= elementary::length(noise_gain[i] * passages.noise, nugget);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
+  constexpr double tells_nothing = 0.1;  // squares of standard deviations, of the readings together
+  constexpr Index at_most = max_columns - 3 - 2 * static_cast<Index>(max_waves);
+  const Index count = told.eigenvalues().size();
+  Index kept = 0;
+  while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;
+  MatrixXd combine = MatrixXd::Zero(1 + count, 1 + kept);
+  combine(0, 0) = 1;
+  combine.bottomRightCorner(count, kept) = told.eigenvectors().rightCols(kept).rowwise().reverse();
+  const MatrixXd moved_w = at_readings(shift_w * combine), moved_F = at_readings(shift_F * combine);
+  const MatrixXd more_friction = at_readings(of_friction * combine), moved_place = at_readings(of_place * combine);
+  std::vector<RigError> errors(static_cast<std::size_t>(1 + kept));
+  for (Index r = 0; r <= kept; ++r)
+    for (Index i = 0; i < moved_w.rows(); ++i) {
+      RigError& error = errors[static_cast<std::size_t>(r)];
+      error.shift.push_back({moved_w(i, r), moved_F(i, r)});
+      error.friction.push_back(more_friction(i, r));
+      error.place.push_back(moved_place(i, r));
+    }
+  return errors;
+}
+
 }  // namespace
 
 Passages passages_of(const FitProblem& problem) {
@@ -64,7 +149,6 @@ Passages passages_of(const FitProblem& problem) {
   const auto within = within_drops(record.force, p.noise);
   p.compliance = 1 / problem.rig.stiffness;
   p.stiffness_error = problem.errors.bending_stiffness;
-  p.contact_error = problem.errors.contact;
   std::vector<std::size_t> rows;
   std::vector<double> w, F;
   double stage = -infinity;
@@ -89,6 +173,9 @@ Passages passages_of(const FitProblem& problem) {
     p.q.push_back(states.q[k]);
   }
   if (p.size() == 0) return p;
+  auto errors = errors_of(problem, p, from);
+  p.stiffness = std::move(errors.front());
+  p.rig_errors.assign(std::make_move_iterator(errors.begin() + 1), std::make_move_iterator(errors.end()));
   const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
   p.advance.assign(p.size(), 0);
   for (std::size_t i = 1; i < p.size(); ++i)
@@ -103,6 +190,15 @@ Passages passages_of(const FitProblem& problem) {
 
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
+  at.rig.resize(passages.rig_errors.size(), 0.0);
+  at.stage = passages.stage;
+  at.force = passages.force;
+  for (std::size_t r = 0; r < at.rig.size(); ++r)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Shift& shift = passages.rig_errors[r].shift[i];
+      at.stage[i] += at.rig[r] * (shift.deflection + passages.compliance * shift.force);
+      at.force[i] += at.rig[r] * shift.force;
+    }
   // A fitted state lies within what was seen, or little beyond.
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
   const double beyond = 0.4 * (0.5 * (*greatest - *least));
@@ -111,61 +207,50 @@ void complete(Linearisation& at, const Passages& passages) {
   at.S = non_falling(at.S);
   for (double& mu : at.mu) mu = std::clamp(mu, min_mu, max_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
-  const auto levels = levels_of(at.S, passages.stage, at.mu, passages.fibre, passages.compliance, at.eta);
-  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i].m, min_mu, max_mu);
+  const auto levels = levels_of(at.S, at.stage, at.mu, passages.fibre, passages.compliance, at.eta);
+  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i], min_mu, max_mu);
   const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
   for (auto* column :
-       {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y, &at.h_stiffness, &at.h_contact})
+       {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y})
     column->resize(n);
-  at.log_jacobian = -at.stiffness_jacobian * at.eta + 0.5 * passages.stiffness_error * passages.stiffness_error *
-                                                          at.stiffness_jacobian * at.stiffness_jacobian;
   elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
     constexpr double min_q_force = 0.02, min_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
     const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, min_q_force);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
-    const double q_eta = -slopes.F[i] * slopes.q_F[i];
     at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
     at.noise_gain[i] = q_force * std::max(at.fold[i], min_fold);
-    const double error = slopes.F[i] > 0 ? passages.force[i] - stiffer * slopes.F[i] : 0;
+    const double error = slopes.F[i] > 0 ? at.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
-    at.h_stiffness[i] = -(q_eta - at.slope[i] * at.S_eta[i]);
-    at.h_contact[i] = slopes.q_w[i] - at.slope[i] * slopes.S_w[i];
     gains.multiply(at.noise_gain[i]);
   }
-  at.log_jacobian += gains.value();
+  at.log_jacobian = gains.value();
 }
 
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             const Fibre& fibre, double compliance, double eta) {
+std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
+                              const Fibre& fibre, double compliance, double eta) {
   const std::size_t n = S.size();
   const double stiffer = compliance * elementary::exp(eta);
   std::vector<double> q(near.begin(), near.end());
-  std::vector<Level> levels(n);
   for (int iteration = 0; iteration < 12; ++iteration) {
     const auto s = fibre.states_slopes_under_force({S, q});
     double moved = 0;
     for (std::size_t j = 0; j < n; ++j) {
-      const double G_q = s.w_q[j] + s.F_q[j] * stiffer;
       const double miss = s.w[j] + s.F[j] * stiffer - stage[j];
-      double next = q[j] - miss / G_q;
+      double next = q[j] - miss / (s.w_q[j] + s.F_q[j] * stiffer);
       // Beyond the end of the branch there is no state: more friction has one.
       if (!std::isfinite(next)) next = q[j] + 0.25;
       next = std::clamp(next, min_q, max_q);
       moved = std::max(moved, std::abs(next - q[j]));
-      const double G_S = s.w_S[j] + s.F_S[j] * stiffer;
-      levels[j] = std::isfinite(G_q)
-                      ? Level{.m = next, .m_stage = 1 / G_q, .m_eta = -s.F[j] * stiffer / G_q, .m_S = -G_S / G_q}
-                      : Level{.m = next, .m_stage = 0, .m_eta = 0, .m_S = 0};
       q[j] = next;
     }
     constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
     if (moved < negligible) break;
   }
-  return levels;
+  return q;
 }
 
 Linearisation rises_of(const Passages& passages) {

@@ -12,8 +12,19 @@
 
 #include "fibre/fibre.h"
 #include "inference/fit.h"
+#include "inference/rig_shifts.h"
 
 namespace flexslip {
+
+// What something that is off does to each reading.
+//
+// Taken along the curve of one friction, not at the readings: what an error does to roughness, a size that is not known beforehand, tells nothing
+// of the error.
+struct RigError {
+  std::vector<Shift> shift;
+  std::vector<double> friction;  // [1] that it would be read larger by
+  std::vector<double> place;     // [L] of S
+};
 
 // The readings of a record that tell of friction, in its order.
 struct Passages {
@@ -25,7 +36,8 @@ struct Passages {
   Fibre fibre;                       // on its supports
   double compliance;                 // [L^3/EI] of the load train
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
-  double contact_error;              // [L]
+  RigError stiffness;                // of ln EI, by one
+  std::vector<RigError> rig_errors;  // by one standard deviation, independent of each other
   double noise;                      // [EI/L^2] of a reading, by second differences
   ContactTravel along;               // the specimen, past its contacts
   double S_middle;                   // [L] of it
@@ -40,38 +52,32 @@ struct Passages {
 //             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
 Passages passages_of(const FitProblem& problem);
 
-// The readings linearised: y_i = μ(x_i) + h_E (η - η0) + h_contact ξ + D e_i, e_i being the error of the force, η = ln EI/nominal, ξ the error
-// of the contact.
+// The readings linearised: y_i = μ(x_i) + h_E (η - η0) + Σ h_r (ε_r - ε_r0) + D e_i, e_i being the error of the force, η = ln EI/nominal, ε_r
+// the errors of the rig, each over its standard deviation, h the friction that each reads larger by (Passages).
 struct Linearisation {
   double eta = 0;                      // [1] η0
-  double stiffness_jacobian = 0;       // [1] J: how the logarithm of the noise's volume changes with η
+  std::vector<double> rig;             // [1] ε_r0; empty: 0
+  std::vector<double> stage, force;    // [L], [EI/L^2] what was read, less those errors of the rig
   std::vector<double> S, slope;        // the fitted states: [L] not falling, [1/L] dμ/dS
   std::vector<double> mu;              // [1] the friction at which the fibre passes S at the stage position read
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
   std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.05
   std::vector<double> fold;            // [1] κ = G'/G_S: 0 at a fold
-  std::vector<double> y, h_stiffness, h_contact;
-  double log_jacobian;  // Σ ln |dy/dF| - J η0 + ½ s² J², s being the deviation of η beforehand
+  std::vector<double> y;
+  double log_jacobian;  // Σ ln |dy/dF|
 };
 
-// Completes eta, S and slope; mu need only be near.
+// Completes eta, rig, S and slope; mu need only be near.
 // Method:     Everything is taken at (S, m(S; ws)), so that the error of the force enters y linearly: a reading inverted as it stands is
 //             biased by the curvature of the level curve, on soft rigs by more than the errors of a wavelength.
 void complete(Linearisation& at, const Passages& passages);
 
-// Friction m at which the fibre passes a length when the stage is at a position, and its slopes.
-struct Level {
-  double m;        // [1]
-  double m_stage;  // [1/L] dm/dW
-  double m_eta;    // [1]
-  double m_S;      // [1/L] dm/dS
-};
-
-// Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_under_force) a level
-//             is the nearest friction with a force, without slopes.
-std::vector<Level> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                             const Fibre& fibre, double compliance, double eta);
+// [1] The friction at which the fibre passes each length when the stage is at a position.
+// Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_under_force) it is the
+//             nearest friction with a force.
+std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
+                              const Fibre& fibre, double compliance, double eta);
 
 // Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
 // Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.

@@ -33,10 +33,9 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
     columns_.stiffness = next++;
     prior_.push_back(passages_.stiffness_error * passages_.stiffness_error);
   }
-  if (passages_.contact_error > 0) {
-    columns_.contact = next++;
-    prior_.push_back(passages_.contact_error * passages_.contact_error);
-  }
+  columns_.rig = next;
+  next += static_cast<Index>(passages_.rig_errors.size());
+  prior_.resize(static_cast<std::size_t>(next), 1);
   columns_.waves = next;
   std::vector<double> advance;
   for (std::size_t i = 1; i < passages_.size(); ++i)
@@ -44,10 +43,6 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   // Readings that hardly advance between a few long jumps tell of no shorter waves than as many spread evenly do.
   min_wavelength_ = std::max(2 * median_of(std::move(advance)), range / static_cast<double>(passages_.size()));
   prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
-}
-
-double FrictionProcess::expected_stiffness(const Mode& mode) const {
-  return passages_.stiffness_error * passages_.stiffness_error * mode.at.stiffness_jacobian;
 }
 
 Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
@@ -76,29 +71,31 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
   };
   for (const auto& site : mode.sites) {
     S.push_back(at_site(site, mode.at.S));
-    stage.push_back(passages_.stage[site.reading]);
+    stage.push_back(mode.at.stage[site.reading]);
     near.push_back(mode.at.mu[site.reading]);
   }
   const auto levels = levels_of(S, stage, near, passages_.fibre, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
-  for (std::size_t j = 0; j < S.size(); ++j) {
-    const GapSite& site = mode.sites[j];
-    const double S_eta = at_site(site, mode.at.S_eta);
-    nodes.push_back({S[j], levels[j], levels[j].m_eta + (levels[j].m_S - site.slope) * S_eta});
-  }
+  for (std::size_t j = 0; j < S.size(); ++j) nodes.push_back({S[j], levels[j]});
   return nodes;
 }
 
 // What friction at a node is below, less what is expected of it.
-double FrictionProcess::bound_at(const Node& node, const Mode& mode) const {
-  return node.level.m - node.by_stiffness * (mode.at.eta - expected_stiffness(mode)) - mean_friction;
+double FrictionProcess::bound_at(const Node& node, const GapSite& site, const Mode& mode) const {
+  return node.level - mean_friction + by_errors_at(mode.at, site.reading);
+}
+
+// What the errors of EI and of the rig that a linearisation takes off have made a reading's friction larger by.
+double FrictionProcess::by_errors_at(const Linearisation& at, std::size_t reading) const {
+  double more = passages_.stiffness.friction[reading] * at.eta;
+  for (std::size_t r = 0; r < at.rig.size(); ++r) more += passages_.rig_errors[r].friction[reading] * at.rig[r];
+  return more;
 }
 
 Observations FrictionProcess::observations_of(const Mode& mode) const { return observations_of(mode, nodes_of(mode)); }
 
 Observations FrictionProcess::observations_of(const Mode& mode, const std::vector<Node>& nodes) const {
   const auto& at = mode.at;
-  const double to_expected = at.eta - expected_stiffness(mode);
   const std::size_t n = passages_.size();
   Observations observations;
   observations.prior = prior_;
@@ -106,23 +103,23 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
   observations.all.reserve(n + nodes.size());
   observations.values.reserve(n + nodes.size());
   observations.columns.reserve(n + nodes.size());
-  const auto add = [&](const Observation& observation, double value, double by_stiffness, double by_contact) {
+  const auto add = [&](const Observation& observation, double value, std::size_t reading) {
     observations.all.push_back(observation);
     observations.values.push_back(value);
     Coefficients& h = observations.columns.emplace_back(columns_at(observation.place, mode));
-    if (columns_.stiffness >= 0) h[columns_.stiffness] = by_stiffness;
-    if (columns_.contact >= 0) h[columns_.contact] = by_contact;
+    if (columns_.stiffness >= 0) h[columns_.stiffness] = passages_.stiffness.friction[reading];
+    for (std::size_t r = 0; r < passages_.rig_errors.size(); ++r)
+      h[columns_.rig + static_cast<Index>(r)] = passages_.rig_errors[r].friction[reading];
   };
   std::size_t j = 0;
   for (std::size_t i = 0; i < n; ++i) {
     for (; j < nodes.size() && mode.sites[j].reading == i; ++j)
-      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, -nodes[j].by_stiffness,
-          nodes[j].level.m_stage);
+      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, i);
     add({.place = passages_.place(at.S[i]),
          .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
          .noise_gain = at.noise_gain[i],
          .variance = nugget * nugget},
-        at.y[i] - mean_friction + at.h_stiffness[i] * to_expected, at.h_stiffness[i], at.h_contact[i]);
+        at.y[i] - mean_friction + by_errors_at(at, i), i);
   }
   say_sites(mode, nodes, observations);
   return observations;
@@ -158,7 +155,7 @@ void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (observations.all[k].is_reading()) continue;
     const GapSite& site = mode.sites[j];
-    const double bound = bound_at(nodes[j++], mode);
+    const double bound = bound_at(nodes[j++], site, mode);
     const bool seen = site.precision > 0;
     observations.all[k].variance = seen ? 1 / site.precision : infinity;
     observations.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
@@ -193,7 +190,7 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (observations.all[k].is_reading()) continue;
     GapSite& site = mode.sites[j];
-    const double mean = bound_at(nodes[j++], mode) - smoothed[k].f;
+    const double mean = bound_at(nodes[j++], site, mode) - smoothed[k].f;
     const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
     if (!(precision > 1e-10)) continue;
     const double variance = 1 / precision;
@@ -215,7 +212,7 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
 double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain) const {
   const Index at = columns_.stiffness;
   if (at < 0) return 0;
-  const double away = expected_stiffness(mode) + chain.mean()[at] - mode.at.eta;
+  const double away = chain.mean()[at] - mode.at.eta;
   return 0.5 * away * away / chain.covariance()(at, at);
 }
 
@@ -235,7 +232,7 @@ void FrictionProcess::settle(Mode& mode) const {
       std::size_t j = 0;
       for (std::size_t k = 0; k < observations.all.size(); ++k) {
         if (observations.all[k].is_reading()) continue;
-        evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode) - smoothed[k].f, smoothed[k].variance);
+        evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode.sites[j], mode) - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
       constexpr double negligible = 0.002;  // of the evidence
@@ -286,8 +283,9 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
   const double most = 0.15 + 5 * passages_.stiffness_error;
   constexpr double longest = 0.01;  // J holds near where it was taken
-  const double eta = std::clamp(expected_stiffness(mode) + stiffness_part, -most, most);
+  const double eta = std::clamp(stiffness_part, -most, most);
   const double eta_step = std::clamp(eta - at.eta, -longest / fraction, longest / fraction);
+  const std::vector<double> rig(chain.mean().data() + columns_.rig, chain.mean().data() + columns_.waves);
   std::vector<double> target(passages_.size());
   double moved = 0;
   std::size_t i = 0, j = 0;
@@ -300,12 +298,15 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
     const double reach = 4 * std::abs(at.S_force[i]) * p.noise;
     const double by_noise = std::clamp(-at.S_force[i] * smoothed[k].e, -reach, reach);
     target[i] = at.S_seen[i] + by_noise + at.S_eta[i] * eta_step;
+    for (std::size_t r = 0; r < passages_.rig_errors.size(); ++r)
+      target[i] += (rig[r] - at.rig[r]) * passages_.rig_errors[r].place[i];
     moved = std::max(moved, std::abs(target[i] - at.S[i]));
     at.slope[i] += fraction * (slopes[k] - at.slope[i]);
     ++i;
   }
   update_sites(mode, nodes, observations, smoothed);
   at.eta += fraction * eta_step;
+  for (std::size_t r = 0; r < rig.size(); ++r) at.rig[r] += fraction * (rig[r] - at.rig[r]);
   for (std::size_t k = 0; k < target.size(); ++k) at.S[k] += fraction * (target[k] - at.S[k]);
   complete(at, passages_);
   return moved;
@@ -321,90 +322,6 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
     if (pass(mode, fraction) < settled) break;
   }
   settle(mode);
-}
-
-// The observations of a mode whose EI is known.
-Observations FrictionProcess::at_its_stiffness(const Mode& mode) const {
-  Observations observations = observations_of(mode);
-  const double to_expected = mode.at.eta - expected_stiffness(mode);
-  for (std::size_t k = 0; k < observations.all.size(); ++k) {
-    double& h = observations.columns[k][columns_.stiffness];
-    observations.values[k] -= h * to_expected;
-    h = 0;
-  }
-  return observations;
-}
-
-// A mode at another EI, its lengths along, its slopes by so much.
-Mode FrictionProcess::stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const {
-  Mode other = mode;
-  other.at.stiffness_jacobian = 0;
-  other.at.eta += step;
-  for (std::size_t i = 0; i < passages_.size(); ++i) {
-    other.at.S[i] += mode.at.S_eta[i] * step;
-    if (!slope_by_eta.empty()) other.at.slope[i] += slope_by_eta[i] * step;
-  }
-  complete(other.at, passages_);
-  return other;
-}
-
-// d/dη of the volume of the readings and of their covariance, by central differences along the fitted states.
-void FrictionProcess::update_jacobian(Mode& mode) const {
-  if (columns_.stiffness < 0 || passages_.stiffness_error < 1e-3) return;
-  constexpr double h = 0.005;
-  const auto p = hyperparameters_of(mode.theta);
-  const auto slopes_at = [&](double step) {
-    const Mode other = stiffer(mode, step, {});
-    const Observations observations = at_its_stiffness(other);
-    const Chain chain(observations, mode.kernel, p);
-    const auto slopes = slopes_of(other, observations, chain, chain.smoothed());
-    std::vector<double> at_readings;
-    for (std::size_t k = 0; k < observations.all.size(); ++k)
-      if (observations.all[k].is_reading()) at_readings.push_back(slopes[k]);
-    return at_readings;
-  };
-  auto slope_by_eta = slopes_at(h);
-  const auto below = slopes_at(-h);
-  // Where places coincide, slopes mean nothing: D changes by no more than so much of itself.
-  constexpr double max_of_gain = 20;
-  for (std::size_t i = 0; i < below.size(); ++i) {
-    const double most = max_of_gain * mode.at.noise_gain[i] / std::max(std::abs(mode.at.S_force[i]), 1e-9);
-    slope_by_eta[i] = std::clamp((slope_by_eta[i] - below[i]) / (2 * h), -most, most);
-  }
-  const auto log_volume_at = [&](double step) {
-    const Mode other = stiffer(mode, step, slope_by_eta);
-    Observations observations = at_its_stiffness(other);
-    // What no kernel follows stands for errors of the force: it grows with the gain.
-    std::size_t i = 0;
-    for (auto& observation : observations.all)
-      if (observation.is_reading()) {
-        const double grown = observation.noise_gain / mode.at.noise_gain[i++];
-        observation.variance *= grown * grown;
-      }
-    double volume = -0.5 * Chain(observations, mode.kernel, p).log_determinant();
-    elementary::LogProduct gains;
-    for (const double gain : other.at.noise_gain) gains.multiply(gain);
-    return volume + gains.value();
-  };
-  // Half way: J moves η, η the hyperparameters, and these J, back and forth.
-  double& J = mode.at.stiffness_jacobian;
-  const double found = (log_volume_at(h) - log_volume_at(-h)) / (2 * h);
-  J = J == 0 ? found : 0.5 * (J + found);
-  complete(mode.at, passages_);
-}
-
-// The observations with what is known of EI beforehand, and J, as strong at η0 but narrow: far from there neither J nor the readings hold.
-Observations FrictionProcess::near_its_stiffness(Observations observations, const Mode& mode) const {
-  if (columns_.stiffness < 0) return observations;
-  double& prior = observations.prior[static_cast<std::size_t>(columns_.stiffness)];
-  constexpr double near = 0.01;
-  if (prior <= near * near) return observations;
-  // Of N(s² J, s²) the slope at η0 is (s² J - η0)/s²; the columns tell η from its middle.
-  const double middle = mode.at.eta + near * near * (expected_stiffness(mode) - mode.at.eta) / prior;
-  for (std::size_t k = 0; k < observations.all.size(); ++k)
-    observations.values[k] += observations.columns[k][columns_.stiffness] * (expected_stiffness(mode) - middle);
-  prior = near * near;
-  return observations;
 }
 
 // Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
@@ -434,7 +351,7 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
     double value;
     Vector gradient;
   };
-  Observations observations = near_its_stiffness(observations_of(mode), mode);
+  Observations observations = observations_of(mode);
   const auto merit_at = [&](const Vector& x) {
     const Objective at = objective(mode, observations, theta_at(x));
     return Merit{at.value, Vector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
@@ -451,8 +368,6 @@ void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction)
     constexpr int iterations = 8;
     maximise(mode, iterations);
     burst(mode, steps, fraction);
-    if (rounds > 1) update_jacobian(mode);  // what is tried once keeps that of where it comes from
-    settle(mode);
     const double gain = mode.merit - before;
     if (round == 0 || gain > 0) {
       best = mode;

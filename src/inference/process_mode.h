@@ -32,7 +32,7 @@ struct Profile {
 
 // Columns of β in the order of a mode's observations. Waves come last.
 struct ColumnPlaces {
-  Eigen::Index mean = 0, drift = 1, stiffness = -1, contact = -1, waves = -1;  // -1: not there
+  Eigen::Index mean = 0, drift = 1, stiffness = -1, rig = -1, waves = -1;  // -1: not there; those of the rig up to the waves
 };
 
 // The process of one record, whose readings it holds.
@@ -80,16 +80,15 @@ class FrictionProcess {
   double evidence(const Mode& mode) const {
     return mode.merit - mode.at.log_jacobian - prior_of_theta_.log_density(mode.kernel, mode.theta);
   }
-  double expected_stiffness(const Mode& mode) const;  // of ln EI/nominal beforehand
 
  private:
   struct Node {
     double S;
-    Level level;
-    double by_stiffness;  // [1] d/dη of the slack, the node going with its gap
+    double level;  // [1] the friction there is below it
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
-  double bound_at(const Node& node, const Mode& mode) const;
+  double by_errors_at(const Linearisation& at, std::size_t reading) const;
+  double bound_at(const Node& node, const GapSite& site, const Mode& mode) const;
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
@@ -99,10 +98,6 @@ class FrictionProcess {
                     const std::vector<SmoothedObservation>& smoothed) const;
   std::vector<double> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
                                 const std::vector<SmoothedObservation>& smoothed) const;
-  Observations at_its_stiffness(const Mode& mode) const;
-  Mode stiffer(const Mode& mode, double step, std::span<const double> slope_by_eta) const;
-  void update_jacobian(Mode& mode) const;
-  Observations near_its_stiffness(Observations observations, const Mode& mode) const;
   void maximise(Mode& mode, int iterations) const;
 
   Passages passages_;

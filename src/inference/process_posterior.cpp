@@ -38,7 +38,7 @@ MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const 
   MeanPath path;
   for (const std::size_t i : at) path.mu.push_back(FrictionProcess::mean_friction + smoothed[i].f);
   const Index stiffness = process.columns().stiffness;
-  path.eta = stiffness >= 0 ? std::clamp(process.expected_stiffness(mode) + chain.mean()[stiffness], -0.2, 0.2) : 0;
+  path.eta = stiffness >= 0 ? std::clamp(chain.mean()[stiffness], -0.2, 0.2) : 0;
   return path;
 }
 
@@ -67,7 +67,7 @@ ForwardRun::ForwardRun(const Passages& passages) : passages_(passages) {
         passages.along.drawn_in_at(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count - 1)));
 }
 
-ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {
+ForwardStates ForwardRun::states(std::span<const double> mu, double eta, std::span<const double> stages) const {
   std::vector<double> q(mu.begin(), mu.end());
   for (double& value : q) value = std::clamp(value, 0.0, 2.0);
   const auto curve = passages_.fibre.tabulated_states({S_, q});
@@ -77,7 +77,7 @@ ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {
   ForwardStates states;
   std::size_t i = 0;
   double G = stage(0), G_next = stage(1);
-  for (const double W : passages_.stage) {
+  for (const double W : stages) {
     while (i + 2 < n && G_next < W) {
       ++i;
       G = G_next;
@@ -95,7 +95,7 @@ ForwardStates ForwardRun::states(std::span<const double> mu, double eta) const {
 
 Mode run_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
   const auto path = mean_path(process, run, mode);
-  return linearised_at(process, mode, run.states(path.mu, path.eta), path.eta);
+  return linearised_at(process, mode, run.states(path.mu, path.eta, mode.at.stage), path.eta);
 }
 
 bool is_past_a_fold(const Mode& mode) {
@@ -105,7 +105,7 @@ bool is_past_a_fold(const Mode& mode) {
 Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
   const auto& fold = mode.at.fold;
   const auto path = mean_path(process, run, mode);
-  const auto visited = run.states(path.mu, path.eta);
+  const auto visited = run.states(path.mu, path.eta, mode.at.stage);
   Mode other = mode;
   for (std::size_t i = 0; i < fold.size(); ++i)
     if (fold[i] < at_a_fold) {
@@ -131,7 +131,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   };
   Guess start{.mean = FrictionProcess::mean_friction + beta[columns.mean],
               .drift = beta[columns.drift],
-              .eta = columns.stiffness >= 0 ? process.expected_stiffness(mode) + beta[columns.stiffness] : 0,
+              .eta = columns.stiffness >= 0 ? beta[columns.stiffness] : 0,
               .log_wavelength = mode.theta.log_wavelength(waves - 1),
               .wave = {}};
   start.eta = std::clamp(start.eta, -0.09, 0.09);
@@ -166,10 +166,10 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   const double scale = 3 * std::max(elementary::exp(mode.theta.values[0]), 0.005);
   // Like squares where the run is close, like distances where it is on another tooth.
   const auto misfit = [&](const Guess& f) {
-    const auto states = run.states(path(f), f.eta);
+    const auto states = run.states(path(f), f.eta, mode.at.stage);
     double sum = 0;
     for (std::size_t i = 0; i < passages.size(); ++i) {
-      const double r = (states.force[i] - passages.force[i]) / scale;
+      const double r = (states.force[i] - mode.at.force[i]) / scale;
       sum += std::sqrt(1 + r * r) - 1;
     }
     const double stiffness = f.eta / std::max(passages.stiffness_error, 1e-3);
@@ -177,7 +177,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   };
   const auto levelled = [&](Guess f) {
     for (int round = 0; round < 2; ++round) {
-      const auto states = run.states(path(f), f.eta);
+      const auto states = run.states(path(f), f.eta, mode.at.stage);
       double sum = 0;
       for (std::size_t i = 0; i < passages.size(); ++i) sum += passages.q[i] - states.mu[i];
       f.mean += std::clamp(sum / static_cast<double>(passages.size()), -0.3, 0.3);
@@ -231,7 +231,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   }
   Mode other = mode;
   other.theta.values[4 + waves - 1] = best.log_wavelength;
-  return linearised_at(process, other, run.states(path(best), best.eta), best.eta);
+  return linearised_at(process, other, run.states(path(best), best.eta, mode.at.stage), best.eta);
 }
 
 namespace {
@@ -464,7 +464,7 @@ class Posterior {
       };
       result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
       result_.log_stiffness.push_back(columns.stiffness >= 0
-                                          ? of_beta(columns.stiffness, 1, process_.expected_stiffness(mode))
+                                          ? of_beta(columns.stiffness, 1, 0)
                                           : NormalPart{weight * share, 0, 0});
     }
     // Hyperparameters by the moments of the points: their logarithms are skewed about the mode.
@@ -629,7 +629,7 @@ class Posterior {
     result_.draws.push_back(table_of(mu));
     const Index stiffness = process_.columns().stiffness;
     const double eta =
-        stiffness >= 0 ? process_.expected_stiffness(mode) + drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
+        stiffness >= 0 ? drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 

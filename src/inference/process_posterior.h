@@ -25,9 +25,9 @@ class ForwardRun {
   explicit ForwardRun(const Passages& passages);
 
   std::span<const double> lengths() const { return S_; }  // [L]
-  // Domain:     a value of μ for each length; those outside [0, 2] count as the nearest bound.
+  // Domain:     a value of μ for each length; those outside [0, 2] count as the nearest bound. Stage positions [L] that hardly fall.
   // Max error:  of S a hundredth of the distance of two lengths, away from folds.
-  ForwardStates states(std::span<const double> mu, double eta) const;
+  ForwardStates states(std::span<const double> mu, double eta, std::span<const double> stage) const;
 
  private:
   const Passages& passages_;

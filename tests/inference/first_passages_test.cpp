@@ -52,8 +52,8 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
           doctest::Approx(slope(y_at(force + h, eta, 0), y_at(force - h, eta, 0))).epsilon(truncation));
     CHECK(at.h_stiffness[i] ==
           doctest::Approx(-slope(y_at(force, eta + h, 0), y_at(force, eta - h, 0))).epsilon(truncation).scale(1));
-    // A contact taken too late by ξ: the reading shows a deflection larger by ξ.
-    CHECK(at.h_contact[i] ==
+    // A contact that is later by ξ than stated: the deflection is smaller by ξ.
+    CHECK(column_of(at, i, {-1, 0}) ==
           doctest::Approx(-slope(y_at(force, eta, h), y_at(force, eta, -h))).epsilon(truncation).scale(1));
     CHECK(at.y[i] == doctest::Approx(at.mu[i] + at.noise_gain[i] * (passages.force[i] - force)).epsilon(1e-9));
   }

@@ -1,0 +1,46 @@
+// What a rig may be off by, as what it does to the readings of a record.
+//
+// An error of the contact, the load train, the span, the gain of the load cell, the thickness or the supports moves each reading in deflection
+// and force; so does a force that deviates slowly (theory.md, "What the answer hangs on"). Reduced variables of the nominal EI.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "inference/fit.h"
+
+namespace flexslip {
+
+enum class RigQuantity { contact, load_train, span, force_gain, thickness, support_radius };
+
+// Of one reading, inverted at the nominal EI: by how much its deflection and force would differ.
+struct Shift {
+  double deflection;  // [L]
+  double force;       // [EI/L^2]
+};
+
+class RigShifts {
+ public:
+  // Domain:     as fit_friction.
+  explicit RigShifts(const FitProblem& problem);
+
+  // For a quantity larger than stated, to first order: by one span of contact, thickness and radius, by the whole of the others.
+  // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
+  Shift by(RigQuantity quantity, double w, double F) const;
+
+  // For each error that is independent of the others, one standard deviation of it. Of a force that deviates slowly there are several: a Matérn
+  // 5/2 process over the deflection whose length is a third of the record, known at eight places.
+  std::vector<Shift> deviations(double w, double F) const;
+
+ private:
+  // By one span more of thickness or radius, [EI/L^2] of force at deflections evenly spread from 0 to the greatest.
+  std::vector<double> of_supports(const Supports& by) const;
+
+  double compliance_, deepest_, greatest_force_, contact_error_;
+  RigErrors errors_;
+  Supports supports_;
+  std::vector<double> thicker_, rounder_;
+};
+
+}  // namespace flexslip
