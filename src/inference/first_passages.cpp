@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 
 #include <Eigen/Dense>
@@ -59,9 +57,9 @@ InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std:
   return slopes;
 }
 
-// What a bending stiffness and a rig that are off do to the readings: first that of ln EI by one, then those of the rig, one standard deviation
-// each, combined so that the first tells most; left out is what no noise would let show.
-std::vector<RigError> errors_of(const FitProblem& problem, const Passages& passages, double from) {
+// What a bending stiffness and a rig that are off do to the readings; of the rig combined so that the first tells most, without what no noise
+// would let show.
+void add_errors(Passages& passages, const FitProblem& problem, double from) {
   constexpr int points = 100;
   const double friction = std::clamp(median_of(passages.q), 0.0, 1.5);
   const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
@@ -73,18 +71,21 @@ std::vector<RigError> errors_of(const FitProblem& problem, const Passages& passa
     S.push_back(point.S);
     F.push_back(point.F);
   }
-  if (w.size() < 2) throw std::invalid_argument("readings that hardly bend tell of no friction");
   const auto slopes = inverse_slopes(passages.fibre, S, std::vector<double>(S.size(), friction));
 
-  // Along that curve, a column for each deviation.
+  // Along that curve, a column each: ln EI, the quantities, then the deviations.
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
   const RigShifts rig(problem);
+  constexpr Index alone = 1 + static_cast<Index>(rig_quantities);
   MatrixXd shift_w, shift_F, of_friction, of_place;
   for (std::size_t k = 0; k < w.size(); ++k) {
-    auto shifts = rig.deviations(w[k], F[k]);
-    shifts.insert(shifts.begin(), {0, -F[k]});  // of ln EI
+    std::vector<Shift> shifts{{0, -F[k]}};
+    for (std::size_t quantity = 0; quantity < rig_quantities; ++quantity)
+      shifts.push_back(rig.by(static_cast<RigQuantity>(quantity), w[k], F[k]));
+    const auto deviations = rig.deviations(w[k], F[k]);
+    shifts.insert(shifts.end(), deviations.begin(), deviations.end());
     if (k == 0)
       for (MatrixXd* each : {&shift_w, &shift_F, &of_friction, &of_place})
         each->resize(static_cast<Index>(w.size()), static_cast<Index>(shifts.size()));
@@ -112,29 +113,34 @@ std::vector<RigError> errors_of(const FitProblem& problem, const Passages& passa
 
   constexpr double nugget = 0.0007;
   const VectorXd noise_gain = at_readings(Eigen::Map<const VectorXd>(slopes.q_F.data(), static_cast<Index>(w.size())));
-  MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - 1));
+  MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - alone));
   for (Index i = 0; i < over_noise.rows(); ++i)
     over_noise.row(i) /= elementary::length(noise_gain[i] * passages.noise, nugget);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
-  constexpr double tells_nothing = 0.1;  // squares of standard deviations, of the readings together
+  constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
   constexpr Index at_most = max_columns - 3 - 2 * static_cast<Index>(max_waves);
   const Index count = told.eigenvalues().size();
   Index kept = 0;
   while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;
-  MatrixXd combine = MatrixXd::Zero(1 + count, 1 + kept);
+  MatrixXd combine = MatrixXd::Zero(alone + count, 1 + kept);
   combine(0, 0) = 1;
   combine.bottomRightCorner(count, kept) = told.eigenvectors().rightCols(kept).rowwise().reverse();
   const MatrixXd moved_w = at_readings(shift_w * combine), moved_F = at_readings(shift_F * combine);
   const MatrixXd more_friction = at_readings(of_friction * combine), moved_place = at_readings(of_place * combine);
-  std::vector<RigError> errors(static_cast<std::size_t>(1 + kept));
-  for (Index r = 0; r <= kept; ++r)
+  passages.rig_errors.resize(static_cast<std::size_t>(kept));
+  for (Index r = 0; r <= kept; ++r) {
+    RigError& error = r == 0 ? passages.stiffness : passages.rig_errors[static_cast<std::size_t>(r - 1)];
     for (Index i = 0; i < moved_w.rows(); ++i) {
-      RigError& error = errors[static_cast<std::size_t>(r)];
       error.shift.push_back({moved_w(i, r), moved_F(i, r)});
       error.friction.push_back(more_friction(i, r));
       error.place.push_back(moved_place(i, r));
     }
-  return errors;
+  }
+  const MatrixXd by_quantity = at_readings(of_friction.middleCols(1, alone - 1));
+  for (std::size_t quantity = 0; quantity < rig_quantities; ++quantity) {
+    const VectorXd column = by_quantity.col(static_cast<Index>(quantity));
+    passages.friction_by[quantity].assign(column.begin(), column.end());
+  }
 }
 
 }  // namespace
@@ -173,9 +179,7 @@ Passages passages_of(const FitProblem& problem) {
     p.q.push_back(states.q[k]);
   }
   if (p.size() == 0) return p;
-  auto errors = errors_of(problem, p, from);
-  p.stiffness = std::move(errors.front());
-  p.rig_errors.assign(std::make_move_iterator(errors.begin() + 1), std::make_move_iterator(errors.end()));
+  add_errors(p, problem, from);
   const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
   p.advance.assign(p.size(), 0);
   for (std::size_t i = 1; i < p.size(); ++i)
@@ -191,6 +195,7 @@ Passages passages_of(const FitProblem& problem) {
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
   at.rig.resize(passages.rig_errors.size(), 0.0);
+  at.wave_slope.resize(n, 0.0);
   at.stage = passages.stage;
   at.force = passages.force;
   for (std::size_t r = 0; r < at.rig.size(); ++r)

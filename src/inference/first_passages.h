@@ -6,6 +6,7 @@
 // state fitted, never at the noisy one (theory.md, "First passages"). Reduced variables of the nominal EI.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -38,6 +39,8 @@ struct Passages {
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   RigError stiffness;                // of ln EI, by one
   std::vector<RigError> rig_errors;  // by one standard deviation, independent of each other
+  // [1] The friction that the readings show larger where a quantity is larger than stated, as RigShifts::by.
+  std::array<std::vector<double>, rig_quantities> friction_by;
   double noise;                      // [EI/L^2] of a reading, by second differences
   ContactTravel along;               // the specimen, past its contacts
   double S_middle;                   // [L] of it
@@ -59,6 +62,7 @@ struct Linearisation {
   std::vector<double> rig;             // [1] ε_r0; empty: 0
   std::vector<double> stage, force;    // [L], [EI/L^2] what was read, less those errors of the rig
   std::vector<double> S, slope;        // the fitted states: [L] not falling, [1/L] dμ/dS
+  std::vector<double> wave_slope;      // [1/L] of its waves; empty: 0
   std::vector<double> mu;              // [1] the friction at which the fibre passes S at the stage position read
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
@@ -93,7 +97,7 @@ struct GapSite {
   std::size_t node, nodes;    // which of how many
   double precision = 0;       // [1]
   double precision_mean = 0;  // [1]
-  double slope = 0;           // [1/L] dμ/dS of the friction fitted
+  double wave_slope = 0;      // [1/L] dμ/dS of the waves fitted
 };
 
 // The sites of a linearisation at a noise [1] of μ: where the fibre advanced by far more than friction that stays would let it, it jumped.

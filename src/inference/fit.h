@@ -5,6 +5,7 @@
 // without roughness, are fitted on the same likelihood. Reduced variables of the nominal bending stiffness.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -64,7 +65,7 @@ struct RigErrors {
   double load_train = 0.01, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
-  double slow_force = 0.0075;  // of the greatest force: bow, relaxation, drift of the cell
+  double slow_force = 0.005;  // of the greatest force: bow, relaxation, drift of the cell
 };
 
 // Units: reduced, with the nominal bending stiffness.
@@ -113,6 +114,13 @@ struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
 };
 
+// By how much the mean friction told would be larger, were what is stated larger: of EI, load train, span and gain by the whole of it [1], of
+// contact, thickness and radius of the supports by one span [1/L]. To first order, at the likeliest explanation.
+struct Sensitivities {
+  double bending_stiffness = NAN, load_train = NAN, span = NAN, force_gain = NAN;
+  double contact = NAN, thickness = NAN, support_radius = NAN;
+};
+
 enum class FrictionFitStatus {
   ok,
   too_few_points,  // fewer than 20 readings are deep enough to tell of friction: nothing else is valid
@@ -132,6 +140,7 @@ struct FrictionFit {
   Estimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
   Estimate length;     // [L] correlation length of it along the fibre; likewise
   Estimate bending_stiffness;       // [1] relative to the nominal one
+  Sensitivities sensitivities{};    // of mu0; NaN of a constant
   Estimate noise;                   // [EI/L^2] standard deviation of a force reading
   double noise_correlation;         // [1] of readings one row apart
   std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not

@@ -37,11 +37,17 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   next += static_cast<Index>(passages_.rig_errors.size());
   prior_.resize(static_cast<std::size_t>(next), 1);
   columns_.waves = next;
-  std::vector<double> advance;
-  for (std::size_t i = 1; i < passages_.size(); ++i)
-    advance.push_back(passages_.advance[i] * passages_.along.slope(passages_.S[i]));
-  // Readings that hardly advance between a few long jumps tell of no shorter waves than as many spread evenly do.
-  min_wavelength_ = std::max(2 * median_of(std::move(advance)), range / static_cast<double>(passages_.size()));
+  std::vector<double> advance, place_error;  // [L] of x
+  const auto slopes = rises_of(passages_);
+  for (std::size_t i = 1; i < passages_.size(); ++i) {
+    const double x_by_S = 0.5 * passages_.along.slope(passages_.S[i]);
+    advance.push_back(2 * x_by_S * passages_.advance[i]);
+    place_error.push_back(x_by_S * std::abs(slopes.S_force[i]) * passages_.noise);
+  }
+  // Readings that hardly advance between a few long jumps tell of no shorter waves than as many spread evenly do; and noise, which moves the
+  // place of a reading as well, makes waves of its own that are shorter than its circle.
+  min_wavelength_ = std::max({2 * median_of(std::move(advance)), range / static_cast<double>(passages_.size()),
+                              2 * std::numbers::pi * median_of(std::move(place_error))});
   prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
 }
 
@@ -82,13 +88,20 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
 
 // What friction at a node is below, less what is expected of it.
 double FrictionProcess::bound_at(const Node& node, const GapSite& site, const Mode& mode) const {
-  return node.level - mean_friction + by_errors_at(mode.at, site.reading);
+  return node.level - mean_friction + by_errors_at(mode.at, site.reading, site.wave_slope);
 }
 
-// What the errors of EI and of the rig that a linearisation takes off have made a reading's friction larger by.
-double FrictionProcess::by_errors_at(const Linearisation& at, std::size_t reading) const {
-  double more = passages_.stiffness.friction[reading] * at.eta;
-  for (std::size_t r = 0; r < at.rig.size(); ++r) more += passages_.rig_errors[r].friction[reading] * at.rig[r];
+// The friction that a reading shows larger by an error: where it moves places, waves move along; roughness, whose size and places nobody knows
+// beforehand, tells nothing.
+double FrictionProcess::by_error(const RigError& error, std::size_t reading, double wave_slope) const {
+  return error.friction[reading] + wave_slope * error.place[reading];
+}
+
+// Likewise by the errors of EI and of the rig that a linearisation has taken off.
+double FrictionProcess::by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const {
+  double more = by_error(passages_.stiffness, reading, wave_slope) * at.eta;
+  for (std::size_t r = 0; r < at.rig.size(); ++r)
+    more += by_error(passages_.rig_errors[r], reading, wave_slope) * at.rig[r];
   return more;
 }
 
@@ -103,23 +116,24 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
   observations.all.reserve(n + nodes.size());
   observations.values.reserve(n + nodes.size());
   observations.columns.reserve(n + nodes.size());
-  const auto add = [&](const Observation& observation, double value, std::size_t reading) {
+  const auto add = [&](const Observation& observation, double value, std::size_t reading, double wave_slope) {
     observations.all.push_back(observation);
     observations.values.push_back(value);
     Coefficients& h = observations.columns.emplace_back(columns_at(observation.place, mode));
-    if (columns_.stiffness >= 0) h[columns_.stiffness] = passages_.stiffness.friction[reading];
+    if (columns_.stiffness >= 0) h[columns_.stiffness] = by_error(passages_.stiffness, reading, wave_slope);
     for (std::size_t r = 0; r < passages_.rig_errors.size(); ++r)
-      h[columns_.rig + static_cast<Index>(r)] = passages_.rig_errors[r].friction[reading];
+      h[columns_.rig + static_cast<Index>(r)] = by_error(passages_.rig_errors[r], reading, wave_slope);
   };
   std::size_t j = 0;
   for (std::size_t i = 0; i < n; ++i) {
     for (; j < nodes.size() && mode.sites[j].reading == i; ++j)
-      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, i);
+      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, i,
+          mode.sites[j].wave_slope);
     add({.place = passages_.place(at.S[i]),
          .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
          .noise_gain = at.noise_gain[i],
          .variance = nugget * nugget},
-        at.y[i] - mean_friction + by_errors_at(at, i), i);
+        at.y[i] - mean_friction + by_errors_at(at, i, at.wave_slope[i]), i, at.wave_slope[i]);
   }
   say_sites(mode, nodes, observations);
   return observations;
@@ -250,21 +264,21 @@ void FrictionProcess::settle(Mode& mode) const {
 }
 
 // dμ/dS of the friction fitted, at each observation.
-std::vector<double> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
+std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
                                                const std::vector<SmoothedObservation>& smoothed) const {
   const Coefficients& beta = chain.mean();
-  std::vector<double> slopes;
+  std::vector<Slope> slopes;
   slopes.reserve(observations.all.size());
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     const Coefficients& h = observations.columns[k];
-    double slope = smoothed[k].slope + beta[columns_.drift] / passages_.range;
+    double waves = 0;
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
       const Index c = columns_.waves + 2 * static_cast<Index>(wave);
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
-      slope += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
+      waves += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
     const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
-    slopes.push_back(x_by_S * slope);
+    slopes.push_back({x_by_S * (smoothed[k].slope + beta[columns_.drift] / passages_.range + waves), x_by_S * waves});
   }
   return slopes;
 }
@@ -291,8 +305,8 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   std::size_t i = 0, j = 0;
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (!observations.all[k].is_reading()) {
-      double& slope = mode.sites[j++].slope;
-      slope += fraction * (slopes[k] - slope);
+      double& slope = mode.sites[j++].wave_slope;
+      slope += fraction * (slopes[k].waves - slope);
       continue;
     }
     const double reach = 4 * std::abs(at.S_force[i]) * p.noise;
@@ -301,7 +315,8 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
     for (std::size_t r = 0; r < passages_.rig_errors.size(); ++r)
       target[i] += (rig[r] - at.rig[r]) * passages_.rig_errors[r].place[i];
     moved = std::max(moved, std::abs(target[i] - at.S[i]));
-    at.slope[i] += fraction * (slopes[k] - at.slope[i]);
+    at.slope[i] += fraction * (slopes[k].all - at.slope[i]);
+    at.wave_slope[i] += fraction * (slopes[k].waves - at.wave_slope[i]);
     ++i;
   }
   update_sites(mode, nodes, observations, smoothed);

@@ -44,7 +44,8 @@ class FrictionProcess {
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
   const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
-  double min_wavelength() const { return min_wavelength_; }  // [L] four advances of a reading, at least range/readings
+  // [L] Four advances of a reading, at least range/readings, and 2π of what noise moves the place of a reading by.
+  double min_wavelength() const { return min_wavelength_; }
   double max_wavelength() const { return passages_.range / 2.2; }  // [L]
 
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
@@ -87,7 +88,8 @@ class FrictionProcess {
     double level;  // [1] the friction there is below it
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
-  double by_errors_at(const Linearisation& at, std::size_t reading) const;
+  double by_error(const RigError& error, std::size_t reading, double wave_slope) const;
+  double by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const;
   double bound_at(const Node& node, const GapSite& site, const Mode& mode) const;
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
@@ -96,7 +98,10 @@ class FrictionProcess {
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
                     const std::vector<SmoothedObservation>& smoothed) const;
-  std::vector<double> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
+  struct Slope {
+    double all, waves;  // [1/L] dμ/dS of the friction fitted, and of its waves
+  };
+  std::vector<Slope> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
                                 const std::vector<SmoothedObservation>& smoothed) const;
   void maximise(Mode& mode, int iterations) const;
 

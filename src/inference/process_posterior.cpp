@@ -362,6 +362,7 @@ class Posterior {
   ProcessPosterior result() {
     list_explanations();
     list_innovations();
+    list_sensitivities();
     for (const auto& component : components_) add(component);
     std::copy_if(waves_.begin(), waves_.end(), std::back_inserter(result_.waves),
                  [](const WavePosterior& wave) { return !wave.draws.empty(); });
@@ -418,6 +419,34 @@ class Posterior {
     const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
     for (std::size_t k = 0; k < observations.all.size(); ++k)
       if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
+  }
+
+  // What is stated larger is taken off what is read.
+  void list_sensitivities() {
+    const Mode& mode = components_.front().mode;
+    const Observations observations = process_.observations_of(mode);
+    const auto f = mean_over(from_, to_, process_, mode, observations);
+    const auto by = [&](const std::vector<double>& friction) {
+      Observations taken_off = observations;
+      std::size_t reading = 0;
+      for (std::size_t k = 0; k < taken_off.all.size(); ++k) {
+        taken_off.values[k] = -friction[reading];
+        reading += taken_off.all[k].is_reading();
+      }
+      const Chain chain(taken_off, mode.kernel, hyperparameters_of(mode.theta));
+      return chain.functional(f.a, f.covariance, f.variance).mean;
+    };
+    const Passages& passages = process_.passages();
+    const auto by_quantity = [&](RigQuantity quantity) {
+      return by(passages.friction_by[static_cast<std::size_t>(quantity)]);
+    };
+    result_.sensitivities = {.bending_stiffness = by(passages.stiffness.friction),
+                             .load_train = by_quantity(RigQuantity::load_train),
+                             .span = by_quantity(RigQuantity::span),
+                             .force_gain = by_quantity(RigQuantity::force_gain),
+                             .contact = by_quantity(RigQuantity::contact),
+                             .thickness = by_quantity(RigQuantity::thickness),
+                             .support_radius = by_quantity(RigQuantity::support_radius)};
   }
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t places = 8;                 // at which a slow deviation is known
 constexpr std::size_t deflections = 16;           // of a force that the supports change
 constexpr double usual_friction = 0.5;            // [1] at which that is taken: it hardly depends on it
-constexpr double length_of_slow = 1.0 / 3;        // of the greatest deflection
+constexpr double length_of_slow = 0.5;  // of the greatest deflection
 
 double matern_5_2(double distance) {
   const double r = std::sqrt(5.0) * std::abs(distance) / length_of_slow;

@@ -13,6 +13,7 @@
 namespace flexslip {
 
 enum class RigQuantity { contact, load_train, span, force_gain, thickness, support_radius };
+inline constexpr std::size_t rig_quantities = 6;
 
 // Of one reading, inverted at the nominal EI: by how much its deflection and force would differ.
 struct Shift {
@@ -30,7 +31,7 @@ class RigShifts {
   Shift by(RigQuantity quantity, double w, double F) const;
 
   // For each error that is independent of the others, one standard deviation of it. Of a force that deviates slowly there are several: a Matérn
-  // 5/2 process over the deflection whose length is a third of the record, known at eight places.
+  // 5/2 process over the deflection whose length is half of the record, known at eight places.
   std::vector<Shift> deviations(double w, double F) const;
 
  private:

@@ -24,7 +24,7 @@ TEST_CASE("oracle: states of a run are those of the exact forward calculation") 
   const auto passages = passages_of(truth);
   const ForwardRun run(passages);
   const auto mu = truth.friction.at(run.lengths()).mu;
-  const auto states = run.states(mu, 0);
+  const auto states = run.states(mu, 0, passages.stage);
   const auto exact = follow_in_steps({truth.friction, {truth.stiffness}}, passages.stage);
   std::vector<double> apart;
   for (std::size_t i = 0; i < passages.size(); ++i) apart.push_back(std::abs(states.S[i] - exact.path[i].S));
