@@ -1,6 +1,5 @@
 // The mechanics for JavaScript: the only file that knows Emscripten. Arrays are copied, since memory may move as it grows; what cannot be
 // computed is answered as a sentence.
-#include <cstdint>
 #include <exception>
 #include <optional>
 #include <string>
@@ -25,27 +24,13 @@ std::vector<double> column(const val& numbers) { return emscripten::convertJSArr
 
 double number(const val& object, const char* name) { return object[name].as<double>(); }
 
-FrictionInput friction_from(const val& friction) {
-  if (friction["model"].as<std::string>() == "table")
-    return TabulatedFriction{column(friction["position"]), column(friction["mu"]), friction["met"].isTrue()};
-  RoughFriction rough{.mu0 = number(friction, "mu0"),
-                      .rms = number(friction, "rms"),
-                      .correlation_length = number(friction, "correlationLength"),
-                      .seed = static_cast<std::uint64_t>(number(friction, "seed")),
-                      .waves = {}};
-  if (const val wave = friction["wave"]; wave.isTrue() || wave.typeOf().as<std::string>() == "object")
-    if (!wave.isNull())
-      rough.waves.push_back({number(wave, "amplitude"), number(wave, "wavelength"), number(wave, "phase")});
-  return rough;
-}
-
 RigInput rig_from(const val& rig) {
   return {.span = number(rig, "span"),
           .depth = number(rig, "diameter"),
           .bending_stiffness = number(rig, "bendingStiffness"),
           .stiffness = number(rig, "stiffness"),
           .roller_radius = number(rig, "tipRadius"),
-          .friction = friction_from(rig["friction"])};
+          .friction = {column(rig["friction"]["length"]), column(rig["friction"]["mu"])}};
 }
 
 val object_of(const State& state) {
@@ -134,22 +119,6 @@ val shaped(const val& rig, double drawn, double friction, int points, double bey
   return answer([&] { return object_of(shape(rig_from(rig), drawn, friction, points, beyond)); });
 }
 
-val friction_along(const val& rig, const val& positions) {
-  return answer([&] { return copied(friction_at(rig_from(rig), column(positions))); });
-}
-
-val as_table(const val& rig, double farthest) {
-  return answer([&] {
-    const TabulatedFriction table = tabulated(rig_from(rig), farthest);
-    val object = val::object();
-    object.set("model", std::string("table"));
-    object.set("position", copied(table.length));
-    object.set("mu", copied(table.mu));
-    object.set("met", table.is_met);
-    return object;
-  });
-}
-
 val linear(const val& rig, double deflection) {
   return answer([&] { return val(euler_bernoulli(rig_from(rig), deflection)); });
 }
@@ -161,8 +130,6 @@ EMSCRIPTEN_BINDINGS(mechanics) {
   emscripten::function("sketch", &sketched);
   emscripten::function("equilibrium", &in_equilibrium);
   emscripten::function("shape", &shaped);
-  emscripten::function("friction", &friction_along);
-  emscripten::function("tabulated", &as_table);
   emscripten::function("linear", &linear);
 }
 

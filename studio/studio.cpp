@@ -1,7 +1,6 @@
 #include "studio/studio.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -10,6 +9,7 @@
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/sliding_table.h"
+#include "contact/over_rollers.h"
 #include "data/names.h"
 #include "data/scales.h"
 #include "numerics/elementary.h"
@@ -29,57 +29,15 @@ Supports supports_of(const RigInput& rig, const Scales& scales) {
 // The fibre on its supports; tables of those met not long ago are kept (fibre/fibre.cpp).
 Fibre fibre_on(const RigInput& rig, const Scales& scales) { return Fibre(supports_of(rig, scales)); }
 
-FrictionWaves waves_of(const RoughFriction& rough, const Scales& scales) {
-  FrictionWaves waves{rough.mu0, 0, {}};
-  for (const Wave& wave : rough.waves)
-    waves.terms.push_back({wave.amplitude, scales.reduced_length(wave.wavelength), wave.phase});
-  return waves;
-}
-
-// A random profile with waves on it, as a table fine enough for both.
-Friction rough_with_waves(const RoughFriction& rough, const Scales& scales, double S_max) {
-  constexpr double points_a_period = 24;
-  const double correlation_length = scales.reduced_length(rough.correlation_length);
-  const Friction random = Friction::rough(rough.mu0, rough.rms, correlation_length, rough.seed, S_max);
-  if (rough.waves.empty()) return random;
-  const Friction waves = Friction::waves(waves_of(rough, scales));
-  double step = 0.25 * correlation_length;
-  for (const Wave& wave : rough.waves)
-    step = std::min(step, 2 * scales.reduced_length(wave.wavelength) / points_a_period);
-  constexpr double most_knots = 1e6;
-  if (!((S_max - 1) / step < most_knots))
-    throw std::invalid_argument("the wavelength is too short for the length that is drawn in");
-  const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
-  FrictionTable table;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double S = 1 + step * static_cast<double>(i);
-    table.S.push_back(S);
-    table.mu.push_back(std::max(random.at(S).mu + (waves.at(S).mu - rough.mu0), 0.0));
-  }
-  return Friction::table(std::move(table));
-}
-
-Friction friction_of(const RoughFriction& rough, const Scales& scales, double S_max) {
-  if (rough.rms > 0) return rough_with_waves(rough, scales, S_max);
-  return Friction::waves(waves_of(rough, scales));
-}
-
-Friction friction_of(const TabulatedFriction& tabulated, const Scales& scales, double) {
-  FrictionTable table{{}, tabulated.mu};
-  table.S.reserve(tabulated.length.size());
-  for (const double length : tabulated.length) table.S.push_back(scales.reduced_length(length));
-  return tabulated.is_met ? Friction::as_met(std::move(table)) : Friction::table(std::move(table));
-}
-
-Friction friction_of(const RigInput& rig, const Scales& scales, double S_max) {
-  return std::visit([&](const auto& friction) { return friction_of(friction, scales, S_max); }, rig.friction);
-}
-
-// As bending_test_of of a case.
-void require_covered(const Friction& friction, const Fibre& fibre, double S_max) {
+// Fails:      std::invalid_argument where there is more of it than the fibre is computed with, as of a case.
+Friction friction_of(const RigInput& rig, const Scales& scales, const Fibre& fibre, double S_max) {
+  FrictionTable table = rig.friction;
+  for (double& S : table.S) S = scales.reduced_length(S);
+  Friction friction = Friction::table(std::move(table));
   if (friction.max_up_to(S_max) > fibre.most_friction())
     throw std::invalid_argument("friction of up to " + std::to_string(friction.max_up_to(S_max)) + ", where at most " +
                                 std::to_string(fibre.most_friction()) + " is computed");
+  return friction;
 }
 
 double drawn_in(const Scales& scales, double S) { return scales.physical_length(S - 1); }
@@ -137,9 +95,7 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
   const double farthest = scales.reduced_length(*std::max_element(programme.begin(), programme.end()));
   const double S_max = longest_at_stage(farthest);
   const Rig rig{scales.reduced_stiffness(input.stiffness), fibre_on(input, scales)};
-  const Friction friction = friction_of(input, scales, S_max);
-  require_covered(friction, rig.fibre, S_max);
-  const BendingTest test{{friction, Friction::constant(0)}, rig};
+  const BendingTest test{friction_of(input, scales, rig.fibre, S_max), rig};
 
   const std::vector<double> positions =
       step ? stage_steps(programme, *step) : std::vector<double>(programme.begin(), programme.end());
@@ -170,10 +126,8 @@ Loading sketch(const RigInput& input, double farthest, int steps) {
   const double end = scales.reduced_length(farthest);
   const double S_max = std::min(longest_at_stage(end), longest_ladder);
   const Fibre fibre = fibre_on(input, scales);
-  const Friction friction = friction_of(input, scales, S_max);
-  require_covered(friction, fibre, S_max);
-  if (!friction.is_met() && fibre.supports().radius > 0)
-    throw std::invalid_argument("a sketch on rollers takes friction as it is met");
+  const Friction of_specimen = friction_of(input, scales, fibre, S_max);
+  const Friction friction = met_without_knots(of_specimen, fibre, 1).value_or(of_specimen);
   const SlidingLadder ladder(S_max, 2 * (S_max - 1) / lengths, fibre);
   const auto S = ladder.lengths();
   const std::vector<double> mu = friction.at(S).mu;
@@ -201,8 +155,7 @@ Loading equilibrium(const RigInput& rig, double longest, int points) {
   const Scales scales = scales_of(rig);
   const double S_max = scales.reduced_length(longest);
   const Fibre fibre = fibre_on(rig, scales);
-  const Friction friction = friction_of(rig, scales, S_max);
-  require_covered(friction, fibre, S_max);
+  const Friction friction = friction_of(rig, scales, fibre, S_max);
   const EquilibriumCurve curve = equilibrium_curve(friction, Sliding::in, S_max, points, fibre);
   Loading loading;
   loading.status = name_in_order<EquilibriumStatus::branch_ended>(curve.status, {"ok", "branch_ended"});
@@ -242,37 +195,6 @@ Shape shape(const RigInput& rig, double drawn, double friction, int points, doub
   result.tangential = scales.physical_force(state.q * state.Pn);
   result.force = scales.physical_force(state.F);
   return result;
-}
-
-std::vector<double> friction_at(const RigInput& rig, std::span<const double> positions) {
-  const Scales scales = scales_of(rig);
-  double farthest = 1e-3;  // of a profile without extent
-  for (const double position : positions) farthest = std::max(farthest, scales.reduced_length(position));
-  const Friction friction = friction_of(rig, scales, 1 + 2 * farthest);
-  std::vector<double> mu;
-  mu.reserve(positions.size());
-  for (const double position : positions) mu.push_back(friction.at(1 + 2 * scales.reduced_length(position)).mu);
-  return mu;
-}
-
-TabulatedFriction tabulated(const RigInput& rig, double farthest) {
-  constexpr std::size_t points = 2000;  // of waves, where a table has none of its own
-  const Scales scales = scales_of(rig);
-  const double S_max = longest_at_stage(scales.reduced_length(farthest));
-  const Friction friction = friction_of(rig, scales, S_max);
-  TabulatedFriction table;
-  table.is_met = friction.is_met();
-  if (const auto* knots = std::get_if<FrictionTable>(&friction.form())) {
-    for (const double S : knots->S) table.length.push_back(scales.physical_length(S));
-    table.mu = knots->mu;
-    return table;
-  }
-  for (std::size_t i = 0; i <= points; ++i) {
-    const double S = 1 + (S_max - 1) * static_cast<double>(i) / static_cast<double>(points);
-    table.length.push_back(scales.physical_length(S));
-    table.mu.push_back(friction.at(S).mu);
-  }
-  return table;
 }
 
 double euler_bernoulli(const RigInput& rig, double deflection) {

@@ -8,36 +8,11 @@
 #include <optional>
 #include <span>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "contact/friction.h"
-#include "fibre/fibre.h"
 
 namespace flexslip::studio {
-
-struct Wave {
-  double amplitude;   // [1] of mu0
-  double wavelength;  // [m] along the fibre
-  double phase;       // [rad]
-};
-
-// mu0 (1 + Σ waves), and at random by rms over correlation_length, if rms > 0: then the random profile plus the waves, as a table.
-struct RoughFriction {
-  double mu0;                 // [1] the mean
-  double rms;                 // [1] standard deviation, of ln μ
-  double correlation_length;  // [m] along the fibre; only where rms > 0
-  std::uint64_t seed;
-  std::vector<Wave> waves;
-};
-
-struct TabulatedFriction {
-  std::vector<double> length;  // [m] of the fibre between the supports, rising
-  std::vector<double> mu;
-  bool is_met;  // over what has been drawn in, as the mean of a fit is: another one on rollers alone
-};
-
-using FrictionInput = std::variant<RoughFriction, TabulatedFriction>;
 
 struct RigInput {
   double span;               // [m]
@@ -45,7 +20,7 @@ struct RigInput {
   double bending_stiffness;  // [N m²]
   double stiffness;          // [N/m] of the load train; may be infinite
   double roller_radius;      // [m] 0: edges
-  FrictionInput friction;
+  FrictionTable friction;    // of the specimen's points, as a table of a case: over lengths [m] between the contacts
 };
 
 struct State {
@@ -74,8 +49,7 @@ Loading simulate(const RigInput& rig, std::span<const double> programme, std::op
 
 // One loading from the straight fibre on up to a stage position [m], at so many even steps of the stage: as simulate, but quickly, for what is drawn
 // while a slider moves. `motion` and `snaps` are empty.
-// Domain:     farthest > 0, steps >= 2; friction as it is met (TabulatedFriction), or edges. std::invalid_argument otherwise, and where the fibre
-//             does not get so far on the lengths that are computed.
+// Domain:     farthest > 0, steps >= 2. std::invalid_argument otherwise, and where the fibre does not get so far on the lengths that are computed.
 // Max error:  1e-3 of the greatest force; beside a snap, that a step earlier or later.
 Loading sketch(const RigInput& rig, double farthest, int steps);
 
@@ -101,13 +75,6 @@ struct Shape {
 // Domain:     points >= 2 between the supports; a state that exists; std::invalid_argument otherwise.
 // Max error:  1e-6 of the span.
 Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond);
-
-// The coefficient of friction so far past each support [m].
-// Domain:     positions >= 0.
-std::vector<double> friction_at(const RigInput& rig, std::span<const double> positions);
-
-// The friction of a rig as a table that a case file can name, for deflections up to that of a stage [m]: lengths [m] and μ.
-TabulatedFriction tabulated(const RigInput& rig, double farthest);
 
 // [N] 48 EI/L³ times a deflection [m].
 double euler_bernoulli(const RigInput& rig, double deflection);

@@ -154,19 +154,17 @@ test("the page's mechanics have the bits of simulate and equilibrium", { skip },
   const glue = (await bundled("mechanics")).default;
   const module = await WebAssembly.compile(readFileSync(join(wasm, "mechanics.wasm")));
   const mechanics = await glue({ instantiateWasm: (imports, done) => (void WebAssembly.instantiate(module, imports).then(done), {}) });
+  const lengths = Float64Array.from({ length: 1000 }, (_, i) => 1.1e-3 + i * 1.4e-6), wavy = (amplitude) => ({ length: lengths, mu: lengths.map((S) => 0.5 * (1 + amplitude * Math.cos((Math.PI * S) / 1.1e-5 + 0.7))) });
   const rigs = {
-    wave: { stiffness: 90.65, tipRadius: 0, diameter: 0, friction: { model: "rough", mu0: 0.5, rms: 0, correlationLength: 1e-5, seed: 1, wave: { amplitude: 0.15, wavelength: 1.1e-5, phase: 0.7 } } },
-    rollers: { stiffness: 400, tipRadius: 6e-5, diameter: 3.48e-5, friction: { model: "rough", mu0: 0.5, rms: 0, correlationLength: 1e-5, seed: 1, wave: { amplitude: 0.02, wavelength: 1.1e-5, phase: 0.7 } } },
-    rough: { stiffness: 90.65, tipRadius: 0, diameter: 0, friction: { model: "rough", mu0: 0.4, rms: 0.15, correlationLength: 9e-6, seed: 4 } },
+    wave: { stiffness: 90.65, tipRadius: 0, diameter: 0, friction: wavy(0.15) },
+    rollers: { stiffness: 400, tipRadius: 6e-5, diameter: 3.48e-5, friction: wavy(0.02) },
   };
   for (const [name, rig] of Object.entries(rigs)) {
     const full = { span: 1.278e-3, bendingStiffness: 2.13e-9, ...rig };
-    const { friction } = rig;
-    const words = friction.rms > 0
-      ? `model = "rough"\nmu0 = ${friction.mu0}\nrms = ${friction.rms}\ncorrelation_length = "${friction.correlationLength} m"\nseed = ${friction.seed}\n`
-      : `model = "sinusoid"\nmu0 = ${friction.mu0}\namplitude = ${friction.wave.amplitude}\nwavelength = "${friction.wave.wavelength} m"\nphase = "${friction.wave.phase} rad"\n`;
+    const { length, mu } = rig.friction;
     const file = join(folder, `${name}.toml`);
-    writeFileSync(file, `[specimen]\nbending_stiffness = "2.13e-9 N m^2"\n${full.diameter ? `diameter = "${full.diameter} m"\n` : ""}[rig]\nspan = "1.278e-3 m"\nstiffness = "${full.stiffness} N/m"\n${full.tipRadius ? `roller_radius = "${full.tipRadius} m"\n` : ""}[friction]\n${words}[stage]\nprogram = ["0 m", "5e-4 m", "1e-4 m", "6e-4 m"]\nstep = "1e-6 m"\n`);
+    writeFileSync(join(folder, `${name}.csv`), ["S [m],mu", ...Array.from(length, (S, i) => `${S},${mu[i]}`), ""].join("\n"));
+    writeFileSync(file, `[specimen]\nbending_stiffness = "2.13e-9 N m^2"\n${full.diameter ? `diameter = "${full.diameter} m"\n` : ""}[rig]\nspan = "1.278e-3 m"\nstiffness = "${full.stiffness} N/m"\n${full.tipRadius ? `roller_radius = "${full.tipRadius} m"\n` : ""}[friction]\nmodel = "table"\nfile = "${name}.csv"\nlength = "S [m]"\n[stage]\nprogram = ["0 m", "5e-4 m", "1e-4 m", "6e-4 m"]\nstep = "1e-6 m"\n`);
     const told = JSON.parse(execFileSync(program, ["simulate", file, "--json", "--quiet"], { encoding: "utf8", maxBuffer: 1e9 }));
     const { result: loading, error } = mechanics.simulate(full, [0, 5e-4, 1e-4, 6e-4], 1e-6, 200);
     assert.equal(error, undefined, name);

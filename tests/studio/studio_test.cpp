@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include "bending_test/history.h"
 #include "case/mechanics.h"
@@ -18,7 +20,7 @@
 namespace flexslip {
 namespace {
 
-studio::RigInput rig_with(studio::FrictionInput friction, double stiffness = 90.65, double roller_radius = 0,
+studio::RigInput rig_with(FrictionTable friction, double stiffness = 90.65, double roller_radius = 0,
                           double depth = 0) {
   return {.span = 1278e-6,
           .depth = depth,
@@ -28,25 +30,42 @@ studio::RigInput rig_with(studio::FrictionInput friction, double stiffness = 90.
           .friction = std::move(friction)};
 }
 
-studio::RoughFriction sinusoid(double amplitude) {
-  return {.mu0 = 0.5, .rms = 0, .correlation_length = 0, .seed = 0, .waves = {{amplitude, 11e-6, 0.7}}};
+// From lengths that rollers leave between the contacts to beyond those that are drawn in.
+template <class Profile>
+FrictionTable table_of(double step, const Profile& mu) {
+  FrictionTable table;
+  for (double S = 1.1e-3; S < 2.6e-3; S += step) {
+    table.S.push_back(S);
+    table.mu.push_back(mu(S));
+  }
+  return table;
 }
 
-const studio::RoughFriction rough{.mu0 = 0.4, .rms = 0.15, .correlation_length = 8e-6, .seed = 7, .waves = {}};
-
-// The case file that says the same, its numbers to the last bit.
-std::string case_of(const studio::RigInput& rig, const std::string& friction, const std::string& stage) {
-  std::string text = "[specimen]\n";
-  text += rig.depth > 0 ? fmt::format("diameter = \"{} m\"\n", rig.depth) : "";
-  text += fmt::format("bending_stiffness = \"{} N m^2\"\n[rig]\nspan = \"{} m\"\n", rig.bending_stiffness, rig.span);
-  text += std::isinf(rig.stiffness) ? "stiffness = \"inf\"\n" : fmt::format("stiffness = \"{} N/m\"\n", rig.stiffness);
-  if (rig.roller_radius > 0) text += fmt::format("roller_radius = \"{} m\"\n", rig.roller_radius);
-  return text + "[friction]\n" + friction + "[stage]\n" + stage;
+FrictionTable sinusoid(double amplitude, double wavelength = 11e-6) {
+  return table_of(wavelength / 8,
+                  [&](double S) { return 0.5 * (1 + amplitude * std::cos(3.141592653589793 * S / wavelength + 0.7)); });
 }
 
-Simulation simulated_by_case(const std::string& text) {
-  const Test input = read_case(std::string_view(text), "case.toml");
-  const Scales scales = scales_of(input, bending_stiffness_of(input));
+const FrictionTable rough = [] {
+  const Friction reduced = Friction::rough(0.4, 0.15, 8e-6 / 1278e-6, 7, 2.1);
+  return table_of(2e-6, [&](double S) { return reduced.at(S / 1278e-6).mu; });
+}();
+
+// The test that says the same.
+Test test_of(const studio::RigInput& rig, const std::vector<double>& programme, std::optional<double> step) {
+  Test test;
+  test.specimen = SpecimenInput{.bending_stiffness = Known{rig.bending_stiffness, 0}};
+  if (rig.depth > 0) test.specimen->diameter = rig.depth;
+  test.rig = RigInput{.span = rig.span, .stiffness = rig.stiffness, .roller_radius = rig.roller_radius};
+  test.friction = FrictionInput{.model = FrictionModel::table,
+                                .file = "friction.csv",
+                                .points = std::make_shared<const FrictionTable>(rig.friction)};
+  test.stage = StageInput{.program = programme, .step = step};
+  return test;
+}
+
+Simulation simulated_by(const Test& input) {
+  const Scales scales = scales_of(input);
   const StageProgramme programme = programme_of(input);
   const BendingTest test = bending_test_of(input, scales, scales.reduced_length(programme.farthest));
   std::vector<double> stages;
@@ -58,18 +77,12 @@ Simulation simulated_by_case(const std::string& text) {
 struct Asked {
   std::string name;
   studio::RigInput rig;
-  std::string friction;  // the same for a case file
 };
 
-const std::vector<Asked> many{
-    {"wave", rig_with(sinusoid(0.15)),
-     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.15\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
-    {"rough", rig_with(rough), "model = \"rough\"\nmu0 = 0.4\nrms = 0.15\ncorrelation_length = \"8e-6 m\"\nseed = 7\n"},
-    {"on rollers, thick", rig_with(sinusoid(0.02), 400, 60e-6, 34.8e-6),
-     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.02\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
-    {"displacement controlled", rig_with(sinusoid(0.15), infinity),
-     "model = \"sinusoid\"\nmu0 = 0.5\namplitude = 0.15\nwavelength = \"11e-6 m\"\nphase = \"0.7 rad\"\n"},
-};
+const std::vector<Asked> many{{"wave", rig_with(sinusoid(0.15))},
+                              {"rough", rig_with(rough)},
+                              {"on rollers, thick", rig_with(sinusoid(0.02), 400, 60e-6, 34.8e-6)},
+                              {"displacement controlled", rig_with(sinusoid(0.15), infinity)}};
 
 void check_same(const studio::Loading& loading, const Simulation& test, bool in_steps) {
   REQUIRE(loading.force.size() == test.path.size());
@@ -91,27 +104,23 @@ TEST_CASE("studio: a loading has the bits of the case that says the same (oracle
   const std::vector<double> programme{0, 5e-4, 2e-4, 6e-4};
   for (const Asked& asked : many) {
     CAPTURE(asked.name);
-    const std::string turns = "program = [\"0 m\", \"5e-4 m\", \"2e-4 m\", \"6e-4 m\"]\n";
     const auto stepped = studio::simulate(asked.rig, programme, 2e-6, 0);
-    const auto by_case = simulated_by_case(case_of(asked.rig, asked.friction, turns + "step = \"2e-6 m\"\n"));
-    check_same(stepped, by_case, true);
+    check_same(stepped, simulated_by(test_of(asked.rig, programme, 2e-6)), true);
     CHECK(stepped.stage == stage_steps(programme, 2e-6));
     const auto continuous = studio::simulate(asked.rig, programme, std::nullopt, 200);
-    check_same(continuous, simulated_by_case(case_of(asked.rig, asked.friction, turns + "step = \"continuous\"\n")),
-               false);
+    check_same(continuous, simulated_by(test_of(asked.rig, programme, std::nullopt)), false);
   }
 }
 
 TEST_CASE(
     "studio: a sketch is the loading to a thousandth of its greatest force, but for a step beside each snap (oracle: "
     "simulate)") {
-  const studio::TabulatedFriction met{
-      {1278e-6, 1290e-6, 1320e-6, 1400e-6, 1700e-6, 2600e-6}, {0.4, 0.5, 0.3, 0.45, 0.4, 0.5}, true};
+  const FrictionTable sparse{{1278e-6, 1290e-6, 1320e-6, 1400e-6, 1700e-6, 2600e-6}, {0.4, 0.5, 0.3, 0.45, 0.4, 0.5}};
   constexpr double farthest = 560e-6;
   constexpr int steps = 800;
   for (const auto& rig :
        {rig_with(sinusoid(0.15)), rig_with(sinusoid(0.3), 90.65, 0, 34.8e-6), rig_with(sinusoid(0.3), infinity),
-        rig_with(rough), rig_with(met, 90.65, 50e-6, 34.8e-6), rig_with(met, 30)}) {
+        rig_with(rough), rig_with(sparse, 90.65, 50e-6, 34.8e-6), rig_with(sparse, 30)}) {
     const studio::Loading exact = studio::simulate(rig, std::vector{0.0, farthest}, farthest / steps, 0);
     const studio::Loading sketch = studio::sketch(rig, farthest, steps);
     REQUIRE(sketch.stage.size() == steps + 1);
@@ -130,21 +139,7 @@ TEST_CASE(
     CHECK(off <= 4 * exact.snaps.size());
     CHECK(sketch.drawn.back() == doctest::Approx(exact.drawn.back()).epsilon(0.01));
   }
-  CHECK_THROWS_AS(studio::sketch(rig_with(sinusoid(0.15), 90.65, 50e-6), farthest, steps), std::invalid_argument);
   CHECK_THROWS_AS(studio::sketch(rig_with(sinusoid(0.15)), 5e-3, steps), std::invalid_argument);
-}
-
-TEST_CASE("studio: the rough and wavy friction of the sliders is the table that it says it is") {
-  studio::RoughFriction both = rough;
-  both.waves = sinusoid(0.15).waves;
-  const auto rig = rig_with(both);
-  const std::vector<double> programme{0, 6e-4};
-  const auto table = studio::tabulated(rig, 6e-4);
-  const auto loading = studio::simulate(rig, programme, 2e-6, 0);
-  const auto by_table = studio::simulate(rig_with(table), programme, 2e-6, 0);
-  CHECK(loading.force == by_table.force);
-  CHECK(loading.deflection == by_table.deflection);
-  CHECK(loading.snaps.size() > 3);
 }
 
 TEST_CASE("studio: the equilibrium curve passes through every sliding state of a stiff rig") {
@@ -200,8 +195,7 @@ TEST_CASE(
 }
 
 TEST_CASE("studio: Euler and Bernoulli are the limit of a small deflection without friction") {
-  auto rig = rig_with(sinusoid(0), infinity);
-  std::get<studio::RoughFriction>(rig.friction).mu0 = 0;
+  const auto rig = rig_with({{1e-3, 2e-3}, {0, 0}}, infinity);
   const std::vector<double> programme{0, 1e-4 * rig.span};
   const auto loading = studio::simulate(rig, programme, 1.0, 0);
   CHECK(loading.force.back() == doctest::Approx(studio::euler_bernoulli(rig, 1e-4 * rig.span)).epsilon(1e-6));
@@ -227,16 +221,6 @@ TEST_CASE("studio: what cannot be computed is refused with a sentence") {
   CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(1.5)), programme, 1e-6, 0), std::invalid_argument);
   CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1), 90, 0.6e-3), programme, 1e-6, 0), std::invalid_argument);
   CHECK_THROWS_AS(studio::shape(rig_with(sinusoid(0.1)), 1, -5, 10, 0), std::invalid_argument);
-}
-
-TEST_CASE("studio: friction past the supports is that of the profile at the length drawn in over both") {
-  const auto rig = rig_with(sinusoid(0.15));
-  const std::vector<double> positions{0, 3e-6, 1e-4};
-  const auto mu = studio::friction_at(rig, positions);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const double S = rig.span + 2 * positions[i];
-    CHECK(mu[i] == doctest::Approx(0.5 * (1 + 0.15 * std::cos(3.141592653589793 * S / 11e-6 + 0.7))).epsilon(1e-10));
-  }
 }
 
 }  // namespace flexslip

@@ -91,8 +91,6 @@ export async function openMechanics(): Promise<Mechanics> {
     sketch: (rig, farthest, steps) => result(bound.sketch(rig, farthest, steps)),
     equilibrium: (rig, points, longest = 1.5 * rig.span) => result(bound.equilibrium(rig, longest, points)),
     shape: (rig, drawn, friction, points, beyond = 0.15 * rig.span) => result(bound.shape(rig, drawn, friction, points, beyond)),
-    friction: (rig, positions) => result(bound.friction(rig, positions)),
-    tabulated: (rig, farthest) => result(bound.tabulated(rig, farthest)),
     linear: (rig, deflection) => result(bound.linear(rig, deflection)),
   };
 }

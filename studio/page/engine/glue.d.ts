@@ -26,8 +26,6 @@ declare module "mechanics-glue" {
     sketch(rig: unknown, farthest: number, steps: number): Answered<import("../src/engine").Loading>;
     equilibrium(rig: unknown, longest: number, points: number): Answered<import("../src/engine").Loading>;
     shape(rig: unknown, drawn: number, friction: number, points: number, beyond: number): Answered<import("../src/engine").Shape>;
-    friction(rig: unknown, positions: Float64Array): Answered<Float64Array>;
-    tabulated(rig: unknown, farthest: number): Answered<Extract<import("../src/engine").Friction, { model: "table" }>>;
     linear(rig: unknown, deflection: number): Answered<number>;
   }
   export default function flexslipMechanics(settings: Instantiation): Promise<Bound>;

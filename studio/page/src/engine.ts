@@ -21,16 +21,12 @@ export class Cancelled extends Error {
 export interface Mechanics {
   /** A loading of the rig: what `flexslip simulate` answers, as columns; the same bits. A step of 0: continuously, 200 points on each stretch. */
   simulate(rig: Rig, programme: number[], step: number): Loading;
-  /** One loading up to a stage position, at so many even steps: as simulate to a thousandth of the greatest force, and quickly; without motion and snaps. Friction as it is met, or edges. */
+  /** One loading up to a stage position, at so many even steps: as simulate to a thousandth of the greatest force, and quickly; without motion and snaps. */
   sketch(rig: Rig, farthest: number, steps: number): Loading;
   /** The equilibrium curve of loading, whatever the rig: what `flexslip equilibrium --points` answers; up to a length between the supports, without one 1.5 spans. */
   equilibrium(rig: Rig, points: number, longest?: number): Loading;
   /** The fibre's axis at a state, `points` between the supports and one beyond each, where `beyond` [m] lie as it is straight (without it, 0.15 spans). */
   shape(rig: Rig, drawnLength: number, friction: number, points: number, beyond?: number): Shape;
-  /** Friction so far past each support [m]. */
-  friction(rig: Rig, positions: Float64Array): Float64Array;
-  /** The friction of a rig as a table, for deflections up to that of a stage [m]: what a case file can name with model = "table". */
-  tabulated(rig: Rig, farthest: number): Extract<Friction, { model: "table" }>;
   /** Euler-Bernoulli's force at a deflection. */
   linear(rig: Rig, deflection: number): number;
 }
@@ -40,12 +36,8 @@ export interface Rig {
   bendingStiffness: number;  // [N m²]
   stiffness: number;         // [N/m] of the load train, Infinity allowed
   tipRadius: number;         // [m] of the supports, 0: edges
-  friction: Friction;
+  friction: { length: Float64Array; mu: Float64Array };  // as a case names it with model = "table": over lengths between the contacts [m], rising
 }
-export type Friction =
-  | { model: "rough"; mu0: number; rms: number; correlationLength: number; seed: number; wave?: { amplitude: number; wavelength: number; phase: number } }
-  /** position: length of the fibre between the supports [m], rising; met: over what has been drawn in, as the mean of a fit is (another one on rollers alone). */
-  | { model: "table"; position: Float64Array; mu: Float64Array; met?: boolean };
 export interface State { deflection: number; force: number; drawn: number; friction: number }
 export interface Loading {
   status: "ok" | "slipped_through" | "contact_lost" | "branch_ended";  // otherwise the columns end early

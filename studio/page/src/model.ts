@@ -12,7 +12,7 @@ const STEPS = 800;  // of the stage over the record: finer than the pixels of an
 /** Friction over S for these values. The fibre keeps its friction where it is past the supports, so a changed span shifts it. */
 function tableOf(fit: Fit, values: Values, mu: Float64Array): Rig["friction"] {
   const shift = values.L - fit.fitted.L;
-  return { model: "table", position: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu, met: values.R > 0 };  // on edges it is the same friction, and then bit by bit that of a case file
+  return { length: shift === 0 ? fit.friction.length : fit.friction.length.map((S) => S + shift), mu };
 }
 
 export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
@@ -23,11 +23,11 @@ const LIVE_KNOTS = 280;  // of friction while a slider moves: a curve costs by t
 
 /** Every few of the knots, the last one among them. */
 function thinned(friction: Rig["friction"]): Rig["friction"] {
-  if (friction.model !== "table" || friction.position.length <= LIVE_KNOTS) return friction;
-  const { position, mu } = friction, n = position.length, every = Math.ceil(n / LIVE_KNOTS);
+  const { length, mu } = friction, n = length.length, every = Math.ceil(n / LIVE_KNOTS);
+  if (n <= LIVE_KNOTS) return friction;
   const kept = Array.from({ length: Math.ceil(n / every) }, (_, i) => i * every);
   if (kept[kept.length - 1] !== n - 1) kept.push(n - 1);
-  return { ...friction, position: Float64Array.from(kept, (i) => position[i]!), mu: Float64Array.from(kept, (i) => mu[i]!) };
+  return { length: Float64Array.from(kept, (i) => length[i]!), mu: Float64Array.from(kept, (i) => mu[i]!) };
 }
 
 export class Model {
@@ -58,16 +58,12 @@ export class Model {
   }
   /** Makes the tables of states on these supports, and lets the browser compile what runs through them, while there is nothing else to do: of any specimen on them. */
   prepare({ span, diameter, stiffness, tipRadius }: { span: number; diameter: number; stiffness: number; tipRadius: number }): void {
-    const position = Float64Array.from({ length: 60 }, (_, i) => span * (1 + i / 120)), mu = position.map((_, i) => 0.5 + 0.1 * Math.sin(i));
+    const length = Float64Array.from({ length: 60 }, (_, i) => span * (1 + i / 120)), mu = length.map((_, i) => 0.5 + 0.1 * Math.sin(i));
     const farthest = 0.4 * span, k = Number.isFinite(stiffness) && stiffness > 0 ? stiffness : 1;
-    this.mechanics.simulate({ span, diameter, tipRadius, stiffness: k, bendingStiffness: (k * span ** 3) / 200, friction: { model: "table", position, mu, met: tipRadius > 0 } }, [0, farthest], farthest / 300);
+    this.mechanics.simulate({ span, diameter, tipRadius, stiffness: k, bendingStiffness: (k * span ** 3) / 200, friction: { length, mu } }, [0, farthest], farthest / 300);
   }
   withoutFriction(rig: Rig): Loading {
-    return this.mechanics.equilibrium({ ...rig, friction: { model: "table", position: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
-  }
-  /** The friction of a rig as a case file takes it: on rollers it is looked up where the axis touches, and so by another length. */
-  tableFor(rig: Rig, farthest: number): Extract<Rig["friction"], { model: "table" }> {
-    return rig.friction.model === "table" && !rig.friction.met ? rig.friction : this.mechanics.tabulated(rig, farthest);
+    return this.mechanics.equilibrium({ ...rig, friction: { length: Float64Array.of(rig.span, 2 * rig.span), mu: Float64Array.of(0, 0) } }, 200);
   }
   linear(rig: Rig, deflection: number): number {
     return this.mechanics.linear(rig, deflection);

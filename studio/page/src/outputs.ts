@@ -66,7 +66,6 @@ export function simulationOf(studio: Studio, test: Test, fit: Fit): { toml: stri
   studio.settle();
   studio.flush();
   const values = studio.values!, rig = studio.model.rig(fit, values, studio.wave), loading = studio.loading!;
-  const table = studio.model.tableFor(rig, fit.greatestStage);
   const programme = [0, fit.greatestStage], step = studio.model.stepOf(programme);
   const toml = [
     `# What the sliders of the studio said of ${test.name.replace(/[\r\n]/g, " ")}: flexslip simulate ${test.name}-model.toml`,
@@ -75,7 +74,7 @@ export function simulationOf(studio: Studio, test: Test, fit: Fit): { toml: stri
     "[friction]", 'model = "table"', `file = ${JSON.stringify(`${test.name}-friction.csv`)}`, 'length = "length [m]"', "",
     "[stage]", `program = [${programme.map((s) => `"${s} m"`).join(", ")}]`, `step = "${step} m"`, "",
   ].join("\n");
-  const friction = ["length [m],mu", ...Array.from(table.position, (S, i) => `${S},${table.mu[i]}`)].join("\n") + "\n";
+  const friction = ["length [m],mu", ...Array.from(rig.friction.length, (S, i) => `${S},${rig.friction.mu[i]}`)].join("\n") + "\n";
   const curve = ["w_s [m],w [m],F [N]", ...Array.from(loading.stage, (s, i) => `${s},${loading.deflection[i]},${loading.force[i]}`)].join("\n") + "\n";
   return { toml, friction, curve };
 }
