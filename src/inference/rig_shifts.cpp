@@ -98,7 +98,7 @@ std::vector<Shift> RigShifts::deviations(double w, double F) const {
   const Eigen::Matrix<double, places, 1> slow = whitening * from_places;
   for (const double part : slow) {
     const double force = errors_.slow_force * greatest_force_ * part;
-    shifts.push_back({-force * compliance_, force});
+    shifts.push_back({0, force});  // of the specimen more than of the cell: the load train knows the true force
   }
   return shifts;
 }
