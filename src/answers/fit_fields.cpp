@@ -542,6 +542,8 @@ Fields<Answer> answer_fields() {
       .group("verdict", "what the test comes to", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
       .list("findings", "all that was found out, the weightiest first", finding_fields(), &Answer::findings)
+      .list("assumed", "errors, as standard deviations, that are assumed because the case states none",
+            finding_number_fields(), &Answer::assumed)
       .words("next", "the one step that would tell most; empty where there is none", &Answer::next);
 }
 

@@ -592,13 +592,15 @@ void find_zero_displacement(const Test& input, const Record& whole, Measurement&
               KeyChange{"record", "contact", "\"find\""}, toe);
     return;
   }
-  const auto* stated = std::get_if<double>(&*rule);
+  const auto* stated = std::get_if<Known>(&*rule);
   result.contact = ContactSource::stated;
-  result.contact_offset = stated ? *stated : whole.stage.front();
+  result.contact_offset = stated ? stated->value : whole.stage.front();
+  if (stated) result.contact_error = stated->uncertainty.value_or(result.contact_error);
   steps.add("contact", result.contact_offset != 0,
             stated ? "displacements are counted from the contact stated"
                    : "displacements are counted from the first row, as stated",
-            KeyChange{"record", "contact", "\"find\""}, value_in(input, result.contact_offset, {}, kind::length));
+            KeyChange{"record", "contact", "\"find\""},
+            value_in(input, result.contact_offset, stated ? stated->uncertainty : std::nullopt, kind::length));
 }
 
 }  // namespace

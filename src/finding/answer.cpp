@@ -850,6 +850,28 @@ std::string reload_in_words(T test) {
                      parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
+std::vector<FindingNumber> assumed_errors(T test) {
+  const Test& input = test.measurement.test;
+  const TestAnalysis& analysis = test.analysis;
+  const Supports& supports = analysis.rig.fibre.supports();
+  const RigErrors errors = rig_errors_of(input);
+  std::vector<FindingNumber> assumed;
+  const auto add = [&](std::string_view what, double error, const std::optional<Known>& known) {
+    if (!known || !known->uncertainty) assumed.push_back({what, error});
+  };
+  if (test.stiffness != StiffnessSource::stated) assumed.push_back({"EI", analysis.bending_stiffness_error});
+  if (std::isfinite(analysis.rig.stiffness)) add("load train", errors.load_train, input.rig->stiffness);
+  add("span", errors.span, input.rig->span);
+  if (!input.record->gain_error) assumed.push_back({"gain", errors.force_gain});
+  if (supports.half_depth > 0)
+    add("thickness", errors.thickness, input.specimen->height ? input.specimen->height : input.specimen->diameter);
+  if (supports.radius > 0) add("roller radius", errors.support_radius, input.rig->roller_radius);
+  const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
+  if (test.measurement.contact != ContactSource::found && !(contact && contact->uncertainty))
+    assumed.push_back({"contact", test.measurement.contact_error, kind::length});
+  return assumed;
+}
+
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -857,13 +879,17 @@ std::string assumed_in_words(T test) {
   std::vector<std::string> parts{supports.radius > 0 ? "rollers of radius " + print.length(supports.radius)
                                                      : "knife edges"};
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
-  if (test.stiffness != StiffnessSource::stated)
-    parts.push_back(fmt::format("EI to {:.2g} %", 100 * test.analysis.bending_stiffness_error));
   parts.push_back(measurement.contact == ContactSource::first_point || measurement.contact_offset == 0
                       ? "contact at the zero of the file"
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
   parts.emplace_back("a slender, straight, elastic beam");
+  std::vector<std::string> errors;
+  for (const auto& [what, error, kind] : assumed_errors(test))
+    errors.push_back(fmt::format("{} to {}", what,
+                                 kind.name == kind::length.name ? format_roughly(error, print.as(kind::length))
+                                                                : fmt::format("{:.2g} %", 100 * error)));
+  if (!errors.empty()) parts.push_back(fmt::format("{}: state yours and the error shrinks", fmt::join(errors, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
@@ -932,7 +958,8 @@ Answer answer_of(T test) {
   Verdict verdict = verdict_of(test, findings);
   const Standing standing = standing_of(findings);
   std::string next = next_step(verdict, findings);
-  return {std::move(verdict), standing, rows_of(test, standing), std::move(findings), std::move(next)};
+  return {std::move(verdict),   standing,       rows_of(test, standing), std::move(findings),
+          assumed_errors(test), std::move(next)};
 }
 
 }  // namespace flexslip

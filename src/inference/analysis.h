@@ -54,6 +54,8 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
 
 // The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
 inline constexpr double usual_stiffness_error = 0.03;
+// And of a modulus beside a section whose uncertainty is stated: what the diameter to 0.5 %, which is 2 % of EI, leaves of it.
+inline constexpr double usual_modulus_error = 0.022;
 
 // What is known of a test besides its record.
 struct TestDescription {
