@@ -617,11 +617,11 @@ Fields<FittedTest> contact_fields() {
                return name_in_order<ContactSource::first_point>(test.measurement.contact,
                                                                 {"stated", "found", "first_point"});
              })
-      .only_where([](T test) { return test.analysis.contact.status == ContactStatus::found; })
+      .only_where([](T test) { return test.measurement.own_contact.status == ContactStatus::found; })
       .own_estimate(
           "line_offset", kind::length,
-          "displacement, from the contact, at which a line through the first part of the curve meets zero force",
-          [](T test) { return test.analysis.contact.offset; });
+          "displacement, from the contact, at which the record itself begins, by the fibre's curve near its beginning",
+          [](T test) { return test.measurement.own_contact.offset; });
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {

@@ -92,6 +92,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.contact = ContactSource::found;
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
+  measurement.own_contact = counted_from(contact.value, measurement.own_contact);
   measurement.preparation.steps.push_back(
       {.name = "contact",
        .changed = true,

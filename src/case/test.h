@@ -135,7 +135,7 @@ struct StageInput {
 enum class DisplacementOf { crosshead, deflection };
 enum class SignRule { find, keep, reverse };
 enum class FailureRule { find, none };
-enum class ZeroWord { find, keep };
+enum class ZeroWord { find, keep, slope };
 enum class ContactWord { find, first_row };
 using ForceZeroRule = std::variant<ZeroWord, double>;  // [N] to be taken off
 using ContactRule = std::variant<ContactWord, Known>;  // [m] displacement at first contact
