@@ -18,7 +18,7 @@ namespace {
 InitialLine line_between(const Record& record, double from, double up_to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Estimate unknown{nan, nan, nan, nan};
-  const auto failed = [=](ContactStatus status) { return InitialLine{status, unknown, unknown, 0, 0, 0, false}; };
+  const auto failed = [=](ContactStatus status) { return InitialLine{status, unknown, unknown, 0, 0, false}; };
   if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
 
   const double most = *std::max_element(record.force.begin(), record.force.end());
@@ -45,9 +45,6 @@ InitialLine line_between(const Record& record, double from, double up_to) {
     off_stage[i] = force[i] - by_stage.mean_y - by_stage.slope * (stage[i] - by_stage.mean_x);
   const double lever = by_stage.mean_y / by_stage.slope;  // [m] from the contact to the middle of the points
   const double offset = by_stage.mean_x - lever;
-  const auto points_before =
-      std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
-                    [=](double ws) { return ws < offset; });
   const auto freedom = static_cast<double>(n - 2);
   return {.status = ContactStatus::found,
           .offset = student_estimate(offset,
@@ -55,7 +52,6 @@ InitialLine line_between(const Record& record, double from, double up_to) {
                                          std::sqrt(1 / static_cast<double>(n) + lever * lever / by_stage.sum_xx),
                                      freedom),
           .slope = student_estimate(line.slope, slope_error(line, 0, max_correlation), freedom),
-          .points_before = static_cast<std::size_t>(points_before),
           .first = first,
           .last = last,
           .settles = false};

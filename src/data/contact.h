@@ -17,11 +17,10 @@ enum class ContactStatus {
 
 struct InitialLine {
   ContactStatus status;
-  Estimate offset;            // [m] stage position, and so deflection, at which the contact begins
-  Estimate slope;             // [N/m] initial dF/dw0, the stiffness of the specimen
-  std::size_t points_before;  // points whose stage lies before the contact
-  std::size_t first, last;    // points [first, last) the line was drawn through
-  bool settles;               // the curve bends where it begins: the line is drawn through what comes above
+  Estimate offset;          // [m] stage position, and so deflection, at which the contact begins
+  Estimate slope;           // [N/m] initial dF/dw0, the stiffness of the specimen
+  std::size_t first, last;  // points [first, last) the line was drawn through
+  bool settles;             // the curve bends where it begins: the line is drawn through what comes above
 };
 
 // The straight beginning of a loading curve, force = slope (deflection - offset), between 0.02 and 0.15 of the maximum force: below, the
