@@ -191,7 +191,6 @@ struct Scatter {
 
 struct Told {
   double offset = 0, variance = 0;  // [L], [L²] of the contact, once it has settled
-  double force_offset = 0;          // [N]
   double log_evidence = -std::numeric_limits<double>::infinity();
   double depth = 0, depth_variance = 0;  // of the seat
   Fitted likeliest{};
@@ -230,13 +229,11 @@ Told told_by(const BeginningFit& fit, std::span<const Rise> rises, std::span<con
     sum += weight;
     mean += weight * each.settled();
     square += weight * (inflation * each.contact_variance + each.settled() * each.settled());
-    told.force_offset += weight * each.offset;
     told.depth += weight * each.depth;
     depths += weight * (inflation * each.depth_variance + each.depth * each.depth);
   }
   told.offset = mean / sum;
   told.variance = std::max(square / sum - told.offset * told.offset, 0.0);
-  told.force_offset /= sum;
   told.depth /= sum;
   told.depth_variance = std::max(depths / sum - told.depth * told.depth, 0.0);
   told.log_evidence = elementary::log(sum / static_cast<double>(seats.size())) + told.likeliest.log_volume -
@@ -293,16 +290,19 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
   const Told seated = told_by(longer_fit, rises, seats, told.likeliest, offset_error);
   const Told plain = told_by(longer_fit, rises, firm, told.likeliest, offset_error, seated.scatter);
   const double for_seat = seated.log_evidence - plain.log_evidence;
-  const double share = seated.depth > 0 ? 1 / (1 + elementary::exp(-std::clamp(for_seat, -100.0, 100.0))) : 0;
-  const double away = seated.offset - told.offset;
-  const double error =
-      std::sqrt((1 - share) * told.variance + share * seated.variance + share * (1 - share) * away * away);
-  told.offset += share * away;
+  const double share =
+      std::isfinite(for_seat) && seated.depth > 0 ? 1 / (1 + elementary::exp(-std::clamp(for_seat, -100.0, 100.0))) : 0;
+  double error = std::sqrt(told.variance);
+  if (share > 0) {
+    const double away = seated.offset - told.offset;
+    error = std::sqrt((1 - share) * told.variance + share * seated.variance + share * (1 - share) * away * away);
+    told.offset += share * away;
+  }
+  if (!std::isfinite(told.offset) || !std::isfinite(error)) return {ContactStatus::not_rising};
   const double offset = test.span * told.offset;
   return {.status = ContactStatus::found,
           .offset = normal_estimate(offset, test.span * elementary::length(error, least_contact_error)),
           .slope = of_a_beam * elementary::exp(told.likeliest.log_stiffness) / test.span,
-          .force_offset = told.force_offset,
           .points_before = static_cast<std::size_t>(
               std::count_if(record.stage.begin(), record.stage.end(), [=](double at) { return at < offset; })),
           .settles = share > 0.5 && seated.depth * seated.depth > 4 * seated.depth_variance};

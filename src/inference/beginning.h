@@ -24,9 +24,8 @@ struct BeginningOf {
 
 struct Contact {
   ContactStatus status;
-  Estimate offset{};        // [m] stage position at which the contact begins; of one that settles, once it has settled
-  double slope = 0;         // [N/m] dF/dw0 there, the stiffness of the specimen
-  double force_offset = 0;  // [N] of the rows before
+  Estimate offset{};  // [m] stage position at which the contact begins; of one that settles, once it has settled
+  double slope = 0;   // [N/m] dF/dw0 there, the stiffness of the specimen
   std::size_t points_before = 0;  // whose stage lies before the contact
   bool settles = false;  // at first the seat gives way, by more than its error and than friction bends the curve
 };
