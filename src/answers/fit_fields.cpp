@@ -542,6 +542,8 @@ Fields<Answer> answer_fields() {
       .group("verdict", "what the test comes to", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
       .list("findings", "all that was found out, the weightiest first", finding_fields(), &Answer::findings)
+      .list("assumed", "errors, as standard deviations, that are assumed because the case states none",
+            finding_number_fields(), &Answer::assumed)
       .words("next", "the one step that would tell most; empty where there is none", &Answer::next);
 }
 
@@ -615,11 +617,11 @@ Fields<FittedTest> contact_fields() {
                return name_in_order<ContactSource::first_point>(test.measurement.contact,
                                                                 {"stated", "found", "first_point"});
              })
-      .only_where([](T test) { return test.analysis.contact.status == ContactStatus::found; })
+      .only_where([](T test) { return test.measurement.own_contact.status == ContactStatus::found; })
       .own_estimate(
           "line_offset", kind::length,
-          "displacement, from the contact, at which a line through the first part of the curve meets zero force",
-          [](T test) { return test.analysis.contact.offset; });
+          "displacement, from the contact, at which the record itself begins, by the fibre's curve near its beginning",
+          [](T test) { return test.measurement.own_contact.offset; });
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {

@@ -130,13 +130,8 @@ void set(toml::table& table, const std::string& key, const std::string& cell, co
     table.insert_or_assign(key, cell);
 }
 
-toml::table& subtable(toml::table& table, const std::string& name) {
-  if (!table[name].is_table()) table.insert_or_assign(name, toml::table{});
-  return *table[name].as_table();
-}
-
 void say(toml::table& table, const TableKey& key, const std::string& cell) {
-  toml::table& section = subtable(table, key.section);
+  toml::table& section = table_at(table, key.section);
   if (key.part.empty()) {
     const CaseKey* known = case_key(key.section, key.key);
     if (known != nullptr && (known->holds == Holds::text || known->holds == Holds::name_or_number) && key.unit.empty())
@@ -145,12 +140,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
       set(section, key.key, cell, key.unit);
     return;
   }
-  if (!section[key.key].is_table()) {  // a value becomes one with an uncertainty
-    toml::table parts;
-    if (const auto* value = section.get(key.key)) parts.insert_or_assign("value", *value);
-    section.insert_or_assign(key.key, std::move(parts));
-  }
-  set(*section[key.key].as_table(), key.part, cell, key.unit);
+  set(table_at(section, key.key), key.part, cell, key.unit);
 }
 
 // A case as a test of a campaign.
@@ -170,7 +160,8 @@ InputError in_row(const InputError& error, const TextTable& table, const TextRow
   fault.file = table.source;
   fault.line = row.line;
   for (const auto& key : keys)
-    if (fault.key == fmt::format("{}.{}", key.section, key.key)) fault.field = "column " + in_quotes(key.title);
+    if (fault.key == fmt::format("{}.{}{}{}", key.section, key.key, key.part.empty() ? "" : ".", key.part))
+      fault.field = "column " + in_quotes(key.title);
   if (fault.kind == FaultKind::missing)
     fault.remedy = fmt::format("{} to the case file passed as --common, or a column to the table",
                                fault.remedy.empty() ? "add it" : fault.remedy);
@@ -278,7 +269,7 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
     if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     toml::table text = common;
-    subtable(text, "record").insert_or_assign("file", file.string());
+    table_at(text, "record").insert_or_assign("file", file.string());
     try {
       test.input = checked(case_from(text, "", changes));
     } catch (const InputError& error) {

@@ -134,7 +134,8 @@ void note_lines(const toml::node& node, const std::string& key, Test& test) {
 }
 
 bool is_in_unit(const toml::table& section, std::string_view name, std::string_view symbol) {
-  const auto text = section[name].value_exact<std::string_view>();
+  const toml::table* parts = section[name].as_table();
+  const auto text = (parts ? (*parts)["value"] : section[name]).value_exact<std::string_view>();
   if (!text || !text->ends_with(symbol)) return false;
   const std::string_view number = text->substr(0, text->size() - symbol.size());
   return !number.empty() && (number.back() == ' ' || is_digit(number.back()));
@@ -201,7 +202,7 @@ void check_specimen(const Test& test) {
   if (specimen.width.has_value() != specimen.height.has_value())
     throw missing(test, specimen.width ? "specimen.height" : "specimen.width");
   if (is_tube) {
-    const double inner = specimen.wall ? *specimen.diameter - 2 * *specimen.wall : *specimen.inner_diameter;
+    const double inner = specimen.wall ? *specimen.diameter - 2 * *specimen.wall : specimen.inner_diameter->value;
     if (!(inner < *specimen.diameter && inner > 0) && specimen.wall)
       refuse(test, "specimen.wall", "a wall thinner than half the diameter", readable_length(test, *specimen.wall),
              "leave it out if the specimen is solid");
@@ -229,8 +230,8 @@ void check_rig(const Test& test) {
   const auto written = [&](double length) {
     return test.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(test, length));
   };
-  if (test.reduced && rig.span != 1)
-    refuse(test, "rig.span", "1, the unit of reduced variables", fmt::format("{}", *rig.span));
+  if (test.reduced && rig.span != 1.0)
+    refuse(test, "rig.span", "1, the unit of reduced variables", fmt::format("{}", rig.span->value));
   if (rig.rollers != Rollers::fixed && !(rig.roller_radius.value_or(0) > 0))
     refuse(test, "rig.rollers", "rollers with a radius", "none",
            rig.span ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
@@ -341,6 +342,18 @@ std::string full_name(const CaseKey& key) {
   return key.section.empty() ? std::string(key.name) : fmt::format("{}.{}", key.section, key.name);
 }
 
+constexpr std::string_view of_uncertainty = ".uncertainty";
+
+// "rig.stiffness", also of "rig.stiffness.uncertainty". Null if there is none.
+const CaseKey* named_key(std::string_view name) {
+  if (name.ends_with(of_uncertainty)) {
+    const CaseKey* key = named_key(name.substr(0, name.size() - of_uncertainty.size()));
+    return key && key->holds == Holds::estimate ? key : nullptr;
+  }
+  const std::size_t dot = name.rfind('.');
+  return case_key(name.substr(0, dot == name.npos ? 0 : dot), name.substr(dot + 1));  // npos + 1 is 0
+}
+
 // The key that a change names, "rig.stiffness".
 // Fails:      InputError for a text that is no change, or whose key no case file has.
 std::string changed_key(std::string_view change) {
@@ -350,8 +363,9 @@ std::string changed_key(std::string_view change) {
   const std::size_t dot = name.rfind('.');
   const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
   const bool is_whole = dot != 0 && !name.ends_with('.');
-  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos;
-  if (is_whole && has_keys && case_key(section, name.substr(dot + 1))) return std::string(name);  // npos + 1 is 0
+  const bool has_keys = section == "friction.other" || section == "sweep.axes" || section.find('.') == section.npos ||
+                        name.ends_with(of_uncertainty);
+  if (is_whole && has_keys && named_key(name)) return std::string(name);
   std::vector<std::string> known;
   for (const CaseKey& key : case_keys())
     if (key.section.find('.') == key.section.npos)
@@ -409,8 +423,8 @@ struct Writer {
   std::string operator()(char value) const { return fmt::format("\"{}\"", value); }
   std::string operator()(const ToFit&) const { return "\"fit\""; }
   std::string operator()(const Known& known) const {
-    if (known.uncertainty == 0) return (*this)(known.value);
-    return fmt::format("{{ value = {}, uncertainty = {} }}", (*this)(known.value), (*this)(known.uncertainty));
+    if (!known.uncertainty) return (*this)(known.value);
+    return fmt::format("{{ value = {}, uncertainty = {} }}", (*this)(known.value), (*this)(*known.uncertainty));
   }
   std::string operator()(const AtRow& at) const { return std::to_string(at.row); }
   std::string operator()(const AtStage& at) const {
@@ -487,7 +501,7 @@ Test read_case(std::string_view text, const std::string& source, const std::vect
   if (test.rig) test.rig->in_inches = is_in_unit(*section("rig"), "span", "in");
   if (test.reduced) {
     if (!test.specimen) test.specimen.emplace();
-    if (!test.specimen->bending_stiffness) test.specimen->bending_stiffness = Known{1, 0};
+    if (!test.specimen->bending_stiffness) test.specimen->bending_stiffness = Known{1};
     if (!test.rig) test.rig.emplace();
     if (!test.rig->span) test.rig->span = 1;
   }
@@ -617,13 +631,12 @@ toml::table with_changes(toml::table table, const std::vector<std::string>& chan
     for (std::size_t at = 0; at < dot && dot < name.size();) {
       const std::size_t end = std::min(name.find('.', at), dot);
       const std::string part = name.substr(at, end - at);
-      if (!(*section)[part].is_table()) section->insert_or_assign(part, toml::table{});
-      section = (*section)[part].as_table();
+      section = &table_at(*section, part);
       at = end + 1;
     }
     const bool is_top = dot == name.size();
     const std::string last = is_top ? name : name.substr(dot + 1);
-    insert(*section, last, *case_key(is_top ? "" : name.substr(0, dot), last), value);
+    insert(*section, last, *named_key(name), value);
   }
   return table;
 }

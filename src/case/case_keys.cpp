@@ -62,9 +62,15 @@ constexpr CaseKey plain(Member of, std::string_view name, Holds holds, std::stri
   return in(of, {name, holds, nullptr, Range::any, min, "", example, example, meaning, more});
 }
 
-constexpr CaseKey estimate(Member of, std::string_view name, const Kind& kind, std::string_view example,
-                           std::string_view reduced, std::string_view meaning, std::string_view more) {
-  return in(of, {name, Holds::estimate, &kind, Range::positive, 0, "fit", example, reduced, meaning, more});
+constexpr CaseKey estimate(Member of, std::string_view name, const Kind& kind, Range range, std::string_view words,
+                           std::string_view example, std::string_view reduced, std::string_view meaning,
+                           std::string_view more = "") {
+  return in(of, {name, Holds::estimate, &kind, range, 0, words, example, reduced, meaning, more});
+}
+
+constexpr CaseKey share(Member of, std::string_view name, Range range, std::string_view example,
+                        std::string_view meaning, std::string_view more = "") {
+  return in(of, {name, Holds::share, nullptr, range, 0, "", example, example, meaning, more});
 }
 
 constexpr CaseKey title(Member of, std::string_view name, const Kind& kind, std::string_view example,
@@ -93,31 +99,29 @@ constexpr std::array keys{
     plain(of_test, "reduced", Holds::yes_no, "true",
           "whether all numbers are in reduced variables, without units; false unless given"),
     // specimen
-    flagged(quantity(at<&SpecimenInput::diameter>, "diameter", kind::length, Range::positive, R"("34.8 um")", "0.027",
-                     "outer diameter of a round specimen or tube")),
-    flagged(quantity(at<&SpecimenInput::inner_diameter>, "inner_diameter", kind::length, Range::positive, R"("30 um")",
-                     "0.02", "inner diameter of a tube, beside its outer diameter")),
-    flagged(quantity(at<&SpecimenInput::wall>, "wall", kind::length, Range::positive, R"("3 um")", "0.003",
+    flagged(estimate(at<&SpecimenInput::diameter>, "diameter", kind::length, Range::positive, "", R"("34.8 um")",
+                     "0.027", "outer diameter of a round specimen or tube")),
+    flagged(estimate(at<&SpecimenInput::inner_diameter>, "inner_diameter", kind::length, Range::positive, "",
+                     R"("30 um")", "0.02", "inner diameter of a tube, beside its outer diameter")),
+    flagged(estimate(at<&SpecimenInput::wall>, "wall", kind::length, Range::positive, "", R"("3 um")", "0.003",
                      "wall thickness of a tube, instead of its inner diameter")),
-    flagged(quantity(at<&SpecimenInput::width>, "width", kind::length, Range::positive, R"("50 um")", "0.04",
+    flagged(estimate(at<&SpecimenInput::width>, "width", kind::length, Range::positive, "", R"("50 um")", "0.04",
                      "width of a rectangular section, beside its height")),
-    flagged(quantity(at<&SpecimenInput::height>, "height", kind::length, Range::positive, R"("30 um")", "0.02",
+    flagged(estimate(at<&SpecimenInput::height>, "height", kind::length, Range::positive, "", R"("30 um")", "0.02",
                      "height of a rectangular section, in the direction of bending")),
-    flagged(estimate(
-        at<&SpecimenInput::modulus>, "modulus", kind::pressure, R"("29.6 GPa")", "",
-        "Young's modulus; found from the initial slope unless given",
-        R"(: `"29.6 GPa"`, with its standard deviation `{ value = "29.6 GPa", uncertainty = "1.5 GPa" }` or `uncertainty = "5 %"`, or `"fit"`)")),
+    flagged(estimate(at<&SpecimenInput::modulus>, "modulus", kind::pressure, Range::positive, "fit", R"("29.6 GPa")",
+                     "", "Young's modulus; found from the initial slope unless given",
+                     R"(: `"29.6 GPa"`, `"29.6 GPa ± 5 %"`, or `"fit"`)")),
     flagged(estimate(at<&SpecimenInput::bending_stiffness>, "bending_stiffness", kind::bending_stiffness,
-                     R"("2.1e-9 N m^2")", "1", "bending stiffness EI, instead of section and modulus",
-                     ", in the same three ways as a modulus")),
+                     Range::positive, "fit", R"("2.1e-9 N m^2")", "1",
+                     "bending stiffness EI, instead of section and modulus", ", in the same three ways as a modulus")),
     plain(at<&SpecimenInput::material>, "material", Holds::text, R"("glass")", "material of the specimen",
           ", used with `support_material` to compare friction with the literature"),
     at_most(1, "write it as \"2 %\" or 0.02",
-            in(at<&SpecimenInput::strain_at_break>,
-               {"strain_at_break", Holds::share, nullptr, Range::positive, 0, "", R"("2 %")", R"("2 %")",
-                "bending strain at the surface at which the specimen breaks; needs a section",
-                ". [`design` and `sweep`](rig-design.md) end there; `simulate` and `fit` say whether the record goes "
-                "beyond it"})),
+            share(at<&SpecimenInput::strain_at_break>, "strain_at_break", Range::positive, R"("2 %")",
+                  "bending strain at the surface at which the specimen breaks; needs a section",
+                  ". [`design` and `sweep`](rig-design.md) end there; `simulate` and `fit` say whether the record goes "
+                  "beyond it")),
     quantity(at<&SpecimenInput::strength>, "strength", kind::pressure, Range::positive, R"("600 MPa")", "",
              "bending stress at the surface at which the specimen breaks, instead of strain_at_break"),
     in(at<&SpecimenInput::cracks>,
@@ -127,20 +131,21 @@ constexpr std::array keys{
         "stiffness falls at once and for good by the stated share of what is left ([theory.md](theory.md#cracks))"}),
     quantity(at<&CrackInput::deflection>, "deflection", kind::length, Range::positive, R"("160 um")", "0.12",
              "deflection at which the crack opens"),
-    plain(at<&CrackInput::loss>, "loss", Holds::share, R"("3 %")",
+    share(at<&CrackInput::loss>, "loss", Range::positive, R"("3 %")",
           "share of the remaining bending stiffness that the crack takes away"),
     // rig
-    flagged(quantity(at<&RigInput::span>, "span", kind::length, Range::positive, R"("1278 um")", "1",
+    flagged(estimate(at<&RigInput::span>, "span", kind::length, Range::positive, "", R"("1278 um")", "1",
                      "support span: distance between the supports")),
-    flagged(quantity(
-        at<&RigInput::stiffness>, "stiffness", kind::stiffness, Range::positive_or_infinite, R"("90.65 N/m")", "88.8",
+    flagged(estimate(
+        at<&RigInput::stiffness>, "stiffness", kind::stiffness, Range::positive_or_infinite, "", R"("90.65 N/m")",
+        "88.8",
         "stiffness of the load train, which is everything that carries the load cell; \"inf\" for displacement "
         "control")),
     quantity(at<&RigInput::support_stiffness>, "support_stiffness", kind::stiffness, Range::positive_or_infinite,
              R"("5 kN/mm")", "2000", "vertical stiffness of each of the two supports, if they yield",
              ". Load train and supports in series then stand between the stage and the deflection, and a snap happens "
              "on both. The deflection is always that of the midpoint below the ends of the specimen"),
-    quantity(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, R"("5 mm")", "0.08",
+    estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")", "0.08",
              "radius of the rollers that serve as supports; knife edges unless given",
              ". Friction along the specimen is looked up where its axis touches the roller"),
     without(
@@ -276,11 +281,15 @@ constexpr std::array keys{
     flagged(word(at<&RecordInput::sign>, "sign", "find|keep|reverse", R"("keep")",
                  "whether to keep or reverse signs; found unless given: reversed if compression is negative")),
     flagged(in(at<&RecordInput::zero>,
-               {"zero", Holds::quantity, &kind::force, Range::any, 0, "find|keep", R"("0.2 mN")", "0.1",
-                "zero of the force, which is subtracted; found from rows before contact unless given", ""})),
+               {"zero", Holds::quantity, &kind::force, Range::any, 0, "find|keep|slope", R"("0.2 mN")", "0.1",
+                "zero of the force, which is subtracted; found from rows before contact unless given",
+                R"(. `"slope"` subtracts a force that drifts or settles before contact)"})),
     flagged(in(at<&RecordInput::contact>,
-               {"contact", Holds::quantity, &kind::length, Range::any, 0, "find|first row", R"("12 um")", "0.01",
+               {"contact", Holds::estimate, &kind::length, Range::any, 0, "find|first row", R"("12 um")", "0.01",
                 "displacement at first contact; unless given, found if the record begins before it", ""})),
+    at_most(max_uncertainty, "calibrate the load cell",
+            share(at<&RecordInput::gain_error>, "gain_error", Range::non_negative, R"("1 %")",
+                  "standard deviation of the gain of the load cell; 1 % unless given")),
     flagged(word(at<&RecordInput::failure>, "failure", "find|none", R"("none")",
                  "whether to find where the specimen fails and end the record there; find unless given")),
     flagged(word(at<&RecordInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file")),
@@ -325,6 +334,7 @@ double* number_of(Test& test, const CaseKey& key) {
     using Member = decltype(member);
     if constexpr (std::is_same_v<Member, double*>) return member;
     if constexpr (std::is_same_v<Member, std::optional<double>*>) return *member ? &**member : nullptr;
+    if constexpr (std::is_same_v<Member, std::optional<Known>*>) return *member ? &(*member)->value : nullptr;
     if constexpr (std::is_same_v<Member, std::vector<double>*>) return member->empty() ? nullptr : &member->back();
     if constexpr (std::is_same_v<Member, std::optional<StatedStiffness>*>) {
       Known* known = *member ? std::get_if<Known>(&**member) : nullptr;

@@ -19,7 +19,7 @@ enum class Holds {
   share,         // a positive number, or text in percent
   whole_number,  // from `min` on
   yes_no,        // true or false
-  estimate,      // a quantity, { value, uncertainty }, or "fit"
+  estimate,      // a quantity of `kind`, within `range`, or { value, uncertainty }
   word,          // one of `words`
   text,
   title,           // of a column that holds a quantity of `kind`
@@ -37,7 +37,7 @@ using TestPart =
     std::variant<SpecimenInput*, CrackInput*, RigInput*, FrictionInput*, WaveInput*, StageInput*, RecordInput*>;
 using Slot =
     std::variant<std::monostate, double*, std::optional<double>*, std::string*, std::optional<std::string>*,
-                 std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*,
+                 std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*, std::optional<Known>*,
                  std::optional<StatedStiffness>*, std::vector<double>*, std::vector<CrackInput>*,
                  std::vector<WaveInput>*, Rollers*, FrictionAt*, std::optional<FrictionModel>*, TraceDirection*,
                  SnapRest*, std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,

@@ -92,6 +92,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.contact = ContactSource::found;
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
+  measurement.own_contact = counted_from(contact.value, measurement.own_contact);
   measurement.preparation.steps.push_back(
       {.name = "contact",
        .changed = true,
@@ -176,7 +177,8 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
                               .bending_stiffness = {},
                               .bending_stiffness_error = {},
                               .contact_error = measurement.contact_error,
-                              .fibre = fibre_of(input, Scales(span_of(input), 1))};
+                              .fibre = fibre_of(input, Scales(span_of(input), 1)),
+                              .rig_errors = rig_errors_of(input)};
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam

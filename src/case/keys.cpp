@@ -1,6 +1,7 @@
 #include "case/keys.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -9,6 +10,7 @@
 
 #include "io/call_files.h"
 #include "io/table.h"
+#include "io/text.h"
 
 namespace flexslip {
 
@@ -45,7 +47,7 @@ struct Reader {
   double quantity() const { return keys.quantity(key.name, *key.kind, key.range); }
 
   void operator()(double& value) const {
-    value = key.holds == Holds::share ? keys.share(key.name) : quantity();
+    value = key.holds == Holds::share ? keys.share(key.name, key.range) : quantity();
     if (!(value > key.max)) return;
     InputError error = wrong_value(test, path(), fmt::format("at most {:g}", key.max), fmt::format("{}", value),
                                    std::string(key.why_max));
@@ -73,21 +75,40 @@ struct Reader {
     const auto known = words_of(key);
     value = known[keys.word(key.name, known)].front();
   }
-  void operator()(StatedStiffness& value) const {
-    if (const toml::table* parts = node().as_table()) {
-      const Keys both(*parts, path(), test);
-      both.only({"value", "uncertainty"});
-      Known known{both.quantity("value", *key.kind, key.range), 0};
-      const auto text = both.need("uncertainty").value_exact<std::string_view>();
-      const bool is_share = text && text->find('%') != std::string_view::npos;
-      known.uncertainty =
-          is_share ? known.value * both.share("uncertainty") : both.quantity("uncertainty", *key.kind, Range::positive);
-      value = known;
-    } else if (is_word("fit")) {
-      value = ToFit{};
-    } else {
-      value = Known{quantity(), 0};
+  // { value = "90.65 N/m", uncertainty = "0.3 %" }, or both in one text, "90.65 N/m ± 0.3 %".
+  void operator()(Known& known) const {
+    toml::table of_text;
+    const std::string_view whole = node().value_exact<std::string_view>().value_or("");
+    for (const std::string_view between : {"±", "+-", "+/-"})
+      if (const std::size_t at = whole.find(between); at != std::string_view::npos) {
+        of_text.insert_or_assign("value", std::string(trimmed(whole.substr(0, at))));
+        of_text.insert_or_assign("uncertainty", std::string(trimmed(whole.substr(at + between.size()))));
+      }
+    const toml::table* parts = of_text.empty() ? node().as_table() : &of_text;
+    if (!parts) {
+      known = quantity();
+      return;
     }
+    const Keys both(*parts, path(), test);
+    both.only({"value", "uncertainty"});
+    known.value = both.quantity("value", *key.kind, key.range);
+    const bool is_place = key.range == Range::any;  // no share of it says anything
+    known.uncertainty = both.is_percent("uncertainty") && !is_place
+                            ? known.value * both.share("uncertainty", Range::non_negative)
+                            : both.quantity("uncertainty", *key.kind, Range::non_negative);
+    if (is_place || (std::isfinite(known.value) && *known.uncertainty <= max_uncertainty * known.value)) return;
+    const bool may_be_fitted = key.words == "fit";
+    throw wrong_value(test, both.key("uncertainty"),
+                      fmt::format("at most {:.0f} % of the value", 100 * max_uncertainty),
+                      std::isfinite(known.value) ? fmt::format("{:.0f} %", 100 * *known.uncertainty / known.value)
+                                                 : "that of \"inf\"",
+                      may_be_fitted ? "write \"fit\" to find it from the initial slope" : "check both and their units");
+  }
+  void operator()(StatedStiffness& value) const {
+    if (is_word("fit"))
+      value = ToFit{};
+    else
+      (*this)(value.emplace<Known>());
   }
   void operator()(std::vector<double>& values) const {
     const toml::array* array = node().as_array();
@@ -128,15 +149,15 @@ struct Reader {
     if (!key.gone.empty() && is_word(key.gone)) refuse(what_holds(key), std::string(key.why_gone));
     value = static_cast<Word>(keys.word(key.name, words_of(key)));
   }
-  template <class Word>
-  void operator()(std::variant<Word, double>& value) const {
+  template <class Word, class Number>
+  void operator()(std::variant<Word, Number>& value) const {
     const auto known = words_of(key);
     for (std::size_t i = 0; i < known.size(); ++i)
       if (is_word(known[i])) {
         value = static_cast<Word>(i);
         return;
       }
-    (*this)(value.template emplace<double>());
+    (*this)(value.template emplace<Number>());
   }
   template <class Row>
   void operator()(std::vector<Row>& rows) const {
@@ -241,11 +262,14 @@ std::size_t Keys::word(std::string_view name, const std::vector<std::string_view
          meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
 }
 
-double Keys::share(std::string_view name) const {
-  const auto text = need(name).value_exact<std::string_view>();
-  if (!text || text->find('%') == std::string_view::npos) return quantity(name, kind::number, Range::positive);
+bool Keys::is_percent(std::string_view name) const {
+  return need(name).value_exact<std::string_view>().value_or("").find('%') != std::string_view::npos;
+}
+
+double Keys::share(std::string_view name, Range range) const {
+  if (!is_percent(name)) return quantity(name, kind::number, range);
   try {
-    return parse_quantity(*text, kind::number, Range::positive);
+    return parse_quantity(*need(name).value_exact<std::string_view>(), kind::number, range);
   } catch (const InputError& error) {
     throw placed(test_, error, key(name));
   }
@@ -254,7 +278,11 @@ double Keys::share(std::string_view name) const {
 double Keys::value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const {
   const auto text = node.value_exact<std::string_view>();
   const bool is_number = node.is_number();
-  if (!text && !is_number) throw wrong_value(test_, key, std::string(kind.name), kind_of_node(node));
+  if (!text && !is_number)
+    throw wrong_value(test_, key, std::string(kind.name), kind_of_node(node),
+                      node.is_table() && node.as_table()->contains("uncertainty")
+                          ? "it is taken as exact: leave the uncertainty out"
+                          : "");
   const bool is_plain = kind.dimension == Dimension{} || (test_.reduced && kind.dimension != kind::angle.dimension);
   try {
     if (is_number && is_plain) {

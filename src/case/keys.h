@@ -38,7 +38,8 @@ class Keys {
   // All below refuse a key that is not there.
   const toml::node& need(std::string_view name) const;
   double quantity(std::string_view name, const Kind& kind, Range range) const;
-  double share(std::string_view name) const;  // a positive number, or text in percent
+  double share(std::string_view name, Range range) const;  // a number, or text in percent
+  bool is_percent(std::string_view name) const;
   std::uint64_t whole_number(std::string_view name, std::int64_t min) const;
   std::size_t word(std::string_view name, const std::vector<std::string_view>& known) const;  // which of them
 

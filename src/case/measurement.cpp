@@ -356,15 +356,16 @@ ForceZero zero_of(const Record& record) {
   return find_force_zero(rise.stage, rise.force, force_noise(rise));
 }
 
-Record with_force_zero(const Record& record, double offset, bool stage_is_read, double stiffness) {
+Record with_force_zero(const Record& record, const Baseline& zero, bool stage_is_read, double stiffness) {
   std::vector<double> force = record.force;
-  for (double& value : force) value -= offset;
+  const std::vector<double>& displacement = stage_is_read ? record.stage : record.deflection;
+  for (std::size_t i = 0; i < force.size(); ++i) force[i] -= zero.at(displacement[i]);
   return stage_is_read ? record_from_stage_and_force(record.stage, force, stiffness)
                        : record_from_deflection_and_force(record.deflection, force, stiffness);
 }
 
 Record zeroed(const Test& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
-              std::size_t rows, Preparation& steps) {
+              std::size_t rows, const Baseline& baseline, Preparation& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (rule == ForceZeroRule{ZeroWord::keep}) {
     steps.add("zero", false, "the force is counted from the file's own zero, as stated",
@@ -374,7 +375,15 @@ Record zeroed(const Test& input, const Record& record, bool stage_is_read, doubl
   if (const auto* stated = std::get_if<double>(&rule)) {
     steps.add("zero", *stated != 0, "the force is counted from the zero stated",
               KeyChange{"record", "zero", "\"keep\""}, value_in(input, *stated, {}, kind::force));
-    return with_force_zero(record, *stated, stage_is_read, stiffness);
+    return with_force_zero(record, {.level = *stated}, stage_is_read, stiffness);
+  }
+  if (rule == ForceZeroRule{ZeroWord::slope} && baseline.points > 0) {
+    steps.add("zero", true,
+              fmt::format("the force that {} before contact is subtracted, and led on behind it",
+                          baseline.settles_by != 0 ? "settles" : "drifts"),
+              KeyChange{"record", "zero", "\"find\""}, value_in(input, baseline.change, baseline.error, kind::force),
+              RowRange{1, rows_of_points(sampling, rows, baseline.points)});
+    return with_force_zero(record, baseline, stage_is_read, stiffness);
   }
   const ForceZero zero = zero_of(record);
   if (zero.status != ForceZeroStatus::found) {
@@ -389,7 +398,7 @@ Record zeroed(const Test& input, const Record& record, bool stage_is_read, doubl
                     : "the mean force before contact is zero within four standard errors and is not subtracted",
             KeyChange{"record", "zero", "\"keep\""}, value_in(input, zero.offset, zero.error, kind::force),
             RowRange{1, rows_of_points(sampling, rows, zero.points)});
-  return changed ? with_force_zero(record, zero.offset, stage_is_read, stiffness) : record;
+  return changed ? with_force_zero(record, {.level = zero.offset}, stage_is_read, stiffness) : record;
 }
 
 void note_compliance(const Test& input, const Readings& readings, double stiffness, Preparation& steps) {
@@ -467,9 +476,20 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
   if (contact.status != ContactStatus::found) return false;
   const auto free =
       std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
-  const double rise = record.force[contact.last - 1] - record.force[contact.first];
-  const double rise_per_row = rise / static_cast<double>(contact.last - 1 - contact.first);
-  return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / rise_per_row;
+  const double step = (record.stage.back() - record.stage.front()) / static_cast<double>(record.stage.size() - 1);
+  return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / (contact.slope * step);
+}
+
+// What is known of a test before its record is looked at.
+BeginningOf beginning_of(const Test& input, double stiffness) {
+  BeginningOf beginning{.span = span_of(input), .load_train_stiffness = stiffness};
+  if (input.rig->roller_radius) beginning.support_radius = *input.rig->roller_radius;
+  if (states_stiffness(input)) {
+    const BendingStiffnessUsed stated = bending_stiffness_of(input);
+    beginning.bending_stiffness = stated.value;
+    beginning.bending_stiffness_error = stated.relative_error;
+  }
+  return beginning;
 }
 
 void require_points(const Table& table, const Record& record, std::size_t min_points) {
@@ -551,13 +571,12 @@ std::size_t end_of(const Test& input, const Record& all, const std::vector<Leg>&
 }
 
 // What the contact is taken off at, and how certainly.
-void find_zero_displacement(const Test& input, const Record& whole, Measurement& result, Preparation& steps) {
+void find_zero_displacement(const Test& input, const Record& whole, double stiffness, Measurement& result,
+                            Preparation& steps) {
   const std::optional<ContactRule>& rule = input.record->contact;
-  const Contact contact = find_contact(whole);
-  // The contact lies somewhere within a step.
-  result.contact_error =
-      (whole.stage.back() - whole.stage.front()) / static_cast<double>(whole.stage.size() - 1) / std::sqrt(12.0);
-  const bool begins_free = begins_before_contact(whole, contact, result.force_noise);
+  const Contact contact = find_contact(whole, beginning_of(input, stiffness));
+  result.own_contact = contact;
+  const bool begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = rule == ContactRule{ContactWord::find};
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
   constexpr double far = 10, near = 0.25;
@@ -568,18 +587,33 @@ void find_zero_displacement(const Test& input, const Record& whole, Measurement&
     throw wrong_value(input, "record.contact",
                       "a force that rises from contact over at least 5 rows, to find the contact", "none",
                       "state the contact, or leave the key out");
+  // A baseline is off by its error, where it is led on to the contact.
+  const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
   if (is_asked || (!rule && (begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
-    result.contact_error = contact.offset.standard_error;
-    steps.add("contact", true,
-              "displacements are counted from where the straight first part of the curve meets zero force",
+    result.contact_error = elementary::length(contact.offset.standard_error, by_baseline);
+    result.own_contact = counted_from(contact.offset.value, contact);
+    steps.add("contact", true, "displacements are counted from where the record itself begins",
               KeyChange{"record", "contact", "\"first row\""},
               value_in(input, contact.offset.value, contact.offset.standard_error, kind::length),
               contact.points_before > 0
                   ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
                   : std::nullopt);
     return;
+  }
+  const auto* stated = rule ? std::get_if<Known>(&*rule) : nullptr;
+  if (rule) {
+    result.contact = ContactSource::stated;
+    result.contact_offset = stated ? stated->value : whole.stage.front();
+    result.own_contact = counted_from(result.contact_offset, contact);
+  }
+  const double usual = usual_contact_error * span_of(input);
+  result.contact_error = stated ? stated->uncertainty.value_or(usual) : usual;
+  if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
+    const Estimate& own = result.own_contact.offset;
+    result.contact_error =
+        elementary::length(result.contact_error, std::max(std::abs(own.value) - own.standard_error, 0.0));
   }
   if (!rule) {
     std::optional<PreparedValue> toe;
@@ -592,13 +626,11 @@ void find_zero_displacement(const Test& input, const Record& whole, Measurement&
               KeyChange{"record", "contact", "\"find\""}, toe);
     return;
   }
-  const auto* stated = std::get_if<double>(&*rule);
-  result.contact = ContactSource::stated;
-  result.contact_offset = stated ? *stated : whole.stage.front();
   steps.add("contact", result.contact_offset != 0,
             stated ? "displacements are counted from the contact stated"
                    : "displacements are counted from the first row, as stated",
-            KeyChange{"record", "contact", "\"find\""}, value_in(input, result.contact_offset, {}, kind::length));
+            KeyChange{"record", "contact", "\"find\""},
+            value_in(input, result.contact_offset, stated ? stated->uncertainty : std::nullopt, kind::length));
 }
 
 }  // namespace
@@ -635,7 +667,12 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   for (std::size_t& row : result.sampling.rows) row += first;
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
-  const Record all = zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.rows, steps);
+  const Record rise = first_rise(every);
+  if (rise.force.size() >= least_noise_points)
+    result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);
+  result.baseline_is_off = input.record->zero == ForceZeroRule{ZeroWord::slope} && result.baseline.points > 0;
+  const Record all = zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.rows,
+                            result.baseline, steps);
   note_compliance(input, readings, stiffness, steps);
 
   const std::vector<Leg> legs = find_legs(all.stage);
@@ -656,7 +693,7 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
   hold_stage(input, table, whole, result.sampling, result.cycles.has_value(), steps);
   result.force_noise = force_noise(whole);
-  find_zero_displacement(input, whole, result, steps);
+  find_zero_displacement(input, whole, stiffness, result, steps);
 
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
   const std::size_t skipped =

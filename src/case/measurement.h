@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "case/case_file.h"
+#include "data/contact.h"
 #include "data/record.h"
+#include "inference/beginning.h"
 #include "io/quantity.h"
 
 namespace flexslip {
@@ -59,7 +61,7 @@ inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is un
 enum class MeasurementEnd { last_row, until, failure, turn };
 enum class ContactSource {
   stated,       // by the case
-  found,        // the record begins before the contact, see find_contact
+  found,        // where the record itself begins, see find_contact
   first_point,  // the record begins at the contact: nothing is taken off
 };
 
@@ -80,8 +82,11 @@ struct Measurement {
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
   ContactSource contact = ContactSource::first_point;
   double contact_offset = 0;  // [m] taken off stage and deflection
-  double contact_error = 0;   // [m] standard deviation
-  double force_noise = 0;     // [N] standard deviation of one point
+  double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
+  Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off
+  double force_noise = 0;                              // [N] standard deviation of one point
+  Baseline baseline{};                                 // of the force before the contact, where it is not level
+  bool baseline_is_off = false;                        // taken off, as the case asks
 };
 
 // Row of the file, counted from 1, at which a point of the record begins; and one of the cycles.

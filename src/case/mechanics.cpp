@@ -1,6 +1,7 @@
 #include "case/mechanics.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -31,6 +32,34 @@ constexpr double max_periods = 1e6;         // of a wave: what trace_loading_cur
 constexpr double finest_period = 1e-9;      // [L] of a wave, likewise
 constexpr double max_correlations = 2.4e5;  // of a rough profile, which has four knots to each
 
+constexpr std::array lengths_of_sections{&SpecimenInput::diameter, &SpecimenInput::inner_diameter, &SpecimenInput::wall,
+                                         &SpecimenInput::width, &SpecimenInput::height};
+
+bool states_section_error(const SpecimenInput& specimen) {
+  return std::any_of(lengths_of_sections.begin(), lengths_of_sections.end(),
+                     [&](auto length) { return specimen.*length && (specimen.*length)->uncertainty; });
+}
+
+// [1] Of a second moment, by the uncertainties of the lengths of its section.
+double section_error_of(const Test& test) {
+  const auto moment_with = [&](auto length, double change) {
+    Test other = test;
+    (*other.specimen.*length)->value += change;
+    return second_moment(*section_of(other));
+  };
+  double error = 0;
+  for (auto length : lengths_of_sections) {
+    const std::optional<Known>& known = *test.specimen.*length;
+    if (!known) continue;
+    constexpr double small =
+        1e-4;  // of the length, and of a wall or of what an inner diameter leaves, as far as I is linear
+    const double step = small * known->value;
+    const double slope = (moment_with(length, step) - moment_with(length, -step)) / (2 * step);
+    error = elementary::length(error, slope * known->uncertainty.value_or(0));
+  }
+  return error / second_moment(*section_of(test));
+}
+
 // What the test says of the bending stiffness, if it says something.
 std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   if (!test.specimen) return std::nullopt;
@@ -38,19 +67,16 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   const auto& estimate = product ? product : modulus;
   const Known* known = estimate ? std::get_if<Known>(&*estimate) : nullptr;
   if (!known) return std::nullopt;
-  const bool has_error = known->uncertainty > 0;
-  constexpr double max_error = 0.3;  // beyond it the fit would be that of another specimen
-  if (known->uncertainty > max_error * known->value)
-    throw wrong_value(test, product ? "specimen.bending_stiffness" : "specimen.modulus",
-                      "an uncertainty of at most 30 % of the value",
-                      fmt::format("{:.0f} %", 100 * known->uncertainty / known->value),
-                      "write \"fit\" to find it from the initial slope");
-  BendingStiffnessUsed used{known->value, has_error ? known->uncertainty / known->value : usual_stiffness_error,
-                            has_error ? StiffnessSource::stated : StiffnessSource::assumed_error};
+  const std::optional<double> own = known->relative_uncertainty();
+  BendingStiffnessUsed used{known->value, own.value_or(usual_stiffness_error),
+                            own ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (product) return used;
   const auto section = section_of(test);
   if (!section) throw missing(test, "specimen.diameter");
   used.value *= second_moment(*section);
+  if (states_section_error(*test.specimen))
+    used.relative_error =
+        std::min(elementary::length(own.value_or(usual_modulus_error), section_error_of(test)), max_stiffness_error);
   return used;
 }
 
@@ -504,6 +530,23 @@ Fibre fibre_of(const Test& test, const Scales& scales) { return Fibre(supports_o
 
 Rig rig_of(const Test& test, const Scales& scales) {
   return {scales.reduced_stiffness(rig_stiffness_of(test)), fibre_of(test, scales)};
+}
+
+RigErrors rig_errors_of(const Test& test) {
+  RigErrors errors;
+  const auto take = [](double& error, const std::optional<Known>& known, double times = 1) {
+    if (known) error = times * known->relative_uncertainty().value_or(error);
+  };
+  if (test.rig) {
+    take(errors.span, test.rig->span);
+    take(errors.support_radius, test.rig->roller_radius);
+    if (test.rig->stiffness)  // supports that yield in series with it are exact
+      take(errors.load_train, test.rig->stiffness,
+           support_compliance_of(test) > 0 ? rig_stiffness_of(test) / *test.rig->stiffness : 1);
+  }
+  if (test.specimen) take(errors.thickness, test.specimen->height ? test.specimen->height : test.specimen->diameter);
+  if (test.record) errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
+  return errors;
 }
 
 std::optional<double> pin_limit_of(const Test& test) {

@@ -16,6 +16,7 @@
 #include "case/measurement.h"
 #include "data/scales.h"
 #include "data/section.h"
+#include "inference/fit.h"
 #include "inference/profile.h"
 
 namespace flexslip {
@@ -97,6 +98,9 @@ Fibre fibre_of(const Test& test, const Scales& scales);
 
 // Fails:      InputError if the test has no stiffness of the rig.
 Rig rig_of(const Test& test, const Scales& scales);
+
+// By how much the rig may be off what the test states: as it says, and as is usual where it does not.
+RigErrors rig_errors_of(const Test& test);
 
 // [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
 std::optional<double> pin_limit_of(const Test& test);

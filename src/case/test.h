@@ -26,11 +26,20 @@ struct FrictionTable;  // contact/friction.h
 struct ToFit {
   bool operator==(const ToFit&) const = default;
 };
+// A number, and how certain it is.
 struct Known {
   double value;
-  double uncertainty;  // one standard deviation, same unit; 0 if none is stated
+  std::optional<double> uncertainty;  // one standard deviation, same unit; none if none is stated
+
+  Known(double number = 0, std::optional<double> deviation = {}) : value(number), uncertainty(deviation) {}
+  operator double() const { return value; }
+  std::optional<double> relative_uncertainty() const {
+    return uncertainty ? std::optional(value == 0 ? 0 : *uncertainty / value) : std::nullopt;
+  }
   bool operator==(const Known&) const = default;
+  bool operator==(double number) const { return value == number; }
 };
+inline constexpr double max_uncertainty = 0.3;  // [1] of a value: beyond it the test would be another one
 using StatedStiffness = std::variant<ToFit, Known>;
 
 // A loss of bending stiffness, at once and for good.
@@ -41,7 +50,7 @@ struct CrackInput {
 };
 
 struct SpecimenInput {
-  std::optional<double> diameter{}, inner_diameter{}, wall{}, width{}, height{};  // [m]
+  std::optional<Known> diameter{}, inner_diameter{}, wall{}, width{}, height{};  // [m]
   std::optional<StatedStiffness> modulus{};            // [Pa] neither this nor the next: to be fitted
   std::optional<StatedStiffness> bending_stiffness{};  // [N m^2] reduced: 1 where it is known
   std::optional<std::string> material{};
@@ -58,10 +67,10 @@ enum class FrictionAt { surface, axis };
 enum class Rollers { fixed, pinned };
 
 struct RigInput {
-  std::optional<double> span{};               // [m] reduced: 1; none: the export of the record says it
-  std::optional<double> stiffness{};          // [N/m] infinite for displacement control
+  std::optional<Known> span{};                // [m] reduced: 1; none: the export of the record says it
+  std::optional<Known> stiffness{};           // [N/m] infinite for displacement control
   std::optional<double> support_stiffness{};  // [N/m] of each support, vertically; none: rigid
-  std::optional<double> roller_radius{};      // [m] none: edges
+  std::optional<Known> roller_radius{};       // [m] none: edges
   Rollers rollers = Rollers::fixed;
   std::optional<double> pin_radius{}, pin_friction{};  // [m], [1] of rollers on pins
   FrictionAt friction_at = FrictionAt::surface;  // one with the axis where no section says how thick the specimen is
@@ -126,10 +135,10 @@ struct StageInput {
 enum class DisplacementOf { crosshead, deflection };
 enum class SignRule { find, keep, reverse };
 enum class FailureRule { find, none };
-enum class ZeroWord { find, keep };
+enum class ZeroWord { find, keep, slope };
 enum class ContactWord { find, first_row };
-using ForceZeroRule = std::variant<ZeroWord, double>;   // [N] to be taken off
-using ContactRule = std::variant<ContactWord, double>;  // [m] displacement at first contact
+using ForceZeroRule = std::variant<ZeroWord, double>;  // [N] to be taken off
+using ContactRule = std::variant<ContactWord, Known>;  // [m] displacement at first contact
 
 // Where a record begins or ends: a row of the file, counted from 1, or where the stage or the deflection, as the file counts them, is there.
 struct AtRow {
@@ -160,6 +169,7 @@ struct RecordInput {
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
   std::optional<ContactRule> contact{};  // none: found where the record begins before it
+  std::optional<double> gain_error{};    // [1] of the load cell's gain, a standard deviation
   FailureRule failure = FailureRule::find;
   std::optional<char> decimal{};
   std::optional<PlaceInRecord> first{}, until{};  // none: with its first row, before failure

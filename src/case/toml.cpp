@@ -147,6 +147,15 @@ toml::table parse_toml(std::string_view text, const std::string& source) {
   }
 }
 
+toml::table& table_at(toml::table& parent, std::string_view name) {
+  if (!parent[name].is_table()) {
+    toml::table table;
+    if (const toml::node* value = parent.get(name)) table.insert_or_assign("value", *value);
+    parent.insert_or_assign(name, std::move(table));
+  }
+  return *parent[name].as_table();
+}
+
 std::string toml_text(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {

@@ -12,6 +12,9 @@ namespace flexslip {
 // Fails:      InputError with file and line for anything else.
 toml::table parse_toml(std::string_view text, const std::string& source);
 
+// The table of this name in another. What stands there and is none becomes its "value", as of a quantity that is to have an uncertainty.
+toml::table& table_at(toml::table& parent, std::string_view name);
+
 // A text in quotes, as such a file has it.
 std::string toml_text(std::string_view text);
 

@@ -15,10 +15,10 @@ namespace flexslip {
 namespace {
 
 // A line through the points between two shares of the greatest force, before that is first passed.
-Contact line_between(const Record& record, double from, double up_to) {
+InitialLine line_between(const Record& record, double from, double up_to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Estimate unknown{nan, nan, nan, nan};
-  const auto failed = [=](ContactStatus status) { return Contact{status, unknown, unknown, 0, 0, 0, false}; };
+  const auto failed = [=](ContactStatus status) { return InitialLine{status, unknown, unknown, 0, 0, false}; };
   if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
 
   const double most = *std::max_element(record.force.begin(), record.force.end());
@@ -45,9 +45,6 @@ Contact line_between(const Record& record, double from, double up_to) {
     off_stage[i] = force[i] - by_stage.mean_y - by_stage.slope * (stage[i] - by_stage.mean_x);
   const double lever = by_stage.mean_y / by_stage.slope;  // [m] from the contact to the middle of the points
   const double offset = by_stage.mean_x - lever;
-  const auto points_before =
-      std::count_if(record.stage.begin(), record.stage.begin() + static_cast<std::ptrdiff_t>(last),
-                    [=](double ws) { return ws < offset; });
   const auto freedom = static_cast<double>(n - 2);
   return {.status = ContactStatus::found,
           .offset = student_estimate(offset,
@@ -55,7 +52,6 @@ Contact line_between(const Record& record, double from, double up_to) {
                                          std::sqrt(1 / static_cast<double>(n) + lever * lever / by_stage.sum_xx),
                                      freedom),
           .slope = student_estimate(line.slope, slope_error(line, 0, max_correlation), freedom),
-          .points_before = static_cast<std::size_t>(points_before),
           .first = first,
           .last = last,
           .settles = false};
@@ -63,21 +59,21 @@ Contact line_between(const Record& record, double from, double up_to) {
 
 }  // namespace
 
-Contact find_contact(const Record& record) {
+InitialLine initial_line(const Record& record) {
   constexpr double from = 0.02, up_to = 0.15;  // [maximum force]
-  const Contact contact = line_between(record, from, up_to);
+  const InitialLine contact = line_between(record, from, up_to);
   if (contact.status != ContactStatus::found) return contact;
   // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
   const double middle = 0.5 * (from + up_to);
-  const Contact lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
+  const InitialLine lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
   if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
   constexpr double surely = 4;  // standard errors
   if (upper.offset.value - lower.offset.value <
       surely * elementary::length(lower.offset.standard_error, upper.offset.standard_error))
     return contact;
   const double above = 2 * up_to - from;
-  Contact settled = line_between(record, middle, above);
-  const Contact farther = line_between(record, up_to, above);
+  InitialLine settled = line_between(record, middle, above);
+  const InitialLine farther = line_between(record, up_to, above);
   if (settled.status != ContactStatus::found || farther.status != ContactStatus::found) return contact;
   const double choice = std::max(std::abs(farther.offset.value - settled.offset.value),
                                  std::abs(settled.offset.value - contact.offset.value));
@@ -136,6 +132,85 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
   for (double& residual : residuals) residual -= mean;
   const double scatter = effective_deviation(residuals, 1, 1 / n, max_correlation);
   return {ForceZeroStatus::found, mean, std::max(scatter, noise) / std::sqrt(n), free.size()};
+}
+
+double Baseline::at(double displacement) const {
+  const double way = displacement - begin;
+  return level + slope * way + settles_by * elementary::exp(-std::max(way, 0.0) / settling);
+}
+
+namespace {
+
+// The rows before the contact.
+std::size_t rows_before_contact(std::span<const double> displacement, std::span<const double> force) {
+  const double most = *std::max_element(force.begin(), force.end());
+  Line level{.mean_x = 0, .mean_y = force.front(), .slope = 0, .sum_xx = 0};
+  std::size_t before = 0;
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    constexpr double from = 0.05, up_to = 0.2;
+    const auto over = [&](std::size_t i) {
+      return force[i] - level.mean_y - level.slope * (displacement[i] - level.mean_x);
+    };
+    std::size_t last = 0;
+    while (last < force.size() && over(last) <= up_to * most) ++last;
+    std::size_t first = last;
+    while (first > 0 && over(first - 1) >= from * most) --first;
+    if (last - first < 3 || first < min_points) return 0;
+    const Line rise = line_through(
+        last - first, [&](std::size_t i) { return displacement[first + i]; },
+        [&](std::size_t i) { return over(first + i); });
+    if (!(rise.slope > 0)) return 0;
+    const double contact = rise.mean_x - rise.mean_y / rise.slope;
+    const double margin = 0.5 * (displacement[first] - contact);  // the curve bends, and a seat gives way
+    before = static_cast<std::size_t>(std::lower_bound(displacement.begin(), displacement.end(), contact - margin) -
+                                      displacement.begin());
+    if (before < min_points) return 0;
+    level = line_through(displacement.first(before), force.first(before));
+  }
+  return before;
+}
+
+}  // namespace
+
+Baseline find_baseline(std::span<const double> displacement, std::span<const double> force) {
+  const std::size_t n = rows_before_contact(displacement, force);
+  if (n == 0) return {};
+  const double begin = displacement.front(), way = displacement[n - 1] - begin;
+  Baseline best;
+  double least = INFINITY;
+  const auto try_it = [&](const auto& shape, double settling) {
+    const Line line = line_through(
+        n, [&](std::size_t i) { return shape(displacement[i] - begin); }, [&](std::size_t i) { return force[i]; });
+    std::vector<double> residuals(n);
+    double squares = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      residuals[i] = force[i] - line.mean_y - line.slope * (shape(displacement[i] - begin) - line.mean_x);
+      squares += residuals[i] * residuals[i];
+    }
+    constexpr double clearly = 0.97;  // an exponential is to fit better than a line, to be told from it
+    if (!(squares < clearly * least)) return;
+    least = squares;
+    const double lost = correlation_lost_to_line(residuals);
+    const double range = shape(way) - shape(0);
+    const bool is_line = settling == 0;
+    best = {
+        .points = n,
+        .begin = begin,
+        .level = line.mean_y - line.slope * line.mean_x,
+        .slope = is_line ? line.slope : 0,
+        .settles_by = is_line ? 0 : line.slope,
+        .settling = is_line ? 1 : settling,
+        .change = line.slope * range,
+        .error = std::abs(range) * effective_deviation(residuals, 2, lost, max_correlation) / std::sqrt(line.sum_xx)};
+  };
+  try_it([](double x) { return x; }, 0);
+  for (const double share : {0.03, 0.06, 0.12, 0.25, 0.5}) {
+    const double settling = share * way;
+    try_it([=](double x) { return elementary::exp(-x / settling); }, settling);
+  }
+  constexpr double surely = 6;
+  return std::abs(best.change) > surely * best.error ? best : Baseline{};
 }
 
 bool is_significant(const ForceZero& zero) {

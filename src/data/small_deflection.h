@@ -63,7 +63,7 @@ struct SmallDeflection {
 //         std::invalid_argument otherwise.
 // Max error: the error is that of the scatter about the line, correlated scatter allowed for (AR(1)); it knows nothing of the
 //         dimensions of the specimen. Of windows tried, the steepest is up to 2 errors too steep where all are alike.
-// Method: force and deflection are both regressed on the stage, as in find_contact; the slope is the ratio. The chord is drawn
+// Method: force and deflection are both regressed on the stage, as in initial_line; the slope is the ratio. The chord is drawn
 //         between the points where the record first reaches the two strains, by linear interpolation; its error is that of two
 //         readings.
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,

@@ -90,17 +90,45 @@ std::string by_how_much(T test) {
              : "";
 }
 
-// Where the curve begins later than the contact is taken to be, by two of its errors; else empty.
-std::string late_beginning(T test) {
-  const Contact& contact = test.analysis.contact;
-  const Estimate& toe = contact.offset;
-  if (contact.status != ContactStatus::found || !(toe.value > 2 * toe.standard_error)) return "";
-  return fmt::format(" A line through the first part of the curve meets zero force {} behind the contact.",
-                     readable(toe.value, toe.standard_error, Print(test).as(kind::length)));
+// The force is not level before the contact, and was taken to be.
+Found sloping_baseline(T test) {
+  const Baseline& baseline = test.measurement.baseline;
+  if (baseline.points == 0 || test.measurement.baseline_is_off) return std::nullopt;
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("The force {} by {} before the contact, {:.0f} times its error.",
+                              baseline.settles_by != 0 ? "settles"
+                              : baseline.change > 0    ? "drifts up"
+                                                       : "drifts down",
+                              readable(std::abs(baseline.change), baseline.error, Print(test).as(kind::force)),
+                              std::abs(baseline.change) / baseline.error),
+      .short_form = "the force drifts before contact",
+      .remedy = "Write zero = \"slope\" under [record] to take it off.",
+      .numbers = {{"change", baseline.change, kind::force}, {"change_error", baseline.error, kind::force}}};
+}
+
+// The record's own contact is another than that taken off.
+Found other_contact(T test) {
+  const Measurement& measurement = test.measurement;
+  const auto& [value, error, low, high] = measurement.own_contact.offset;
+  constexpr double errors = 2, least = 0.0012;  // [1], [L] less moves friction by less than its interval
+  if (measurement.own_contact.status != ContactStatus::found || measurement.contact == ContactSource::found ||
+      !(std::abs(value) > std::max(errors * error, least * test.analysis.scales.span())))
+    return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format(
+                     "The record itself begins {} {} {}{}.",
+                     readable(std::abs(value), error, Print(test).as(kind::length)), value > 0 ? "behind" : "before",
+                     measurement.contact == ContactSource::stated ? "the contact stated" : "the zero of the file",
+                     measurement.own_contact.settles ? ", once its contact has settled" : ""),
+                 .short_form = fmt::format("begins {} {}", Print(test).own(std::abs(value), kind::length),
+                                           value > 0 ? "late" : "early"),
+                 .remedy = "Write contact = \"find\" under [record] to count from there.",
+                 .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
 }
 
 std::string find_contact_or_check(T test, const std::string& remedy) {
-  return (late_beginning(test).empty() ? "Check " : "Try contact = \"find\" under [record]; check ") + remedy;
+  return (other_contact(test) ? "Try contact = \"find\" under [record]; check " : "Check ") + remedy;
 }
 
 double greatest_deflection(T test) {
@@ -487,24 +515,9 @@ Found few_rows(T test) {
 Found below_frictionless(T test) {
   if (!(test.analysis.friction_read.median < min_friction)) return std::nullopt;
   return Finding{.severity = Severity::doubt,
-                 .sentence = "The force lies below the frictionless curve." + late_beginning(test),
+                 .sentence = "The force lies below the frictionless curve.",
                  .short_form = "below the frictionless curve",
                  .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
-}
-
-Found settling_contact(T test) {
-  const Contact& contact = test.analysis.contact;
-  if (contact.status != ContactStatus::found || !contact.settles ||
-      !(contact.offset.value > two_sided_95 * contact.offset.standard_error))
-    return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format(
-                     "The curve bends where it begins: the contact may lie {} farther.",
-                     readable(contact.offset.value, contact.offset.standard_error, Print(test).as(kind::length))),
-                 .short_form = "the contact settles",
-                 .remedy = "See whether the answer stays with contact = \"find\" under [record].",
-                 .numbers = {{"offset", contact.offset.value, kind::length},
-                             {"offset_error", contact.offset.standard_error, kind::length}}};
 }
 
 Found unexpected_stiffness(T test) {
@@ -518,7 +531,7 @@ Found unexpected_stiffness(T test) {
                   test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
                   max_stiffness_errors);
   return checked(
-      test, *check, sentence, sentence + late_beginning(test),
+      test, *check, sentence, sentence,
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
       find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
@@ -594,6 +607,8 @@ constexpr std::array rules{
     Rule{"no_sliding", no_sliding, true},
     Rule{"impossible_drops", impossible_drops, true},
     Rule{"implausible_friction", implausible_friction, true},
+    Rule{"sloping_baseline", sloping_baseline, true},
+    Rule{"other_contact", other_contact, true},
     Rule{"misses_force", misses_force, true},
     Rule{"drops_differ", drops_differ, true},
     Rule{"coloured_noise", coloured_noise, true},
@@ -605,7 +620,6 @@ constexpr std::array rules{
     Rule{"undecided_drops", undecided_drops, true},
     Rule{"few_rows", few_rows, true},
     Rule{"below_frictionless", below_frictionless, true},
-    Rule{"settling_contact", settling_contact, true},
     Rule{"unexpected_stiffness", unexpected_stiffness, true},
     Rule{"only_a_limit", only_a_limit, true},
     Rule{"no_reload", no_reload, true},
@@ -850,6 +864,28 @@ std::string reload_in_words(T test) {
                      parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
+std::vector<FindingNumber> assumed_errors(T test) {
+  const Test& input = test.measurement.test;
+  const TestAnalysis& analysis = test.analysis;
+  const Supports& supports = analysis.rig.fibre.supports();
+  const RigErrors errors = rig_errors_of(input);
+  std::vector<FindingNumber> assumed;
+  const auto add = [&](std::string_view what, double error, const std::optional<Known>& known) {
+    if (!known || !known->uncertainty) assumed.push_back({what, error});
+  };
+  if (test.stiffness != StiffnessSource::stated) assumed.push_back({"EI", analysis.bending_stiffness_error});
+  if (std::isfinite(analysis.rig.stiffness)) add("load train", errors.load_train, input.rig->stiffness);
+  add("span", errors.span, input.rig->span);
+  if (!input.record->gain_error) assumed.push_back({"gain", errors.force_gain});
+  if (supports.half_depth > 0)
+    add("thickness", errors.thickness, input.specimen->height ? input.specimen->height : input.specimen->diameter);
+  if (supports.radius > 0) add("roller radius", errors.support_radius, input.rig->roller_radius);
+  const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
+  if (test.measurement.contact != ContactSource::found && !(contact && contact->uncertainty))
+    assumed.push_back({"contact", test.measurement.contact_error, kind::length});
+  return assumed;
+}
+
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -857,13 +893,17 @@ std::string assumed_in_words(T test) {
   std::vector<std::string> parts{supports.radius > 0 ? "rollers of radius " + print.length(supports.radius)
                                                      : "knife edges"};
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
-  if (test.stiffness != StiffnessSource::stated)
-    parts.push_back(fmt::format("EI to {:.2g} %", 100 * test.analysis.bending_stiffness_error));
   parts.push_back(measurement.contact == ContactSource::first_point || measurement.contact_offset == 0
                       ? "contact at the zero of the file"
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
   parts.emplace_back("a slender, straight, elastic beam");
+  std::vector<std::string> errors;
+  for (const auto& [what, error, kind] : assumed_errors(test))
+    errors.push_back(fmt::format("{} to {}", what,
+                                 kind.name == kind::length.name ? format_roughly(error, print.as(kind::length))
+                                                                : fmt::format("{:.2g} %", 100 * error)));
+  if (!errors.empty()) parts.push_back(fmt::format("{}: state yours and the error shrinks", fmt::join(errors, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
@@ -932,7 +972,8 @@ Answer answer_of(T test) {
   Verdict verdict = verdict_of(test, findings);
   const Standing standing = standing_of(findings);
   std::string next = next_step(verdict, findings);
-  return {std::move(verdict), standing, rows_of(test, standing), std::move(findings), std::move(next)};
+  return {std::move(verdict),   standing,       rows_of(test, standing), std::move(findings),
+          assumed_errors(test), std::move(next)};
 }
 
 }  // namespace flexslip

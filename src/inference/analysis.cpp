@@ -10,6 +10,7 @@
 #include "bending_test/equilibrium.h"
 #include "data/contact.h"
 #include "fibre/elastica.h"
+#include "inference/beginning.h"
 #include "inference/profile.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -45,7 +46,7 @@ OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fib
 }
 
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
-  const Contact contact = find_contact(record);
+  const InitialLine contact = initial_line(record);
   if (contact.status != ContactStatus::found || !(contact.slope.value > 0)) return {};
   double work = 0;
   double square = 0;
@@ -198,7 +199,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (const auto check = check_record(record);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
-  const Contact contact = find_contact(record);
+  const InitialLine contact = initial_line(record);
   const bool from_slope = !description.bending_stiffness;
   const double L = description.span;
   const auto slope = stiffness_from_slope(record, L);
@@ -221,7 +222,6 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
                         .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
                         .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
-                        .contact = contact,
                         .record = record,
                         .reduced = to_reduced(record, scales)};
   if (from_slope && !slope.found) {
@@ -236,13 +236,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
 
   analysis.force_noise = scales.reduced_force(force_noise(record));
   analysis.drops = find_drops(record, options.drops);
-  constexpr double usual_contact_error = 0.0005;  // [L]
-  const double contact_error = std::max(
-      description.contact_error.value_or(contact.status == ContactStatus::found ? contact.offset.standard_error : 0.0),
-      usual_contact_error * L);
-  const MeasurementErrors errors{.force = analysis.force_noise,
-                                 .bending_stiffness = analysis.bending_stiffness_error,
-                                 .contact = scales.reduced_length(contact_error)};
+  const MeasurementErrors errors{
+      .force = analysis.force_noise,
+      .bending_stiffness = analysis.bending_stiffness_error,
+      .contact = description.contact_error ? scales.reduced_length(*description.contact_error) : usual_contact_error};
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
   analysis.slip_summary = summarise(analysis.slips);

@@ -9,7 +9,6 @@
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
-#include "data/contact.h"
 #include "data/drops.h"
 #include "data/record.h"
 #include "data/scales.h"
@@ -49,11 +48,13 @@ struct StiffnessFromSlope {
 };
 
 // Domain:     stage and deflection counted from the contact; span [m] > 0.
-// Method:     force over deflection by least squares, through the contact, over the points that find_contact looks at.
+// Method:     force over deflection by least squares, through the contact, over the points of the initial_line.
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
 
 // The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
 inline constexpr double usual_stiffness_error = 0.03;
+// And of a modulus beside a section whose uncertainty is stated: what the diameter to 0.5 %, which is 2 % of EI, leaves of it.
+inline constexpr double usual_modulus_error = 0.022;
 
 // What is known of a test besides its record.
 struct TestDescription {
@@ -61,8 +62,8 @@ struct TestDescription {
   double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
   std::optional<double> bending_stiffness{};        // [N m^2] EI; not given: from the initial slope of the record
   std::optional<double> bending_stiffness_error{};  // [1] standard deviation; not given: 3 %, or what the slope says
-  std::optional<double> contact_error{};            // [m] standard deviation of the contact point; not given: as found
-  Fibre fibre{};                                    // on its supports
+  std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: usual_contact_error
+  Fibre fibre{};                          // on its supports
   RigErrors rig_errors{};
 };
 
@@ -118,7 +119,6 @@ struct TestAnalysis {
   bool model_implausible = false;
   OverFrictionless over_frictionless{};  // beforehand
   bool stiffness_implausible;            // they differ by more than 40 % and twice its error
-  Contact contact;                       // found, not applied: the record counts from that of whoever prepared it
   Record record;
   ReducedRecord reduced;
   double force_noise = NAN;    // [EI/L^2] of one reading

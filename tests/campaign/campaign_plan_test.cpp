@@ -65,10 +65,11 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
   const auto common =
       folder.file("common.toml",
                   "[rig]\nspan = \"1 mm\"\nstiffness = \"90 N/m\"\n[record]\nstage = \"w [mm]\"\nforce = \"F [N]\"\n");
-  const auto table = folder.file("cases.csv",
-                                 "file,diameter [um],modulus,modulus uncertainty [GPa],rig.span,until,#operator\n"
-                                 "a.csv,34.8,29.6 GPa,1.5,1278 um,267,Jo\n"
-                                 "sub/b.csv,40,fit,,,,\n");
+  const auto table = folder.file(
+      "cases.csv",
+      "file,diameter [um],modulus,modulus uncertainty [GPa],rig.span,span uncertainty [um],until,#operator\n"
+      "a.csv,34.8,29.6 GPa,1.5,1278 um,2.5,267,Jo\n"
+      "sub/b.csv,40,fit,,,,,\n");
   const auto plan = plan_campaign(table, common);
   REQUIRE(plan.size() == 2);
   CHECK(plan[0].name == "a");
@@ -78,7 +79,7 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
   const auto& modulus = std::get<Known>(first.specimen->modulus.value());
   CHECK(modulus.value == 29.6e9);
   CHECK(modulus.uncertainty == 1.5e9);
-  CHECK(first.rig.value().span == 1278e-6);
+  CHECK(first.rig.value().span == Known{1278e-6, 2.5e-6});
   CHECK(first.record.value().until == PlaceInRecord(AtRow{267}));
   CHECK(first.record->file == (folder.path() / "a.csv").string());
   const Test& second = case_in(plan[1]);

@@ -94,16 +94,56 @@ TEST_CASE("table: the specimens that can be described") {
   CHECK(specimen("diameter = '1 um'") == SpecimenInput{.diameter = 1e-6});
   CHECK(specimen("diameter = '1 um'\nmodulus = 'fit'") == SpecimenInput{.diameter = 1e-6, .modulus = ToFit{}});
   CHECK(specimen("width = '2 um'\nheight = '1 um'\nmodulus = '3 GPa'") ==
-        SpecimenInput{.width = 2e-6, .height = 1e-6, .modulus = Known{3e9, 0}});
+        SpecimenInput{.width = 2e-6, .height = 1e-6, .modulus = Known{3e9}});
   CHECK(specimen("diameter = '4 mm'\ninner_diameter = '3 mm'") ==
         SpecimenInput{.diameter = 4e-3, .inner_diameter = 3e-3});
   CHECK(section_of(read("[specimen]\ndiameter = '4 mm'\nwall = '0.5 mm'")) == Section{TubularSection{4e-3, 3e-3}});
   CHECK(section_of(read("[specimen]\nwidth = '2 um'\nheight = '1 um'")) == Section{RectangularSection{2e-6, 1e-6}});
-  CHECK(specimen("bending_stiffness = '2.1e-12 N m^2'") == SpecimenInput{.bending_stiffness = Known{2.1e-12, 0}});
+  CHECK(specimen("bending_stiffness = '2.1e-12 N m^2'") == SpecimenInput{.bending_stiffness = Known{2.1e-12}});
   CHECK(specimen("bending_stiffness = 'fit'\ndiameter = '1 um'") ==
         SpecimenInput{.diameter = 1e-6, .bending_stiffness = ToFit{}});
   CHECK(specimen("bending_stiffness = { value = '2 N m^2', uncertainty = '5 %' }") ==
         SpecimenInput{.bending_stiffness = Known{2, 2 * 0.05}});
+}
+
+TEST_CASE("table: the uncertainties that can be stated, in three ways") {
+  const auto rig = [](const std::string& text) { return *read("[rig]\n" + text).rig; };
+  const RigInput known{.span = 1e-3, .stiffness = Known{90, 0.003 * 90}};
+  CHECK(rig("span = '1 mm'\nstiffness = { value = '90 N/m', uncertainty = '0.3 %' }") == known);
+  CHECK(rig("span = '1 mm'\nstiffness = '90 N/m ± 0.3 %'") == known);
+  CHECK(rig("span = '1 mm'\nstiffness = '90 N/m +- 0.3 %'") == known);
+  const std::string plain = "[rig]\nspan = '1 mm'\nstiffness = '90 N/m'";
+  CHECK(read_case(plain, "case.toml", {"rig.stiffness.uncertainty=0.3 %"}).rig == known);
+  CHECK(rig("span = '1 mm ± 2 um'\nroller_radius = '1 mm ± 0 %'") ==
+        RigInput{.span = Known{1e-3, 2e-6}, .roller_radius = Known{1e-3, 0}});
+  CHECK(read("[specimen]\nwidth = '2 um ± 1 %'\nheight = '1 um ± 10 nm'").specimen ==
+        SpecimenInput{.width = Known{2e-6, 0.01 * 2e-6}, .height = Known{1e-6, 10e-9}});
+  const auto record = [](const std::string& text) {
+    return *read(
+                "[rig]\nspan = '1 mm'\n[specimen]\ndiameter = '1 um'\n[record]\nfile = 'a.csv'\nstage = 'w [um]'\n"
+                "force = 'F [N]'\n" +
+                text)
+                .record;
+  };
+  CHECK(record("gain_error = '1 %'").gain_error == 0.01);
+  CHECK(record("gain_error = '0 %'").gain_error == 0.0);
+  CHECK(record("contact = '-3 um ± 1 um'").contact == ContactRule{Known{-3e-6, 1e-6}});
+  CHECK(record("contact = 'find'").contact == ContactRule{ContactWord::find});
+}
+
+TEST_CASE("table: uncertainties that are refused") {
+  const auto said = [](const std::string& text) { return complaint("[rig]\nspan = '1 mm'\n" + text); };
+  CHECK(has(said("stiffness = '90 N/m ± -1 %'"),
+            ":3: [rig] stiffness.uncertainty: expected a non-negative plain number"));
+  CHECK(has(said("stiffness = { value = '90 N/m', uncertainty = '31 %' }"),
+            ":3: [rig] stiffness.uncertainty: expected at most 30 % of the value, found 31 %"));
+  CHECK(has(said("stiffness = '90 N/m ± 1 um'"), "expected a stiffness"));
+  CHECK(has(said("stiffness = 'inf ± 1 %'"), "found that of \"inf\""));
+  CHECK(
+      has(said("nose_radius = { value = '1 mm', uncertainty = '1 %' }"),
+          ":3: [rig] nose_radius: expected a length, found a table; it is taken as exact: leave the uncertainty out"));
+  CHECK(has(said("roller_radius = '0 mm ± 1 um'"), "at most 30 % of the value"));
+  CHECK_THROWS_AS(read_case("", "case.toml", {"rig.nose_radius.uncertainty=1 %"}), InputError);
 }
 
 TEST_CASE("table: the friction that can be described") {
@@ -307,7 +347,7 @@ TEST_CASE("table: reduced cases hold plain numbers, and have the span and EI of 
       "reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.6\n"
       "amplitude = 0.4\nwavelength = 0.0628\nphase = '180 deg'\n[stage]\nprogram = [0, 0.75]\nstep = 0.01");
   CHECK(input.reduced);
-  CHECK(input.specimen == SpecimenInput{.bending_stiffness = Known{1, 0}});
+  CHECK(input.specimen == SpecimenInput{.bending_stiffness = Known{1}});
   CHECK(input.rig == RigInput{.span = 1, .stiffness = 30});
   CHECK(input.friction == FrictionInput{.model = FrictionModel::sinusoid,
                                         .mu0 = 0.6,

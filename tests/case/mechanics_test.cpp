@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
+#include "inference/analysis.h"
 #include "tests/approximately.h"
 #include "tests/design/some_design.h"
 #include "tests/has.h"
@@ -40,6 +41,40 @@ TEST_CASE("mechanics: E I of a rod, with the uncertainty stated or assumed (form
   const Test open = rod("", "stiffness = \"90 N/m\"");
   CHECK(!states_stiffness(open));
   CHECK(has(message_of([&] { bending_stiffness_of(open); }), "modulus"));
+}
+
+TEST_CASE("mechanics: the section's uncertainty counts in EI as its second moment says (formula)") {
+  const auto error_of = [](const std::string& specimen) {
+    return bending_stiffness_of(read_case("[specimen]\n" + specimen, "case.toml")).relative_error;
+  };
+  const double small = 1e-6;  // of I along the lengths, by differences over 1e-4
+  const std::string modulus = "modulus = '30 GPa ± 2 %'\n";
+  CHECK(error_of(modulus + "diameter = '1 um ± 1 %'") == doctest::Approx(std::hypot(0.02, 0.04)).epsilon(small));
+  CHECK(error_of(modulus + "width = '2 um ± 3 %'\nheight = '1 um ± 1 %'") ==
+        doctest::Approx(std::hypot(0.02, 0.03, 0.03)).epsilon(small));
+  // D^4 - (D - 2 t)^4 of D = 4 and t = 1: ∂/∂t = 8 (D - 2 t)^3 = 64 of 240.
+  CHECK(error_of(modulus + "diameter = '4 um'\nwall = '1 um ± 3 %'") ==
+        doctest::Approx(std::hypot(0.02, 0.03 * 64 / 240)).epsilon(small));
+  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um ± 0 %'") == usual_modulus_error);
+  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um'") == usual_stiffness_error);
+  CHECK(error_of("modulus = '30 GPa ± 0 %'\ndiameter = '1 um ± 0 %'") == 0);
+}
+
+TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual where it says nothing (identity)") {
+  const RigErrors usual = rig_errors_of(read_case("[rig]\nspan = '1 mm'\nstiffness = '90 N/m'", "case.toml"));
+  CHECK(usual.load_train == RigErrors{}.load_train);
+  CHECK(usual.span == RigErrors{}.span);
+  CHECK(usual.force_gain == RigErrors{}.force_gain);
+  const RigErrors errors = rig_errors_of(
+      read_case("[specimen]\ndiameter = '30 um ± 2 %'\nmodulus = '30 GPa'\n[rig]\nspan = '1 mm ± 2 um'\n"
+                "stiffness = '90 N/m ± 0.4 %'\nsupport_stiffness = '45 N/m'\nroller_radius = '0.1 mm ± 3 %'\n"
+                "[record]\nfile = 'a.csv'\nstage = 'w [um]'\nforce = 'F [N]'\ngain_error = '0 %'",
+                "case.toml"));
+  CHECK(errors.span == doctest::Approx(0.002));
+  CHECK(errors.thickness == doctest::Approx(0.02));
+  CHECK(errors.support_radius == doctest::Approx(0.03));
+  CHECK(errors.force_gain == 0);
+  CHECK(errors.load_train == doctest::Approx(0.002));  // half of the compliance is that of the supports
 }
 
 TEST_CASE("mechanics: load train and supports are springs in line, and taken apart again (identity)") {

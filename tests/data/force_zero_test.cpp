@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "data/contact.h"
+#include "tests/data/straight_test.h"
 
 using namespace flexslip;
 
@@ -92,6 +93,33 @@ TEST_CASE("force_zero: a force that never rises, and too few rows (limit)") {
   CHECK(zero_of({std::vector<double>(200, 1), std::vector<double>(200, 0.3)}).status == ForceZeroStatus::no_free_rows);
   CHECK(zero_of({{0, 1, 2}, {0, 0, 5}}).status == ForceZeroStatus::no_free_rows);
   CHECK(zero_of({}).status == ForceZeroStatus::no_free_rows);
+}
+
+TEST_CASE("baseline: a force that drifts or settles before the contact is found and led on (truth known)") {
+  constexpr double white = 1e-5;  // [N]
+  const auto with = [](auto baseline, unsigned seed) {
+    const Record record = straight_test(500, 300e-6, white, seed);
+    std::vector<double> force = record.force;
+    for (std::size_t i = 0; i < force.size(); ++i) force[i] += baseline(record.stage[i]);
+    return find_baseline(record.stage, force);
+  };
+  int told = 0;
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    told += with([](double) { return 1e-4; }, seed).points > 0;
+    const Baseline drift = with([](double x) { return 0.2e-3 * x / 300e-6; }, seed);
+    REQUIRE(drift.points > 100);
+    CHECK(drift.points <= 150);
+    CHECK(drift.settles_by == 0);
+    CHECK(std::abs(drift.at(300e-6) - 0.2e-3) < 4 * drift.error);
+    const auto settling = [](double x) { return 0.3e-3 * std::exp(-x / 80e-6); };
+    const Baseline settles = with(settling, seed);
+    REQUIRE(settles.points > 100);
+    CHECK(settles.settles_by != 0);
+    // A length of a grid of powers of two, up to 1.4 times off: 0.1 of what is left at the contact, or 0.05 of the whole.
+    CHECK(std::abs(settles.at(300e-6) - settling(300e-6)) < 0.05 * 0.3e-3);
+  }
+  CHECK(told == 0);  // six of its errors
+  CHECK(find_baseline(std::vector<double>(20, 0.0), std::vector<double>(20, 0.0)).points == 0);
 }
 
 TEST_CASE("force_zero: what is broken is refused (contract)") {

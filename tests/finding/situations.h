@@ -115,10 +115,10 @@ inline std::vector<Situation> situations() {
       [](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
   add("below_frictionless", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
-  add("settling_contact", Severity::doubt, [](FittedTest& test) {
-    test.analysis.contact.status = ContactStatus::found;
-    test.analysis.contact.settles = true;
-    test.analysis.contact.offset = normal_estimate(2e-6, 1e-7);
+  add("sloping_baseline", Severity::doubt,
+      [](FittedTest& test) { test.measurement.baseline = {.points = 50, .change = 2e-4, .error = 1e-5}; });
+  add("other_contact", Severity::doubt, [](FittedTest& test) {
+    test.measurement.own_contact = {.status = ContactStatus::found, .offset = normal_estimate(4e-6, 4e-7)};
   });
   add("only_a_limit", Severity::note, [](FittedTest& test) {
     check_of(test, CheckKind::friction).outcome = CheckOutcome::failed;

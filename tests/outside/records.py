@@ -93,8 +93,63 @@ class Records(InFolder):
         contact = fit["parameters"]["contact_offset"]
         self.assertLess(abs(contact["value"] - 10e-6), contact["standard_error"])
         left = self.fitted(toe)
-        self.assertIn("settling_contact", against(left))
+        self.assertIn("other_contact", against(left))
         self.assertNotEqual(left["judgement"]["standing"], "sound")
+
+    def test_a_record_that_begins_before_or_behind_its_zero_says_so_and_is_right_once_counted_from_there(self):
+        rise = next(i for i, (stage, _) in enumerate(READINGS) if stage >= 10)
+        for moved, truth in ([(stage - READINGS[rise][0], force) for stage, force in READINGS[rise:]], -READINGS[rise][0]), ([(stage + 6, force) for stage, force in READINGS], 6):
+            left = self.fitted(moved)
+            self.assertIn("other_contact", against(left))
+            (finding,) = [f for f in left["findings"] if f["code"] == "other_contact"]
+            self.assertIn('contact = "find"', finding["remedy"])
+            found = self.fitted(moved, "--contact", "find")
+            self.holds(found)
+            contact = found["parameters"]["contact_offset"]
+            self.assertLess(abs(contact["value"] - truth * 1e-6), 2 * contact["standard_error"])
+            self.assertGreaterEqual(contact["standard_error"], 1278e-6 / 4000)
+
+    def test_a_force_that_drifts_or_settles_before_contact_is_told_and_taken_off(self):
+        noise = random.Random(4)
+        level = [(2 * i, noise.gauss(0, 0.01)) for i in range(150)] + [(stage + 300, force) for stage, force in READINGS]
+        self.assertNotIn("sloping_baseline", against(self.fitted(level)))
+        for name, baseline in ("drifts", lambda x: 0.2 * x / 300), ("settles", lambda x: 0.3 * math.exp(-x / 80)):
+            readings = [(stage, force + baseline(stage)) for stage, force in level]
+            left = self.fitted(readings)
+            self.assertIn("sloping_baseline", against(left))
+            self.assertNotEqual(left["judgement"]["standing"], "sound")
+            taken = self.fitted(readings, "--zero", "slope")
+            self.holds(taken)
+            self.assertIn(name, step(taken, "zero"))
+            contact = taken["parameters"]["contact_offset"]
+            self.assertLess(abs(contact["value"] - 300e-6), 2 * contact["standard_error"])
+
+    def test_one_early_outlier_does_not_move_the_answer(self):
+        once = self.fitted(READINGS, "--contact", "find")["parameters"]
+        for row, by in (0, 0.5), (4, 3.0), (8, -1.0):
+            moved = self.fitted([(stage, force + (by if i == row else 0)) for i, (stage, force) in enumerate(READINGS)], "--contact", "find")["parameters"]
+            self.assertLess(abs(moved["contact_offset"]["value"] - once["contact_offset"]["value"]), once["contact_offset"]["standard_error"])
+            self.assertLess(abs(moved["mu0"]["value"] - once["mu0"]["value"]), 2 * once["mu0"]["standard_error"])
+
+    @unittest.skipUnless((SHARED / "realrig/truth.csv").is_file(), "no records with truth")
+    def test_records_of_another_simulator_whose_zero_is_off_come_out_with_the_contact_found(self):
+        truths = {row["test"]: row for row in csv.DictReader((SHARED / "realrig/truth.csv").open())}
+        for name, low, high in ("found_contact_early_16", 0.475, 0.48), ("found_contact_late_29", 0.414, 0.416):
+            truth = truths[name]
+            case = self.file("case.toml", f"""[specimen]
+bending_stiffness = "{truth['EI_stated_N_m2']} N m^2"
+[rig]
+span = "{truth['span_m']} m"
+stiffness = "{truth['cantilever_stiffness_N_per_m']} N/m"
+[record]
+file = "{SHARED / 'realrig' / (name + '.csv')}"
+stage = "w_s_m [m]"
+force = "F_N [N]"
+""")
+            self.assertIn("other_contact", against(self.json("fit", case)))
+            mu0 = self.json("fit", case, "--set", 'record.contact="find"')["parameters"]["mu0"]
+            error = mu0["standard_error"]
+            self.assertTrue(mu0["value"] - 2 * error < high and mu0["value"] + 2 * error > low, mu0)
 
     def test_a_record_whose_stage_begins_elsewhere_counts_from_its_contact(self):
         fit = self.fitted([(stage + 300, force) for stage, force in READINGS])

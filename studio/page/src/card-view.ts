@@ -133,7 +133,7 @@ export class CardView {
       const where = `${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name}`;
       lines.push(["contact", [
         { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}: ${taken}`, change: () => undefined, chosen: true },
-        { words: `find (line: ${where})`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
+        { words: `find (${where})`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
         ...(settings.contact ? [{ words: "as found", change: decide({ contact: undefined }) }] : []),
       ], settings.contact !== undefined]);
       const zero = fit!.answer.preparation.find((s) => s.step === "zero"), sign = fit!.answer.preparation.find((s) => s.step === "sign");

@@ -1,0 +1,316 @@
+#include "inference/beginning.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "bending_test/equilibrium.h"
+#include "numerics/elementary.h"
+
+namespace flexslip {
+namespace {
+
+constexpr double deepest_beginning = 0.2;  // [L] that any beginning is looked at
+
+// [1] Frictions that a specimen may begin with.
+constexpr std::array begin_frictions{0.0, 0.2, 0.4, 0.6, 0.8, 1.0};
+
+// The force over the deflection of the fibre that slides with one friction, in EI/L^3, at even deflections.
+class Rise {
+ public:
+  explicit Rise(double q) {
+    constexpr int knots = 64;
+    const auto curve = sliding_up_to(deepest_beginning, q, 4 * knots);
+    for (int i = 1; i <= knots; ++i) {
+      const double w = deepest_beginning * i / knots;
+      const double F = force_at(curve, w);
+      over_.push_back(std::isfinite(F) ? F / w : over_.back());
+    }
+    over_.insert(over_.begin(), 2 * over_[0] - over_[1]);
+  }
+
+  struct Value {
+    double force, slope;
+  };
+  // [EI/L^2], [EI/L^3] at a deflection [L]; none before the contact.
+  Value at(double w) const {
+    if (w <= 0) return {0, 0};
+    const auto last = static_cast<double>(over_.size() - 1);
+    const double place = std::min(w / deepest_beginning, 1.0) * last;
+    const auto i = std::min(static_cast<std::size_t>(place), over_.size() - 2);
+    const double rate = over_[i + 1] - over_[i];
+    const double over = over_[i] + rate * (place - static_cast<double>(i));
+    return {w * over, over + w * rate * last / deepest_beginning};
+  }
+
+ private:
+  std::vector<double> over_;
+};
+
+// The readings looked at, deflections in spans.
+struct Looked {
+  std::vector<double> stage, deflection, force;
+};
+
+// A way for a beginning to have come about.
+struct Seat {
+  double force;  // [N] at which the seat has given way to 1 - 1/e; 0: none
+};
+
+struct Fitted {
+  double contact = 0, log_stiffness = 0, offset = 0, depth = 0;  // [L], of e [N], [N], [L] of the seat
+  double contact_variance = 0, depth_variance = 0;
+  double loss = std::numeric_limits<double>::infinity();  // -2 ln of the probability, but for a constant
+  double log_volume = 0;                                  // ½ ln det of the covariance
+  double scatter = 0;                                     // [N] of the residuals, robustly
+  std::vector<double> residuals;
+
+  double settled() const { return contact + depth; }
+};
+
+constexpr double usual_depth = 0.012;  // [L] standard deviation of a seat's
+
+class BeginningFit {
+ public:
+  BeginningFit(const Looked& looked, const BeginningOf& test, const Fitted& first, double noise)
+      : looked_(looked), first_(first), compliance_(1 / (test.load_train_stiffness * test.span)), noise_(noise) {
+    if (test.bending_stiffness) weight_of_stiffness_ = 1 / square(std::max(test.bending_stiffness_error, 1e-6));
+  }
+
+  // From a contact [L] and ln e; the offset of the force is known to `offset_error` [N].
+  Fitted fit(const Rise& rise, Fitted start, Seat seat, double offset_error, double scatter) const {
+    const bool has_seat = seat.force > 0;
+    Fitted at = std::move(start);
+    constexpr int steps = 40;
+    for (int step = 0; step < steps; ++step) {
+      at.residuals.clear();
+      Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+      Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
+      const double e = elementary::exp(at.log_stiffness);
+      std::vector<Eigen::Vector4d> rows;
+      for (std::size_t i = 0; i < looked_.force.size(); ++i) {
+        const double force = looked_.force[i] - at.offset;
+        const double yields = has_seat ? -elementary::exp_less_one(-std::max(force, 0.0) / seat.force) : 0;
+        const auto [F, slope] =
+            rise.at(looked_.deflection[i] + compliance_ * at.offset - at.contact - at.depth * yields);
+        at.residuals.push_back(force - e * F);
+        rows.emplace_back(-e * slope, e * F, 1 + e * slope * compliance_, -e * slope * yields);
+      }
+      at.scatter = scatter > 0 ? scatter : std::max(noise_, deviation_by_median * median_of_sizes(at.residuals));
+      const double scale = square(at.scatter);
+      at.loss = 0;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        constexpr double far = 9;  // [scatter²] beyond which a reading hardly counts
+        const double r2 = square(at.residuals[i]) / scale;
+        const double weight = 1 / (1 + r2 / far);
+        normal += (weight / scale) * rows[i] * rows[i].transpose();
+        gradient += (weight / scale * at.residuals[i]) * rows[i];
+        at.loss += far * elementary::log_of_one_and(r2 / far);
+      }
+      const auto prior = [&](Eigen::Index i, double away, double weight) {
+        normal(i, i) += weight;
+        gradient[i] -= weight * away;
+        at.loss += weight * square(away);
+      };
+      constexpr double somewhere = 100;  // [1/L²] about where it is first looked for
+      prior(0, at.contact - first_.contact, somewhere);
+      prior(1, at.log_stiffness - first_.log_stiffness, weight_of_stiffness_);
+      prior(2, at.offset, 1 / square(offset_error));
+      constexpr double exactly = 1e18;
+      prior(3, at.depth, has_seat ? 1 / square(usual_depth) : exactly);
+      normal.diagonal() *= 1 + 1e-9;
+      const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
+      const Eigen::Vector4d move = solver.solve(gradient);
+      const Eigen::Matrix4d covariance = solver.solve(Eigen::Matrix4d::Identity());
+      at.depth_variance = covariance(3, 3);
+      at.contact_variance = covariance(0, 0) + covariance(3, 3) + 2 * covariance(0, 3);
+      at.log_volume = -0.5 * solver.vectorD().array().abs().log().sum() +
+                      (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
+      if (!move.allFinite()) return {};
+      at.contact += std::clamp(move[0], -0.02, 0.02);
+      at.log_stiffness += std::clamp(move[1], -0.3, 0.3);
+      at.offset += move[2];
+      at.depth += std::clamp(move[3], -0.02, 0.02);
+      if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6) break;
+    }
+    return at;
+  }
+
+ private:
+  static double square(double x) { return x * x; }
+  static double median_of_sizes(std::vector<double> values) {
+    for (double& value : values) value = std::abs(value);
+    return median_of(std::move(values));
+  }
+
+  const Looked& looked_;
+  Fitted first_;
+  double compliance_;                 // [L/N]
+  double noise_;                      // [N]
+  double weight_of_stiffness_ = 0.1;  // nothing is known of it
+};
+
+// Each reading, or the middle one of it and its neighbours: single ones do not count.
+std::vector<double> without_spikes(std::span<const double> readings) {
+  std::vector<double> calm(readings.begin(), readings.end());
+  for (std::size_t i = 0; i < readings.size(); ++i) {
+    const std::size_t middle = std::clamp<std::size_t>(i, 1, readings.size() - 2);
+    const auto [low, high] = std::minmax(readings[middle - 1], readings[middle + 1]);
+    calm[i] = std::clamp(readings[middle], low, high);
+  }
+  return calm;
+}
+
+// The first rows, until the force first passes a share of its greatest, at least so many.
+Looked looked_at(const Record& record, std::span<const double> calm, double share, double span) {
+  constexpr std::size_t fewest = 12;
+  const double most = *std::max_element(calm.begin(), calm.end());
+  std::size_t last = 0;
+  while (last < calm.size() && calm[last] <= share * most) ++last;
+  last = std::min(std::max(last, fewest), calm.size());
+  Looked looked;
+  for (std::size_t i = 0; i < last; ++i) {
+    looked.stage.push_back(record.stage[i] / span);
+    looked.deflection.push_back(record.deflection[i] / span);
+    looked.force.push_back(record.force[i]);
+  }
+  return looked;
+}
+
+// How far the readings of a record scatter about the best of its curves, and how much farther a mean of them does, as neighbours err alike.
+struct Scatter {
+  double size = 0, alike = 1;  // [N], [1]
+};
+
+struct Told {
+  double offset = 0, variance = 0;  // [L], [L²] of the contact, once it has settled
+  double log_evidence = -std::numeric_limits<double>::infinity();
+  double depth = 0, depth_variance = 0;  // of the seat
+  Fitted likeliest{};
+  Scatter scatter{};
+};
+
+// All frictions and seats together, each weighed by its evidence. Without a scatter it is that of the best of them.
+// Fails:      an evidence of 0 where none fits.
+Told told_by(const BeginningFit& fit, std::span<const Rise> rises, std::span<const Seat> seats, const Fitted& start,
+             double offset_error, Scatter scatter = {}) {
+  std::vector<Fitted> fits;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Seat seat : seats)
+    for (const Rise& rise : rises) {
+      fits.push_back(fit.fit(rise, start, seat, offset_error, scatter.size));
+      if (fits.back().scatter > 0) least = std::min(least, fits.back().scatter);
+    }
+  Told told{.scatter = scatter};
+  if (!std::isfinite(least)) return told;
+  if (scatter.size == 0) {
+    told.scatter.size = least;
+    for (std::size_t i = 0; i < fits.size(); ++i)  // the same for all, or they could not be compared
+      fits[i] = fit.fit(rises[i % rises.size()], fits[i], seats[i / rises.size()], offset_error, least);
+  }
+  for (const Fitted& each : fits)
+    if (each.loss < told.likeliest.loss) told.likeliest = each;
+  constexpr double max_correlation = 0.8;  // more is that of a curve that does not fit
+  if (scatter.size == 0)
+    told.scatter.alike = std::max(1.0, effective_deviation(told.likeliest.residuals, 3, 0, max_correlation) / least);
+  const double inflation = told.scatter.alike * told.scatter.alike;
+  double sum = 0, mean = 0, square = 0, depths = 0;
+  for (const Fitted& each : fits) {
+    const double weight = elementary::exp(0.5 * (told.likeliest.loss - each.loss) / inflation + each.log_volume -
+                                          told.likeliest.log_volume);
+    if (!(weight > 0)) continue;
+    sum += weight;
+    mean += weight * each.settled();
+    square += weight * (inflation * each.contact_variance + each.settled() * each.settled());
+    told.depth += weight * each.depth;
+    depths += weight * (inflation * each.depth_variance + each.depth * each.depth);
+  }
+  told.offset = mean / sum;
+  told.variance = std::max(square / sum - told.offset * told.offset, 0.0);
+  told.depth /= sum;
+  told.depth_variance = std::max(depths / sum - told.depth * told.depth, 0.0);
+  told.log_evidence = elementary::log(sum / static_cast<double>(seats.size())) + told.likeliest.log_volume -
+                      0.5 * told.likeliest.loss / inflation;
+  return told;
+}
+
+}  // namespace
+
+Contact find_contact(const Record& record, const BeginningOf& test) {
+  constexpr std::size_t fewest = 11;  // for a noise
+  if (record.force.size() < fewest) return {ContactStatus::too_few_points};
+  const std::vector<double> calm = without_spikes(record.force);
+  const double most = *std::max_element(calm.begin(), calm.end());
+  if (!(most > 0)) return {ContactStatus::not_rising};
+  constexpr double short_range = 0.15, long_range = 0.3;  // [greatest force]
+  const Looked looked = looked_at(record, calm, short_range, test.span);
+  const double noise = std::max(force_noise(record), 1e-9 * most);
+
+  // To begin with: a line through the upper part of them.
+  const std::size_t n = looked.force.size();
+  const std::size_t half = n - std::max<std::size_t>(n / 3, 5);
+  const std::vector<double> deflection = without_spikes(looked.deflection);
+  const Line line = line_through(std::span(deflection).subspan(half), std::span(calm).subspan(half, n - half));
+  if (!(line.slope > 0)) return {ContactStatus::not_rising};
+  Fitted start;
+  constexpr double of_a_beam = 48;
+  start.contact = line.mean_x - line.mean_y / line.slope;
+  start.log_stiffness = elementary::log(test.bending_stiffness ? *test.bending_stiffness / (test.span * test.span)
+                                                               : line.slope / of_a_beam);
+
+  std::vector<Rise> rises;
+  constexpr double of_rollers = 5.6;  // [1/L] friction that would bend the curve as a roller's radius does
+  for (const double mu : begin_frictions) rises.emplace_back(mu + of_rollers * test.support_radius / test.span);
+  constexpr std::array firm{Seat{0}};
+  const BeginningFit fit(looked, test, start, noise);
+  double offset_error = noise;
+  Told told = told_by(fit, rises, firm, start, offset_error);
+  if (!std::isfinite(told.log_evidence)) return {ContactStatus::not_rising};
+  constexpr std::ptrdiff_t enough = 3;  // rows that show the zero of the force
+  const auto before = std::count_if(looked.stage.begin(), looked.stage.end(),
+                                    [&](double at) { return at < told.offset - std::sqrt(told.variance); });
+  if (before >= enough) {
+    constexpr double free = 1e3;
+    offset_error = free * noise;
+    told = told_by(fit, rises, firm, start, offset_error);
+  }
+
+  // Has it settled on the way? By the evidence of a longer beginning.
+  const Looked longer = looked_at(record, calm, long_range, test.span);
+  const BeginningFit longer_fit(longer, test, start, noise);
+  const std::array seats{Seat{0.01 * most},  Seat{0.02 * most}, Seat{0.03 * most},
+                         Seat{0.045 * most}, Seat{0.06 * most}, Seat{0.08 * most}};
+  const Told seated = told_by(longer_fit, rises, seats, told.likeliest, offset_error);
+  const Told plain = told_by(longer_fit, rises, firm, told.likeliest, offset_error, seated.scatter);
+  const double for_seat = seated.log_evidence - plain.log_evidence;
+  const double share =
+      std::isfinite(for_seat) && seated.depth > 0 ? 1 / (1 + elementary::exp(-std::clamp(for_seat, -100.0, 100.0))) : 0;
+  double error = std::sqrt(told.variance);
+  if (share > 0) {
+    const double away = seated.offset - told.offset;
+    error = std::sqrt((1 - share) * told.variance + share * seated.variance + share * (1 - share) * away * away);
+    told.offset += share * away;
+  }
+  if (!std::isfinite(told.offset) || !std::isfinite(error)) return {ContactStatus::not_rising};
+  const double offset = test.span * told.offset;
+  return {.status = ContactStatus::found,
+          .offset = normal_estimate(offset, test.span * elementary::length(error, least_contact_error)),
+          .slope = of_a_beam * elementary::exp(told.likeliest.log_stiffness) / test.span,
+          .points_before = static_cast<std::size_t>(
+              std::count_if(record.stage.begin(), record.stage.end(), [=](double at) { return at < offset; })),
+          .settles = share > 0.5 && seated.depth * seated.depth > 4 * seated.depth_variance};
+}
+
+Contact counted_from(double place, Contact contact) {
+  for (double* value : {&contact.offset.value, &contact.offset.low, &contact.offset.high}) *value -= place;
+  return contact;
+}
+
+}  // namespace flexslip
