@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t places = 8;                 // at which a slow deviation is known
 constexpr std::size_t deflections = 16;           // of a force that the supports change
+constexpr double force_of_a_beam = 48;            // [EI/L^3] over a small deflection
 constexpr double usual_friction = 0.5;            // [1] at which that is taken: it hardly depends on it
 constexpr double length_of_slow = 0.5;  // of the greatest deflection
 
@@ -70,6 +71,7 @@ std::vector<double> RigShifts::of_supports(const Supports& by) const {
 Shift RigShifts::by(RigQuantity quantity, double w, double F) const {
   switch (quantity) {
     case RigQuantity::contact: return {-1, 0};
+    case RigQuantity::preload: return {1, force_of_a_beam};
     case RigQuantity::load_train: return {F * compliance_, 0};
     case RigQuantity::span: return {-w, 2 * F};
     case RigQuantity::force_gain: return {-F * compliance_, F};
@@ -82,6 +84,7 @@ Shift RigShifts::by(RigQuantity quantity, double w, double F) const {
 std::vector<Shift> RigShifts::deviations(double w, double F) const {
   static const SlowMatrix whitening = whitening_of_slow();
   const std::array deviation{std::pair{RigQuantity::contact, contact_error_},
+                             std::pair{RigQuantity::preload, errors_.preload},
                              std::pair{RigQuantity::load_train, errors_.load_train},
                              std::pair{RigQuantity::span, errors_.span},
                              std::pair{RigQuantity::force_gain, errors_.force_gain},

@@ -12,8 +12,8 @@
 
 namespace flexslip {
 
-enum class RigQuantity { contact, load_train, span, force_gain, thickness, support_radius };
-inline constexpr std::size_t rig_quantities = 6;
+enum class RigQuantity { contact, preload, load_train, span, force_gain, thickness, support_radius };
+inline constexpr std::size_t rig_quantities = 7;
 
 // Of one reading, inverted at the nominal EI: by how much its deflection and force would differ.
 struct Shift {
@@ -26,7 +26,7 @@ class RigShifts {
   // Domain:     as fit_friction.
   explicit RigShifts(const FitProblem& problem);
 
-  // For a quantity larger than stated, to first order: by one span of contact, thickness and radius, by the whole of the others.
+  // For a quantity larger than stated, to first order: by one span of contact, preload, thickness and radius, by the whole of the others.
   // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
   Shift by(RigQuantity quantity, double w, double F) const;
 
