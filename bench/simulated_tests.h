@@ -59,8 +59,8 @@ struct Truth {
   }
 };
 
-// Roughness with a Matérn kernel of ν = 3/2, each quarter of a µm.
-inline std::vector<double> matern_bumps(double rms, double length, Random& random) {
+// Roughness with a Matérn kernel, each quarter of a µm.
+inline std::vector<double> matern_bumps(double rms, double length, Random& random, Kernel kernel = Kernel::matern_3_2) {
   Observations observations;
   for (int i = 0; i < 1680; ++i) {
     observations.all.push_back(
@@ -69,7 +69,7 @@ inline std::vector<double> matern_bumps(double rms, double length, Random& rando
     observations.columns.emplace_back(Coefficients::Zero(0));
   }
   NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
-  return draw_from_prior(observations, Kernel::matern_3_2,
+  return draw_from_prior(observations, kernel,
                          {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal)
       .f;
 }

@@ -1,15 +1,17 @@
-// How often slips are called cracks, and cracks slips, on simulated tests: bench/verdicts KIND FIRST COUNT prints a line of CSV for each.
-// Slipping kinds: smooth (one sinusoid), rough (as the authors' specimens), two_supports (rough, each support on its own). Cracked: cracked.
+// What the verdict on slips and cracks goes by, on simulated tests and on tests of others: tools/calibrate-verdict fits its probability to this.
+//   verdicts KIND FIRST COUNT   a line of CSV for each simulated test of the kind
+//   verdicts                    the kinds
+//   verdicts -                  for each record on standard input: a line NAME CRACKS_ALONE LOAD_TRAIN THICKNESS ROWS, and as many of STAGE FORCE
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <iostream>
 #include <string>
 #include <vector>
 
 #include "bench/simulated_tests.h"
-#include "bending_test/history.h"
 #include "data/drops.h"
 #include "data/scales.h"
 #include "inference/slip_or_crack.h"
@@ -17,11 +19,7 @@
 namespace flexslip {
 namespace {
 
-// Noise such as real tests have, white or correlated.
-void set_noise(Truth& truth, Random& random) {
-  truth.noise = std::exp(random.between(std::log(0.003), std::log(0.03)));
-  truth.correlation = random.uniform() < 0.5 ? 0 : 0.7;
-}
+double log_between(Random& random, double a, double b) { return std::exp(random.between(std::log(a), std::log(b))); }
 
 // What friction along both sides comes to in loading: the weaker side slides.
 std::vector<double> weaker_of(const std::vector<double>& left, const std::vector<double>& right) {
@@ -34,70 +32,323 @@ std::vector<double> weaker_of(const std::vector<double>& left, const std::vector
   return weaker;
 }
 
-Truth slipping_truth(const std::string& kind, Random& random) {
-  Truth t = truth_of(kind == "smooth" ? "independent" : "measured", random);
-  t.k = random.between(18, 60);
-  set_noise(t, random);
-  if (kind == "smooth") t.waves[0].wavelength = random.between(8, 20);
-  if (kind == "two_supports") {
-    t.bumps = weaker_of(t.bumps, matern_bumps(t.roughness, t.length, random));
-    t.spacing *= 0.5;  // in (S - 1)/2, of which each side that slides alone takes but half
+// So smooth that hardly anything of it is shorter than its length [µm], as exp(-(x/length)^2/2), each quarter of a µm.
+std::vector<double> smooth_bumps(double rms, double length, Random& random) {
+  constexpr double spacing = 0.25;
+  const auto reach = static_cast<int>(std::ceil(2.2 * length / spacing));
+  std::vector<double> kernel, white, bumps;
+  double power = 0;
+  for (int j = -reach; j <= reach; ++j) {
+    const double x = j * spacing / length;
+    kernel.push_back(std::exp(-x * x));
+    power += kernel.back() * kernel.back();
   }
-  return t;
+  constexpr int count = 1680;
+  for (int i = 0; i < count + 2 * reach; ++i) white.push_back(random.normal());
+  for (int i = 0; i < count; ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < kernel.size(); ++j) sum += kernel[j] * white[static_cast<std::size_t>(i) + j];
+    bumps.push_back(rms * sum / std::sqrt(power));
+  }
+  return bumps;
 }
 
-// Constant friction, and 5 to 25 cracks that leave 40 to 85 % of the bending stiffness.
-FitProblem cracked_test(Random& random) {
-  Truth t;
-  t.mu0 = random.between(0.2, 0.8);
-  t.k = random.between(18, 60);
-  t.stiffening = std::exp(0.03 * random.normal());
-  set_noise(t, random);
-  const auto cracks = static_cast<std::size_t>(random.between(5, 26));
-  std::vector<double> at, shares;
-  for (std::size_t i = 0; i < cracks; ++i) at.push_back(random.between(0.1, 0.38));
+struct Loss {
+  double w, share;  // at which deflection [L], of the bending stiffness left
+};
+
+struct SimulatedTest {
+  Truth friction;
+  std::vector<Loss> losses;  // in the order of their deflections
+  double loss_of_slip = 0;   // [1] of the bending stiffness, at each slip that is seen
+  double deepest = 0;        // [L]
+};
+
+struct TestKind {
+  const char* name;
+  SimulatedTest (*make)(Random& random);
+};
+
+SimulatedTest sliding(Random& random) {
+  SimulatedTest test;
+  test.friction.mu0 = random.between(0.2, 0.95);
+  test.deepest = random.between(0.15, 0.45);
+  return test;
+}
+
+void add_wave(SimulatedTest& test, Random& random) {
+  Truth& t = test.friction;
+  t.waves.push_back({t.mu0 * random.between(0.05, 0.35), log_between(random, 7, 55), random.between(0, 2 * pi)});
+}
+
+SimulatedTest wave(Random& random) {
+  SimulatedTest test = sliding(random);
+  add_wave(test, random);
+  return test;
+}
+
+SimulatedTest two_waves(Random& random) {
+  SimulatedTest test = wave(random);
+  add_wave(test, random);
+  return test;
+}
+
+SimulatedTest rough(Random& random, Kernel kernel) {
+  SimulatedTest test = sliding(random);
+  test.friction.bumps = matern_bumps(random.between(0.03, 0.18), log_between(random, 3, 20), random, kernel);
+  test.friction.spacing = 0.25;
+  return test;
+}
+SimulatedTest rough_1_2(Random& random) { return rough(random, Kernel::exponential); }
+SimulatedTest rough_3_2(Random& random) { return rough(random, Kernel::matern_3_2); }
+SimulatedTest rough_5_2(Random& random) { return rough(random, Kernel::matern_5_2); }
+SimulatedTest rough_smooth(Random& random) {
+  SimulatedTest test = sliding(random);
+  test.friction.bumps = smooth_bumps(random.between(0.03, 0.18), log_between(random, 3, 20), random);
+  test.friction.spacing = 0.25;
+  return test;
+}
+
+SimulatedTest rough_wave(Random& random) {
+  SimulatedTest test = rough_3_2(random);
+  add_wave(test, random);
+  return test;
+}
+
+SimulatedTest two_supports(Random& random) {
+  SimulatedTest test = rough_3_2(random);
+  test.friction.bumps =
+      weaker_of(test.friction.bumps, matern_bumps(random.between(0.03, 0.18), log_between(random, 3, 20), random));
+  test.friction.spacing *= 0.5;  // in (S - 1)/2, of which each side that slides alone takes but half
+  return test;
+}
+
+std::vector<double> places(std::size_t count, double deepest, Random& random) {
+  std::vector<double> at;
+  for (std::size_t i = 0; i < count; ++i) at.push_back(random.between(0.07, 0.97 * deepest));
   std::sort(at.begin(), at.end());
-  const double at_the_end = random.between(0.4, 0.85);
-  double total = 0;
-  for (std::size_t i = 0; i < cracks; ++i) {
-    shares.push_back(-std::log(random.uniform()));
-    total += shares.back();
-  }
-  std::vector<Crack> all;
-  for (std::size_t i = 0; i < cracks; ++i)
-    all.push_back({at[i], -std::expm1(std::log(at_the_end) * shares[i] / total)});
-  std::vector<double> stages;
-  for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
-  const History history = follow_in_steps({Friction::constant(t.mu0), {t.k / t.stiffening}}, stages, all);
-  std::vector<double> forces;
-  for (const PathPoint& point : history.path) forces.push_back(point.F * t.stiffening);
-  return measured(stages, forces, t, random);
+  return at;
 }
 
-int run(int count, char** arguments) {
-  if (count != 4) {
-    std::fprintf(stderr, "usage: verdicts KIND FIRST COUNT\n");
-    return 2;
+// Losses whose shares of the whole are as these weights.
+std::vector<Loss> losses(const std::vector<double>& at, const std::vector<double>& weights, double left) {
+  double total = 0;
+  for (const double weight : weights) total += weight;
+  std::vector<Loss> all;
+  for (std::size_t i = 0; i < at.size(); ++i) all.push_back({at[i], -std::expm1(std::log(left) * weights[i] / total)});
+  return all;
+}
+
+std::size_t count_between(Random& random, int least, int most) {
+  return static_cast<std::size_t>(random.between(least, most + 1));
+}
+
+SimulatedTest slips_with_cracks(Random& random) {
+  SimulatedTest test = random.uniform() < 0.5 ? rough_3_2(random) : wave(random);
+  const auto at = places(count_between(random, 2, 10), test.deepest, random);
+  for (const double w : at) test.losses.push_back({w, random.between(0.01, 0.07)});
+  return test;
+}
+
+SimulatedTest slips_that_crack(Random& random) {
+  SimulatedTest test = random.uniform() < 0.5 ? rough_3_2(random) : wave(random);
+  test.loss_of_slip = random.between(0.005, 0.05);
+  return test;
+}
+
+// Friction that is constant or varies slowly: too slowly for slips.
+SimulatedTest cracking(Random& random) {
+  SimulatedTest test = sliding(random);
+  test.friction.mu0 = random.between(0.05, 0.95);
+  if (random.uniform() < 0.4) return test;
+  const double length = log_between(random, 20, 80);
+  test.friction.bumps = smooth_bumps(random.between(0.02, 0.08), length, random);
+  test.friction.spacing = 0.25;
+  return test;
+}
+
+SimulatedTest cracks_equal(Random& random) {
+  SimulatedTest test = cracking(random);
+  const auto at = places(count_between(random, 4, 20), test.deepest, random);
+  test.losses = losses(at, std::vector<double>(at.size(), 1.0), random.between(0.5, 0.95));
+  return test;
+}
+
+SimulatedTest cracks_growing(Random& random) {
+  SimulatedTest test = cracking(random);
+  const auto at = places(count_between(random, 5, 20), test.deepest, random);
+  std::vector<double> weights;
+  const double growth = random.between(2, 12);
+  for (std::size_t i = 0; i < at.size(); ++i)
+    weights.push_back(1 + growth * static_cast<double>(i) / static_cast<double>(at.size()));
+  test.losses = losses(at, weights, random.between(0.5, 0.95));
+  return test;
+}
+
+SimulatedTest cracks_scattered(Random& random) {
+  SimulatedTest test = cracking(random);
+  const auto at = places(count_between(random, 5, 25), test.deepest, random);
+  std::vector<double> weights;
+  for (std::size_t i = 0; i < at.size(); ++i) weights.push_back(-std::log(random.uniform()));
+  test.losses = losses(at, weights, random.between(0.5, 0.95));
+  return test;
+}
+
+SimulatedTest cracks_few(Random& random) {
+  SimulatedTest test = cracking(random);
+  for (const double w : places(count_between(random, 3, 5), test.deepest, random))
+    test.losses.push_back({w, random.between(0.03, 0.25)});
+  return test;
+}
+
+SimulatedTest cracks_many(Random& random) {
+  SimulatedTest test = cracking(random);
+  const auto at = places(count_between(random, 22, 50), test.deepest, random);
+  test.losses = losses(at, std::vector<double>(at.size(), 1.0), random.between(0.6, 0.95));
+  return test;
+}
+
+// Cracks that run on between the drops, so slowly that it makes none.
+SimulatedTest cracks_running(Random& random) {
+  SimulatedTest test = random.uniform() < 0.5 ? cracks_equal(random) : cracks_scattered(random);
+  constexpr std::size_t steps = 200;
+  const double lost = random.between(0.03, 0.2);
+  for (std::size_t i = 0; i < steps; ++i)
+    test.losses.push_back({std::lerp(0.05, test.deepest, static_cast<double>(i) / steps), lost / steps});
+  std::sort(test.losses.begin(), test.losses.end(), [](const Loss& a, const Loss& b) { return a.w < b.w; });
+  return test;
+}
+
+constexpr std::array kinds{TestKind{"wave", wave},
+                           TestKind{"two_waves", two_waves},
+                           TestKind{"rough_1_2", rough_1_2},
+                           TestKind{"rough_3_2", rough_3_2},
+                           TestKind{"rough_5_2", rough_5_2},
+                           TestKind{"rough_smooth", rough_smooth},
+                           TestKind{"rough_wave", rough_wave},
+                           TestKind{"two_supports", two_supports},
+                           TestKind{"constant", sliding},
+                           TestKind{"slips_with_cracks", slips_with_cracks},
+                           TestKind{"slips_that_crack", slips_that_crack},
+                           TestKind{"cracks_equal", cracks_equal},
+                           TestKind{"cracks_growing", cracks_growing},
+                           TestKind{"cracks_scattered", cracks_scattered},
+                           TestKind{"cracks_few", cracks_few},
+                           TestKind{"cracks_many", cracks_many},
+                           TestKind{"cracks_running", cracks_running}};
+
+struct RecordedTest {
+  FitProblem problem;
+  double left = 1;     // [1] of the bending stiffness
+  bool slips = false;  // farther than the noise hides
+};
+
+// The loading that a laboratory records, with what it does not know: bending stiffness to 3 %, load train to 1 %, contact to .0005 L, noise.
+RecordedTest recorded(const SimulatedTest& test, Random& random) {
+  static const SlidingLadder ladder(1.58, 2e-4);
+  std::vector<double> mu;
+  for (const double S : ladder.lengths()) mu.push_back(test.friction.mu(S));
+  const auto curve = ladder.curve(mu);
+  const double k = log_between(random, 12, 300), stiffening = std::exp(0.03 * random.normal());
+  const double own_k = k * std::exp(0.01 * random.normal()) / stiffening, contact = 0.0005 * random.normal();
+  const double rows = log_between(random, 60, 2000), step = (test.deepest + 9 * stiffening / k) / rows;
+  const double noise = log_between(random, 0.003, 0.03);
+  const double correlation = random.uniform() < 0.5 ? 0 : random.between(0.3, 0.95);
+  RecordedTest out{.problem = {.record = {}, .rig = {k}, .errors = {}}};
+  ReducedRecord& record = out.problem.record;
+  double& left = out.left;
+  double e = random.normal();
+  std::size_t next = 0, i = 1;
+  for (double stage = step;; stage += step) {
+    const auto G = [&](std::size_t j) { return curve.w[j] + left * curve.F[j] / own_k; };
+    double part = 0, w = 0;
+    for (bool settled = false; !settled;) {
+      double highest = 0;  // where it snaps from
+      for (; i < curve.w.size() && G(i) < stage; ++i)
+        if (G(i) < G(i - 1)) highest = std::max(highest, curve.F[i - 1]);
+      if (i == curve.w.size()) return out;
+      constexpr double seen = 4;  // [1] of the noise
+      if (left * (highest - curve.F[i]) > seen * noise) {
+        out.slips = true;
+        left *= 1 - test.loss_of_slip;
+      }
+      part = std::clamp((stage - G(i - 1)) / (G(i) - G(i - 1)), 0.0, 1.0);
+      w = std::lerp(curve.w[i - 1], curve.w[i], part);
+      settled = next == test.losses.size() || w < test.losses[next].w;
+      if (!settled) left *= 1 - test.losses[next++].share;
+    }
+    if (w > test.deepest) return out;
+    const double force = left * std::lerp(curve.F[i - 1], curve.F[i], part) * stiffening + noise * e;
+    e = correlation * e + std::sqrt(1 - correlation * correlation) * random.normal();
+    if (stage < contact) continue;
+    record.stage.push_back(stage - contact);
+    record.force.push_back(force);
+    record.deflection.push_back(stage - contact - force / k);
   }
-  const std::string kind = arguments[1];
-  constexpr std::array kinds{"smooth", "rough", "two_supports", "cracked"};
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+}
+
+void print_title() {
+  std::puts(
+      "kind,cracks_alone,test,load_train,rows,deepest,drops,rises,given_back,margin,loss_margin,left,needed,"
+      "probability");
+}
+
+// Of a test that is judged. left: of the bending stiffness, in truth.
+void print(const std::string& kind, bool cracks_alone, int test, const FitProblem& problem, double left) {
+  const ReducedRecord& record = problem.record;
+  const Record physical = to_physical(record, Scales(1, 1));
+  if (check_record(physical).fault != RecordFault::none) return;
+  const Drops drops = find_drops(physical);
+  if (drops.status != DropStatus::ok) return;
+  const SlipOrCrack found = slip_or_crack(record, problem.rig, drops.drops);
+  if (!found.judged || std::isnan(found.cracks_alone)) return;
+  std::printf("%s,%d,%d,%.1f,%zu,%.3f,%zu,%zu,%.4f,%.2f,%.2f,%.4f,%.4f,%.4f\n", kind.c_str(), cracks_alone ? 1 : 0,
+              test, problem.rig.stiffness, record.force.size(), record.deflection.back(), drops.drops.size(),
+              found.features.rises, found.features.given_back, found.features.margin, found.features.loss_margin, left,
+              1 - std::max({found.cracks.left, found.cracks_constant.left, found.cracks_running.left}),
+              found.cracks_alone);
+}
+
+int simulate(const std::string& kind, int first, int tests) {
+  const auto of_kind =
+      std::find_if(kinds.begin(), kinds.end(), [&](const TestKind& each) { return each.name == kind; });
+  if (of_kind == kinds.end()) {
     std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
     return 2;
   }
-  const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
-  std::printf("kind,test,k,noise,drops,rises,stiffer_rises,margin_arrested,margin,left_by_cracks,verdict\n");
+  print_title();
   for (int test = first; test < first + tests; ++test) {
     Random random = random_of(kind, test);
-    const FitProblem problem =
-        kind == "cracked" ? cracked_test(random) : simulated(slipping_truth(kind, random), random);
-    const auto drops = find_drops(to_physical(problem.record, Scales(1, 1))).drops;
-    const SlipOrCrack found = slip_or_crack(problem.record, problem.rig, drops);
-    std::printf("%s,%d,%.1f,%.4f,%zu,%zu,%zu,%.1f,%.1f,%.2f,%s\n", kind.c_str(), test, problem.rig.stiffness,
-                problem.errors.force, drops.size(), found.rises, found.stiffer_rises, found.margin_arrested,
-                found.margin, found.cracks.left,
-                found.judged ? std::string(name_of(found.verdict)).c_str() : "not_judged");
+    const SimulatedTest simulated = of_kind->make(random);
+    const RecordedTest recorded_test = recorded(simulated, random);
+    print(kind, !simulated.losses.empty() && !recorded_test.slips, test, recorded_test.problem, recorded_test.left);
   }
+  return 0;
+}
+
+int read_records() {
+  print_title();
+  std::string name;
+  int cause = 0;
+  double k = 0, thickness = 0;
+  std::size_t rows = 0;
+  for (int test = 0; std::cin >> name >> cause >> k >> thickness >> rows; ++test) {
+    FitProblem problem{.record = {}, .rig = {k, Fibre(Supports{0, 0.5 * thickness})}, .errors = {}};
+    double stage = 0, force = 0;
+    for (std::size_t i = 0; i < rows && std::cin >> stage >> force; ++i) {
+      problem.record.stage.push_back(stage);
+      problem.record.force.push_back(force);
+      problem.record.deflection.push_back(stage - force / k);
+    }
+    print(name, cause == 1, test, problem, NAN);
+  }
+  return 0;
+}
+
+int run(int count, char** arguments) {
+  if (count == 4) return simulate(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]));
+  if (count == 2 && std::string(arguments[1]) == "-") return read_records();
+  for (const TestKind& kind : kinds) std::puts(kind.name);
   return 0;
 }
 

@@ -55,6 +55,8 @@ Fields<TestSummary> verdict_fields() {
           [](const TestSummary& test) {
             return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt;
           })
+      .number("cracks_alone", "probability that cracks alone made the drops; null where the record does not tell",
+              &TestSummary::cracks_alone)
       .words("model", "fitted friction model", [](const TestSummary& test) { return name_of(test.model); });
 }
 

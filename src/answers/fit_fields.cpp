@@ -77,8 +77,11 @@ Fields<DropOf> drop_fields() {
              "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
              "moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
-      .words("reading", "the same in words, as tables and page print it",
-             [](D drop) { return reading_of(drop.slip.verdict); })
+      .yes_no("can_be_crack",
+              "whether the force stays lower until the next drop, as after a crack at constant friction",
+              [](D drop) { return drop.slip.can_be_crack; })
+      .words("reading", "what the drop can be, as tables and page print it: slip, crack, either or neither",
+             [](D drop) { return reading_of(drop.slip); })
       .estimate("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
                 [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
       .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })
@@ -106,9 +109,16 @@ Fields<SlipOrCrack> slip_or_crack_fields() {
   return Fields<SlipOrCrack>()
       .words("verdict", "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told",
              [](const SlipOrCrack& judged) { return name_of(judged.verdict); })
+      .number("probability", "probability that cracks alone made the drops, by the rises; null outside of its range",
+              &SlipOrCrack::cracks_alone)
+      .number("given_back", "share of the stiffness that the drops seem to take which the rises seem to give back",
+              [](const SlipOrCrack& judged) { return judged.features.given_back; })
       .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
-              &SlipOrCrack::margin)
-      .count("rises", "number of rises between drops that are judged", &SlipOrCrack::rises)
+              [](const SlipOrCrack& judged) { return judged.features.margin; })
+      .number("loss_margin", "BIC of slips minus BIC of slips with a loss of stiffness at each drop",
+              [](const SlipOrCrack& judged) { return judged.features.loss_margin; })
+      .count("rises", "number of rises between drops that are judged",
+             [](const SlipOrCrack& judged) { return judged.features.rises; })
       .count("stiffer_rises", "number of judged rises that grow stiffer towards their end",
              &SlipOrCrack::stiffer_rises);
 }
@@ -558,6 +568,19 @@ Fields<FittedTest> judgement_fields() {
              [](T test) {
                return test.analysis.drops.drops.empty() ? std::nullopt : std::optional(name_of(test.judgement->drops));
              })
+      .number(
+          "cracks_alone",
+          "probability that cracks alone made the drops, by the rises and by a reload; null where these do not tell",
+          [](T test) { return test.judgement->cracks_alone; })
+      .list(
+          "if_lost",
+          "mean friction if stiffness was lost: a tenth and a fifth, or what the reload leaves open; where friction is "
+          "only a limit, that limit",
+          Fields<FrictionIfLost>()
+              .number("loss", "share of the stiffness lost by half of the deepest deflection, evenly until there",
+                      &FrictionIfLost::loss)
+              .number("friction", "mean friction then", &FrictionIfLost::friction),
+          [](T test) { return test.judgement->if_lost; })
       .number("stiffness_lost", "share of the stiffness lost, as the last comparable reload shows",
               [](T test) { return test.judgement->loss; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",

@@ -26,6 +26,8 @@ using Found = std::optional<Finding>;
 
 constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
 
+bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss); }
+
 bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0; }
 
 const Check* check_of(T test, CheckKind kind) {
@@ -299,8 +301,7 @@ Found not_explained(T test) {
 
 Found most_drops_impossible(T test) {
   const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
-  constexpr std::size_t enough = 3;
-  if (drops < enough || 2 * impossible < drops || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (!most_are_impossible(impossible, drops) || lost_stiffness(*test.judgement)) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
@@ -322,6 +323,15 @@ Found no_sliding(T test) {
                  .remedy = remedy};
 }
 
+// "cracks alone: 2 %"
+std::string cracks_in_words(T test) {
+  const double percent = 100 * test.judgement->cracks_alone;
+  constexpr double least = 1, most = 99;  // what simulated tests can tell
+  return percent < least  ? fmt::format("cracks alone: less than {} %", least)
+         : percent > most ? fmt::format("cracks alone: more than {} %", most)
+                          : fmt::format("cracks alone: {:.0f} %", percent);
+}
+
 Found softer_reload(T test) {
   const Judgement& judgement = *test.judgement;
   if (!judgement.softer_reload) return std::nullopt;
@@ -335,10 +345,11 @@ Found softer_reload(T test) {
 Found cracks(T test) {
   if (!test.judgement->drops_are_cracks) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
-                 .sentence = "The force rises between the drops as that of a specimen that cracks.",
-                 .short_form = "rises as of cracks",
+                 .sentence = fmt::format("The force rises between the drops as that of a specimen that cracks ({}).",
+                                         cracks_in_words(test)),
+                 .short_form = cracks_in_words(test),
                  .remedy = test.cycles ? "" : "Unload and load once more; a reload shows how much stiffness was lost.",
-                 .numbers = {{"margin", test.analysis.slip_or_crack.margin}}};
+                 .numbers = {{"cracks_alone", test.judgement->cracks_alone}}};
 }
 
 Found impossible_drops(T test) {
@@ -495,12 +506,18 @@ std::string reload_remedy(T test) {
 Found undecided_drops(T test) {
   const Judgement& judgement = *test.judgement;
   if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
-  const SlipOrCrack& rises = test.analysis.slip_or_crack;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = rises.judged ? "How the force rises between the drops does not tell slips from cracks."
-                                          : "Too few drops, or rows between them, tell slips from cracks.",
-                 .short_form = "slips or cracks",
-                 .remedy = reload_remedy(test)};
+  const bool tells = std::isfinite(judgement.cracks_alone);
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = tells ? fmt::format("How the force rises between the drops does not tell slips from cracks ({}).",
+                                      cracks_in_words(test))
+                  : test.analysis.slip_or_crack.judged
+                      ? "No probability of cracks can be told of this record."
+                      : "Fewer than three drops with enough rows between them do not tell slips from cracks.",
+      .short_form = tells ? cracks_in_words(test) : "slips or cracks",
+      .remedy = reload_remedy(test),
+      .numbers =
+          tells ? std::vector<FindingNumber>{{"cracks_alone", judgement.cracks_alone}} : std::vector<FindingNumber>{}};
 }
 
 Found few_rows(T test) {
@@ -637,8 +654,6 @@ std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
 
 bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone; }
 
-bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss); }
-
 // [1] Of the bending stiffness, what the rises say is lost; NaN where they are not judged.
 double lost_by_rises(const SlipOrCrack& rises) {
   if (!rises.judged) return NAN;
@@ -656,7 +671,8 @@ std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
   if (!tells_work(test) || !(share > worth_saying)) return "";
-  return fmt::format("{} of the work was friction, not toughness", format_percent(share));
+  return fmt::format("{}{} of the work was friction, not toughness", has_reload(test) ? "" : "at least ",
+                     format_percent(share));
 }
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
@@ -677,6 +693,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
                                    : judgement.impossible == drops_of(test)
                                        ? fmt::format("{}, none of them a slip", drops)
                                        : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
+    parts.push_back(cracks_in_words(test));
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
       parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
@@ -689,19 +706,20 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     return {VerdictCode::no_answer, {none->sentence}, none->code};
   const FrictionFit& fit = test.analysis.fit;
   const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
-  const std::string work = work_in_short(test);
-  Verdict verdict{VerdictCode::undecided, {}};
-  if (drops_of(test) == 0) {
-    verdict = {VerdictCode::no_drops, {friction}};
-  } else if (judgement.drops == CrackVerdict::not_by_cracks_alone && judgement.impossible == 0) {
-    verdict = {VerdictCode::slip, {friction}};
-  } else {
+  const bool tells = std::isfinite(judgement.cracks_alone);
+  if (drops_of(test) > 0 && (judgement.drops != CrackVerdict::not_by_cracks_alone || judgement.impossible > 0)) {
     const Finding* undecided = finding_in(findings, "undecided_drops");
-    return {VerdictCode::undecided,
-            {friction + " if the drops are slips", drops},
-            undecided ? undecided->code : std::string_view()};
+    Verdict verdict{VerdictCode::undecided,
+                    {friction + " if the drops are slips and no stiffness was lost", drops},
+                    undecided ? undecided->code : std::string_view()};
+    if (has_reload(test)) verdict.parts.front() = friction + " if the drops are slips";
+    if (tells) verdict.parts.push_back(cracks_in_words(test));
+    return verdict;
   }
-  if (!work.empty()) verdict.parts.push_back(work);
+  Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
+                  {friction + (has_reload(test) ? "" : " if no stiffness was lost")}};
+  if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
+  if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
   return verdict;
 }
 
@@ -763,40 +781,54 @@ std::string slip_or_crack_in_words(T test) {
                                                 : fmt::format("all {} drops can be slips", drops))
                                 : fmt::format("{} of {} drops can be slips",
                                               possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
-  const std::string stiffer =
-      fmt::format("of {} rises that can be judged, {} grow stiffer", rises.rises, rises.stiffer_rises);
-  switch (judgement.drops) {
-    case CrackVerdict::not_by_cracks_alone:
-      return rises.verdict == CrackVerdict::not_by_cracks_alone
-                 ? fmt::format("cracks alone cannot make these drops: {}; {}", stiffer, slips)
-                 : fmt::format(
-                       "cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %; {}",
-                       format_percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
-                       100 * judgement.loss_error, slips);
-    case CrackVerdict::cracks: {
-      const double lost = lost_by_rises(rises);
-      return fmt::format("{}{}; {}",
-                         judgement.softer_reload ? "a reload shows lost stiffness"
-                                                 : "the force rises between the drops as that of cracks",
-                         lost > 0 ? fmt::format(", which take about {} of the stiffness", format_percent(lost)) : "",
-                         slips);
-    }
-    case CrackVerdict::cannot_be_told:
-      break;
+  std::vector<std::string> parts;
+  if (judgement.softer_reload) parts.emplace_back("a reload shows lost stiffness");
+  if (std::isfinite(judgement.cracks_alone))
+    parts.push_back(fmt::format("{}; the rises give back {} of the stiffness that the drops seem to take",
+                                cracks_in_words(test),
+                                format_percent(std::clamp(rises.features.given_back, 0.0, 1.0))));
+  else if (!rises.judged && judgement.drops == CrackVerdict::cannot_be_told)
+    parts.emplace_back("too few drops, or rows between them, for a probability");
+  else if (judgement.drops == CrackVerdict::cannot_be_told)
+    parts.emplace_back(most_are_impossible(judgement.impossible, drops)
+                           ? "no probability while so many drops cannot be slips"
+                           : "no probability: such records were not simulated");
+  if (std::isfinite(judgement.loss_needed) && !lost_stiffness(judgement))
+    parts.push_back(
+        fmt::format("cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %",
+                    format_percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
+                    100 * judgement.loss_error));
+  if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && lost > 0)
+    parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
+  parts.push_back(slips);
+  return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+// What becomes of the friction told if stiffness was lost: ", if no stiffness was lost (0.55 if a tenth was, 0.64 if a fifth was)".
+std::string if_lost_in_words(T test) {
+  std::vector<std::string> parts;
+  for (const auto& [loss, friction] : test.judgement->if_lost) {
+    constexpr double tenth = 0.1, worth_saying = 0.005;
+    if (!has_reload(test))
+      parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
+    else if (loss > worth_saying)
+      parts.push_back(
+          fmt::format("{:.2f} with the loss of {} that the reload leaves open", friction, format_percent(loss)));
   }
-  return rises.judged ? fmt::format("how the force rises between the drops does not tell: {}; {}", stiffer, slips)
-                      : fmt::format("too few drops, or rows between them, to tell; {}", slips);
+  return fmt::format("{}{}", has_reload(test) ? "" : ", if no stiffness was lost",
+                     parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
 }
 
 std::string friction_in_words(T test) {
   const FrictionFit& fit = test.analysis.fit;
   if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
-  if (fit.mu0_is_bound) return fmt::format("{} (95 %); it cannot be distinguished from zero", mean_friction(fit));
+  if (fit.mu0_is_bound)
+    return fmt::format("{} (95 %){}; it cannot be distinguished from zero", mean_friction(fit), if_lost_in_words(test));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
   std::string words =
       fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
                   format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
-  if (drops_of(test) > 0 && !has_reload(test)) words += ", if no stiffness was lost";
+  words += if_lost_in_words(test);
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
@@ -812,7 +844,8 @@ std::string friction_in_words(T test) {
 std::string work_in_words(T test) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
-  return fmt::format("{} of {} ({}) went into friction{}", print.energy(energy.account.friction + energy.account.snaps),
+  return fmt::format("{}{} of {} ({}) went into friction{}", has_reload(test) ? "" : "at least ",
+                     print.energy(energy.account.friction + energy.account.snaps),
                      print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
                      may_be_cracks(test) ? " if the drops are slips" : "");
 }

@@ -15,10 +15,13 @@ std::string_view name_of(Severity severity) {
   return name_in_order<Severity::unjudged>(severity, {"refusal", "suspicion", "doubt", "note", "passed", "unjudged"});
 }
 
-std::string_view reading_of(SlipVerdict verdict) {
-  return name_in_order<SlipVerdict::too_short>(
-      verdict, {"can be a slip", "no slip: no friction explains it", "no slip: too much friction before",
-                "no slip: friction would be negative", "no slip: length would be let out", "too short to judge"});
+std::string reading_of(const Slip& slip) {
+  if (slip.verdict == SlipVerdict::possible) return slip.can_be_crack ? "slip or crack" : "slip";
+  const std::string_view reason = name_in_order<SlipVerdict::too_short>(
+      slip.verdict,
+      {"", "no friction explains a slip", "a slip would need too much friction before it",
+       "a slip would need negative friction", "a slip would let length out", "too short to judge as a slip"});
+  return fmt::format("{}; {}", slip.can_be_crack ? "crack" : "neither slip nor crack", reason);
 }
 
 std::string_view name_of(VerdictCode code) {

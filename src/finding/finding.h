@@ -39,8 +39,8 @@ struct Finding {
   std::vector<FindingNumber> numbers{};
 };
 
-// What can be said of one drop: "can be a slip", "no slip: friction would be negative".
-std::string_view reading_of(SlipVerdict verdict);
+// What one drop can be: "slip", "slip or crack", "crack; a slip would need negative friction", "neither slip nor crack".
+std::string reading_of(const Slip& slip);
 
 // What a test comes to in one word.
 enum class VerdictCode { slip, undecided, crack, no_drops, check_input, no_answer };

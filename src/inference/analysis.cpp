@@ -284,6 +284,33 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   return analysis;
 }
 
+double friction_hidden_by(const TestAnalysis& analysis, double loss) {
+  if (!(loss >= 0 && loss < 1)) throw std::invalid_argument("loss of " + std::to_string(loss) + " is not in [0, 1)");
+  AtFit whole = at_fit(analysis);
+  const double deepest = *std::max_element(whole.record.deflection.begin(), whole.record.deflection.end());
+  for (std::size_t i = 0; i < whole.record.force.size(); ++i) {
+    const double part = std::clamp(2 * whole.record.deflection[i] / deepest, 0.0, 1.0);
+    whole.record.force[i] *= elementary::exp(-part * elementary::log(1 - loss));  // of F = e Ψ(w; μ)
+  }
+  const FrictionProfile unharmed =
+      measure_friction(whole.record, whole.rig, whole.errors, friction_told_from(whole.rig.fibre));
+  const auto& read = analysis.profile_at_fit.points;
+  double integral = 0, length = 0, hidden_before = 0, S_before = not_a_number;
+  auto at = read.begin();
+  for (const ProfilePoint& point : unharmed.points) {
+    while (at != read.end() && at->index < point.index) ++at;
+    if (at == read.end() || at->index != point.index) continue;
+    const double hidden = point.mu - at->mu;
+    if (at->S > S_before) {
+      integral += 0.5 * (hidden + hidden_before) * (at->S - S_before);
+      length += at->S - S_before;
+    }
+    hidden_before = hidden;
+    S_before = at->S;
+  }
+  return integral / length;
+}
+
 namespace {
 
 double stiffening_of(const TestAnalysis& analysis) {

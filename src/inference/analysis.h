@@ -147,6 +147,11 @@ struct TestAnalysis {
 // Cost:       that of the fit.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
 
+// [1] By how much the friction read off a record, averaged over the length that slid, would be larger if that share of the bending stiffness had been lost by
+// its middle, the half of its deepest deflection, evenly until there. A loss lowers the force, which reads as less friction.
+// Domain:     analysis.status is ok; 0 <= loss < 1, std::invalid_argument otherwise. NaN where no point can be read off both ways.
+double friction_hidden_by(const TestAnalysis& analysis, double loss);
+
 // What a figure of an analysis shows beside the record: curves of the same specimen on the same rig. Reduced variables of the nominal bending
 // stiffness.
 

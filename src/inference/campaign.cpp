@@ -112,6 +112,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .suspect = standing >= Standing::suspect,
                       .standing = standing,
                       .drops_verdict = judgement.drops,
+                      .cracks_alone = judgement.cracks_alone,
                       .model = fit.model,
                       .mu0 = fit.mu0,
                       .mu0_is_bound = fit.mu0_is_bound,

@@ -26,6 +26,7 @@ struct TestSummary {
   bool suspect;  // its standing is suspect or untrusted
   Standing standing;
   CrackVerdict drops_verdict;   // on its drops, of which there may be none
+  double cracks_alone = NAN;    // [1] probability that they alone made them; NaN where nothing tells
   ProfileModel model;           // that was fitted
   Estimate mu0;                 // [1] mean friction over the fibre seen
   bool mu0_is_bound;            // the record does not tell it from none: mu0.high is its upper limit

@@ -97,20 +97,46 @@ double left_by_cracks(const TestAnalysis& analysis) {
              : left_by_drops(analysis);
 }
 
-CrackVerdict verdict_on(const TestAnalysis& analysis, const LoadingStiffness* reload, double loss_needed) {
-  const CrackVerdict by_rises = analysis.slip_or_crack.verdict;
-  if (!reload) return by_rises;
-  if (reload->verdict == DamageVerdict::damaged) return CrackVerdict::cracks;
-  const double at_most = 1 - reload->ratio.value +
-                         one_sided_95 * elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
-  const bool slips = analysis.slip_or_crack.judged || impossible_drops(analysis) == 0;
-  return slips && loss_needed > at_most ? CrackVerdict::not_by_cracks_alone : by_rises;
+double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
+  double probability = analysis.slip_or_crack.cracks_alone;
+  if (std::isfinite(judgement.loss))
+    probability = with_reload(probability, {judgement.loss_needed, judgement.loss, judgement.loss_error});
+  return most_are_impossible(judgement.impossible, analysis.drops.drops.size()) &&
+                 verdict_of(probability) != CrackVerdict::cracks
+             ? NAN
+             : probability;
+}
+
+CrackVerdict verdict_on(const Judgement& judgement) {
+  if (judgement.softer_reload) return CrackVerdict::cracks;
+  if (std::isfinite(judgement.cracks_alone)) return verdict_of(judgement.cracks_alone);
+  return judgement.impossible == 0 && judgement.loss_needed > judgement.loss + one_sided_95 * judgement.loss_error
+             ? CrackVerdict::not_by_cracks_alone
+             : CrackVerdict::cannot_be_told;
+}
+
+std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const Judgement& judgement) {
+  std::vector<double> losses{0.1, 0.2};
+  if (std::isfinite(judgement.loss))
+    losses = {std::clamp(judgement.loss + one_sided_95 * judgement.loss_error, 0.0, losses.back())};
+  const Estimate& told = analysis.fit.mu0;
+  std::vector<FrictionIfLost> all;
+  for (const double loss : losses) {
+    const double friction = (analysis.fit.mu0_is_bound ? told.high : told.value) + friction_hidden_by(analysis, loss);
+    if (std::isfinite(friction)) all.push_back({loss, friction});
+  }
+  return all;
 }
 
 }  // namespace
 
 std::string_view name_of(Standing standing) {
   return name_in_order<Standing::untrusted>(standing, {"sound", "doubtful", "suspect", "untrusted"});
+}
+
+bool most_are_impossible(std::size_t impossible, std::size_t drops) {
+  constexpr std::size_t enough = 3;
+  return drops >= enough && 2 * impossible >= drops;
 }
 
 bool lost_stiffness(const Judgement& judgement) {
@@ -136,8 +162,10 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
     judgement.changed_reload =
         !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided_95 * judgement.loss_error);
   }
-  judgement.drops = verdict_on(analysis, reload, judgement.loss_needed);
+  judgement.cracks_alone = cracks_alone(analysis, judgement);
+  judgement.drops = verdict_on(judgement);
   judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;
+  if (!lost_stiffness(judgement)) judgement.if_lost = friction_if_lost(analysis, judgement);
   constexpr double max_jumped = 0.5;
   if (judgement.jumped > max_jumped) {
     const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());

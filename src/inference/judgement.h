@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
@@ -21,13 +22,19 @@ std::string_view name_of(Standing standing);
 // Is the answer one?
 constexpr bool is_trusted(Standing standing) { return standing != Standing::untrusted; }
 
+// The mean friction told if a share of the stiffness was lost by the middle of the record: of what is only a limit, that limit.
+struct FrictionIfLost {
+  double loss, friction;  // [1]
+};
+
 // What the drops and a reload say of the specimen, all weighed together.
 struct Judgement {
-  CrackVerdict drops;                   // by the rises, and by the reload where there is one
-  bool drops_are_cracks = false;        // there are some, and they are
-  std::size_t impossible = 0;           // drops that cannot be slips
-  bool softer_reload = false;           // the last comparable one has lost stiffness
-  bool changed_reload = false;          // it is softer or stiffer by more than its error, and by a twentieth
+  CrackVerdict drops;             // by the rises, and by the reload where there is one
+  double cracks_alone = NAN;      // [1] probability that they alone made the drops, likewise; NaN where nothing tells
+  bool drops_are_cracks = false;  // there are some, and they are
+  std::size_t impossible = 0;     // drops that cannot be slips
+  bool softer_reload = false;     // the last comparable one has lost stiffness
+  bool changed_reload = false;    // it is softer or stiffer by more than its error, and by a twentieth
   double loss = NAN, loss_error = NAN;  // [1] of stiffness, that it shows; NaN without
   double loss_needed = NAN;             // [1] of stiffness, by cracks alone to make the drops; NaN without a reload
   bool friction_falls =
@@ -36,13 +43,19 @@ struct Judgement {
   double jumped = 0;      // [1] of the length seen, that passed in slips
   // [EI/L^3] of a rig on which the mean of the fit does not snap, where more than half of the length seen passed in slips; NaN otherwise
   double stiffness_for_all = NAN;
+  // For losses of a tenth and a fifth, or for what the reload leaves open; none of a specimen that lost stiffness.
+  std::vector<FrictionIfLost> if_lost{};
 };
+
+// Of three drops or more half or more that cannot be slips: the load train is not as stated, before anything else.
+bool most_are_impossible(std::size_t impossible, std::size_t drops);
 
 // Does a reload, or do the rises between the drops, show that the specimen lost stiffness on the way? No friction can then be read off.
 bool lost_stiffness(const Judgement& judgement);
 
-// A reload that is softer says cracks; one that lost less, at 95 %, than cracks would need to make the drops says that these were not cracks
-// alone. Drops are not asked about where there are none.
+// A reload that is softer says cracks. One that lost less than cracks alone would need to make the drops makes these less probable; where the rises
+// tell nothing, by more than its error at 95 %, it says that they were not cracks alone. Where half of three drops or more cannot be slips there is
+// no probability, unless it is one of cracks. Drops are not asked about where there are none.
 // Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles);
 

@@ -181,7 +181,8 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
     return at == profile.points.end() || at->index != index ? nullptr : &*at;
   };
   std::vector<Slip> slips;
-  for (const auto& drop : drops) {
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    const Drop& drop = drops[i];
     const ProfilePoint* const before = find(drop.before);
     const ProfilePoint* const after = find(drop.after);
     if (!before || !after) {
@@ -205,6 +206,10 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
       slip.verdict = SlipVerdict::negative;
     else if (advance < slip.advance_error)
       slip.verdict = SlipVerdict::too_short;
+    const ProfilePoint* const next = i + 1 < drops.size() ? find(drops[i + 1].before) : &profile.points.back();
+    if (next)
+      slip.can_be_crack =
+          before->mu - next->mu > two_sided_95 * elementary::length(before->from_force, next->from_force);
     slips.push_back(slip);
   }
   return slips;
@@ -215,7 +220,10 @@ std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<c
   std::vector<Drop> drops;
   for (const Slip& slip : judged) drops.push_back(slip.drop);
   std::vector<Slip> told = slips_of(profile, drops, errors, infinity);
-  for (std::size_t i = 0; i < told.size(); ++i) told[i].verdict = judged[i].verdict;
+  for (std::size_t i = 0; i < told.size(); ++i) {
+    told[i].verdict = judged[i].verdict;
+    told[i].can_be_crack = judged[i].can_be_crack;
+  }
   return told;
 }
 

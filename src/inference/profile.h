@@ -126,6 +126,9 @@ struct Slip {
   double S_before, S_after;    // [L] NaN where unexplained, as all that follows
   double mu_before, mu_after;  // [1]
   double advance_error;        // [L] standard error of S_after - S_before, by the noise of the force
+  // The friction read off before the next drop, or at the end, is less than that before this one, by more than noise: what a crack takes is gone
+  // for good. Friction that rises along the specimen can hide one.
+  bool can_be_crack = true;
 };
 
 // Each of the drops.

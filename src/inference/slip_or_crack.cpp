@@ -7,6 +7,7 @@
 
 #include "data/names.h"
 #include "fibre/state_table.h"
+#include "inference/verdict_coefficients.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/polynomial.h"
@@ -57,7 +58,7 @@ struct Row {
   Series friction;  // [1] by force
   Series length;    // [L] by force
   double q;         // [1] friction that gives the force
-  double S_usual;   // [L] length at usual friction
+  double along;     // from -1 to 1 over all rows, as the length at usual friction
   double to_stage;  // [1] what an error of the force at given deflection is at given stage position
   std::size_t rise;
   double drops_before;
@@ -138,6 +139,21 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
   return rows;
 }
 
+// Σ c_k P_k(x) of Legendre's polynomials.
+double legendre_series(std::span<const double> c, double x) {
+  double before = 0, P = 1, sum = 0;
+  for (std::size_t k = 0; k < c.size(); ++k) {
+    sum += c[k] * P;
+    const auto degree = static_cast<double>(k);
+    const double next = ((2 * degree + 1) * x * P - degree * before) / (degree + 1);
+    before = P;
+    P = next;
+  }
+  return sum;
+}
+
+constexpr std::size_t slow_terms = 5;  // of the friction of cracks that varies slowly
+
 using Starts = std::vector<std::vector<double>>;
 
 Least least_of(const FunctionOfNumbers& f, const Starts& starts, const std::vector<double>& steps) {
@@ -148,6 +164,7 @@ Least least_of(const FunctionOfNumbers& f, const Starts& starts, const std::vect
 class Rises {
  public:
   Rises(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) : rows_(rows_of(record, drops)) {
+    if (rows_.empty()) return;
     expand(rows_, rig.fibre);
     n_ = rows_.size();
     for (std::size_t i = 0; i < n_; ++i)
@@ -157,13 +174,14 @@ class Rises {
       constexpr double usual = 0.5;
       const auto length_at = [&](double mu) { return row.length.at(row.force.at(mu).value).value; };
       row.q = row.friction.at(row.F).value;
-      row.S_usual = length_at(usual);
-      S_mean_ += row.S_usual / static_cast<double>(n_);
+      row.along = length_at(usual);
       q.push_back(std::clamp(row.q, 0.0, 1.2));
       S.push_back(length_at(q.back()));
     }
+    const double least = rows_.front().along, most = rows_.back().along;
     const auto slopes = rig.fibre.tabulated_states_slopes({S, q});
     for (std::size_t i = 0; i < n_; ++i) {
+      rows_[i].along = (2 * rows_[i].along - least - most) / (most - least);
       const double tangent = slopes.F_S[i] / slopes.w_S[i];  // dF/dw at constant friction
       rows_[i].to_stage = 1 / (1 + std::max(tangent, -0.5 * rig.stiffness) / rig.stiffness);
     }
@@ -172,31 +190,45 @@ class Rises {
 
   std::size_t size() const { return begin_.size(); }
 
+  std::size_t after_drops() const {
+    return static_cast<std::size_t>(
+        std::count_if(begin_.begin(), begin_.end(), [&](std::size_t i) { return rows_[i].drops_before > 0; }));
+  }
+
   // What explains the rises, and how well.
   SlipOrCrack explained() {
     SlipOrCrack out{};
     const auto m = static_cast<double>(size());
-    // μ, d, ρ
+    constexpr auto terms_of_slow = static_cast<double>(slow_terms);
     variance_ = 0.03 * 0.03;
-    const FunctionOfNumbers cracked = [&](std::span<const double> p) { return cracks(p[0], p[1], p[2]); };
-    const Starts of_cracks{{0.3, 0, 0.3}, {0.8, 0, 0.3}, {0.6, 1, 0.6}, {0.05, 0, 0.3}};
-    Least best;
-    for (int round = 0; round < 2; ++round) best = settled(cracked, of_cracks, {0.2, 1, 0.2});
-    out.cracks = explanation(cracked, best, m + 4);
-    const double mu = best.at[0], d = best.at[1], rho = best.at[2], arrested_variance = variance_;
     // μ, ρ
-    const FunctionOfNumbers constant = [&](std::span<const double> p) { return cracks(p[0], 0, p[1]); };
-    const Least of_constant = least_of(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
-    out.cracks_constant = explanation(constant, of_constant, m + 3);
-    out.rises = size();
-    out.stiffer_rises = stiffer_rises(of_constant.at[0]);
-    // μ, d, ρ, mean and logarithm of the spread of the slopes of e within a rise
+    const FunctionOfNumbers constant = [&](std::span<const double> p) { return cracks(p.first(1), p[1]); };
+    Least at_constant;
+    for (int round = 0; round < 2; ++round)
+      at_constant = settled(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
+    out.cracks_constant = explanation(constant, at_constant, m + 3);
+    const double mu = at_constant.at[0], rho = at_constant.at[1];
+    const auto [stiffer, given_back] = apparent_stiffness(mu);
+    out.features.rises = size();
+    out.stiffer_rises = stiffer;
+    out.features.given_back = given_back;
+    // friction, ρ
+    const FunctionOfNumbers slow = [&](std::span<const double> p) {
+      return cracks(p.first(slow_terms), p[slow_terms]);
+    };
+    const Least at_slow =
+        polished(slow, {{mu, 0, 0, 0, 0, rho}, {0.6, 0.15, 0, 0, 0, 0.6}, {0.6, -0.1, 0.05, 0, 0, 0.3}},
+                 {0.15, 0.1, 0.1, 0.08, 0.08, 0.15});
+    out.cracks = explanation(slow, at_slow, m + terms_of_slow + 2);
+    const double arrested_variance = variance_;
+    // friction, ρ, mean and logarithm of the spread of the slopes of e within a rise
     const FunctionOfNumbers running = [&](std::span<const double> p) { return running_cracks(p); };
+    std::vector<double> arrested = at_slow.at;
+    arrested.back() = std::max(arrested.back() - 0.2, 0.05);
+    arrested.insert(arrested.end(), {0.3, -1});
     out.cracks_running = explanation(
-        running,
-        polished(running, {{mu, d, std::max(rho - 0.2, 0.05), 0.3, -1}, {0.3, 0, 0.3, 1, 1}, {0.9, 0, 0.5, 0.1, 1}},
-                 {0.15, 0.7, 0.15, 0.7, 1}),
-        m + 6);
+        running, polished(running, {arrested, {mu, 0, 0, 0, 0, 0.3, 1, 1}}, {0.15, 0.1, 0.1, 0.08, 0.08, 0.15, 0.7, 1}),
+        m + terms_of_slow + 4);
     // e0 - 1, ρ, logarithm of the spread of b_j; loss at each drop
     const double of_slips = std::min(arrested_variance, 0.05 * 0.05);
     variance_ = of_slips;
@@ -251,11 +283,11 @@ class Rises {
            0.5 * static_cast<double>(size()) * elementary::log(1 - rho * rho) + more;
   }
 
-  // The force of a fibre with such friction, what it is measured against, and whether friction is possible.
-  bool forces(double mu, double d, double rho) {
+  // The force of a fibre whose friction is such a series in the length, what it is measured against, and whether friction is possible.
+  bool forces(std::span<const double> friction, double rho) {
     constexpr double greatest = 1.3;
     for (std::size_t i = 0; i < n_; ++i) {
-      const double q = mu + d * (rows_[i].S_usual - S_mean_);
+      const double q = legendre_series(friction, rows_[i].along);
       if (!(q >= 0 && q <= greatest)) return false;
       x_[i] = rows_[i].force.at(q).value * rows_[i].to_stage;
       z_[i] = rows_[i].F * rows_[i].to_stage;
@@ -299,8 +331,8 @@ class Rises {
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + more);
   }
 
-  double cracks(double mu, double d, double rho) {
-    if (!forces(mu, d, rho)) return impossible;
+  double cracks(std::span<const double> friction, double rho) {
+    if (!forces(friction, rho)) return impossible;
     whiten(x_, rho);
     whiten(z_, rho);
     return never_rising(rho, 0);
@@ -308,8 +340,9 @@ class Rises {
 
   // Slopes of e within each rise, N(-c, spread²), integrated out.
   double running_cracks(std::span<const double> p) {
-    const double mu = p[0], d = p[1], rho = p[2], c = p[3], log_spread = p[4];
-    if (!(c >= 0 && c < 40 && log_spread > -6 && log_spread < 4) || !forces(mu, d, rho)) return impossible;
+    const double rho = p[slow_terms], c = p[slow_terms + 1], log_spread = p[slow_terms + 2];
+    if (!(c >= 0 && c < 40 && log_spread > -6 && log_spread < 4) || !forces(p.first(slow_terms), rho))
+      return impossible;
     for (std::size_t j = 0; j < size(); ++j) {
       double middle = 0;
       for (std::size_t i = begin_[j]; i < end(j); ++i) middle += rows_[i].w / static_cast<double>(end(j) - begin_[j]);
@@ -392,25 +425,53 @@ class Rises {
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
   }
 
-  std::size_t stiffer_rises(double friction) const {
+  // What becomes of the apparent stiffness at a friction, by a straight line through its logarithm in each rise.
+  struct ApparentStiffness {
+    std::size_t stiffer_rises;
+    double given_back;
+  };
+  ApparentStiffness apparent_stiffness(double friction) const {
+    constexpr double least_given_back = -1, most_given_back = 2;  // drops that hardly matter say no more
     std::size_t stiffer = 0;
+    double gained = 0, lost = 0, before = 0;
     for (std::size_t j = 0; j < size(); ++j) {
+      const std::size_t n = end(j) - begin_[j];
       const auto row = [&](std::size_t i) -> const Row& { return rows_[begin_[j] + i]; };
-      const auto apparent = [&](std::size_t i) { return row(i).F / row(i).force.at(friction).value; };
       const auto deflection = [&](std::size_t i) { return row(i).w; };
-      stiffer += line_through(end(j) - begin_[j], deflection, apparent).slope > 0 ? 1 : 0;
+      const auto logarithm = [&](std::size_t i) {
+        constexpr double nothing = 1e-6;  // of a specimen that broke
+        return elementary::log(std::max(row(i).F / row(i).force.at(friction).value, nothing));
+      };
+      const Line line = line_through(n, deflection, logarithm);
+      const auto at = [&](std::size_t i) { return line.mean_y + line.slope * (row(i).w - line.mean_x); };
+      gained += at(n - 1) - at(0);
+      if (j > 0) lost += before - at(0);
+      before = at(n - 1);
+      stiffer += line.slope > 0 ? 1 : 0;
     }
-    return stiffer;
+    return {stiffer, lost > 0 ? std::clamp(gained / lost, least_given_back, most_given_back) : most_given_back};
   }
 
   std::vector<Row> rows_;
   std::vector<std::size_t> begin_;  // of each rise
   std::size_t n_ = 0;
-  double S_mean_ = 0;              // [L]
   double variance_ = 0;            // of a row, as far as it is known from the round before
   double squares_ = 0, left_ = 1;  // of the last evaluation
   std::vector<double> x_, y_, z_;
 };
+
+double squashed(double x) {  // tanh
+  constexpr double far = 20;
+  return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -far, far)));
+}
+
+bool is_like_calibrated(const ReducedRecord& record, const Rig& rig) {
+  namespace fitted = verdict_coefficients;
+  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  return record.force.size() >= fitted::fewest_rows && record.force.size() <= fitted::most_rows &&
+         rig.stiffness >= fitted::softest_train && rig.stiffness <= fitted::stiffest_train &&
+         deepest >= fitted::shallowest;
+}
 
 }  // namespace
 
@@ -418,23 +479,46 @@ std::string_view name_of(CrackVerdict verdict) {
   return name_in_order<CrackVerdict::cannot_be_told>(verdict, {"not_by_cracks_alone", "cracks", "cannot_be_told"});
 }
 
+CrackVerdict verdict_of(double cracks_alone) {
+  constexpr double sure = 0.95;
+  return cracks_alone > sure       ? CrackVerdict::cracks
+         : cracks_alone < 1 - sure ? CrackVerdict::not_by_cracks_alone
+                                   : CrackVerdict::cannot_be_told;
+}
+
+double cracks_alone(const RiseFeatures& features) {
+  namespace fitted = verdict_coefficients;
+  const double of_a_rise =
+      fitted::constant +
+      fitted::of_given_back * squashed((features.given_back - fitted::given_back_middle) / fitted::given_back_width) +
+      fitted::of_margin * squashed(features.margin / fitted::margin_width) +
+      fitted::of_loss_margin * squashed(features.loss_margin / fitted::loss_margin_width);
+  const double rises = std::sqrt(static_cast<double>(std::min(features.rises, fitted::rises_that_count)));
+  return 1 / (1 + elementary::exp(-rises * of_a_rise));
+}
+
+double with_reload(double cracks_alone, const ReloadedLoss& loss) {
+  namespace fitted = verdict_coefficients;
+  constexpr double most = 3;  // [1] errors: beyond, the simulated tests tell nothing more
+  const double error = elementary::length(loss.error, fitted::reload_width * loss.needed);
+  const double missing = std::clamp((loss.needed - loss.shown) / error, -most, most);
+  const double odds = cracks_alone / (1 - cracks_alone);
+  return 1 / (1 + elementary::exp(-(fitted::reload_constant + fitted::of_reload * missing)) / odds);
+}
+
 SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) {
-  constexpr std::size_t least = 3;
   SlipOrCrack out{};
-  out.verdict = CrackVerdict::cannot_be_told;
+  constexpr std::size_t least = 3;
   if (drops.size() < least) return out;
   Rises rises(record, rig, drops);
-  if (rises.size() < least) return out;
+  if (rises.after_drops() < least) return out;
   out = rises.explained();
-  out.verdict = CrackVerdict::cannot_be_told;
   out.judged = true;
-  const double slips = std::min(out.slip.bic, out.slip_and_cracks.bic);
-  out.margin_arrested = std::min(out.cracks.bic, out.cracks_constant.bic) - slips;
-  out.margin = std::min(out.margin_arrested, out.cracks_running.bic - slips);
-  constexpr double for_cracks = -6;
-  if (out.margin > cracks_ruled_out && 2 * out.stiffer_rises > out.rises)
-    out.verdict = CrackVerdict::not_by_cracks_alone;
-  if (out.margin < for_cracks) out.verdict = CrackVerdict::cracks;
+  out.features.margin = std::min({out.cracks.bic, out.cracks_constant.bic, out.cracks_running.bic}) -
+                        std::min(out.slip.bic, out.slip_and_cracks.bic);
+  out.features.loss_margin = out.slip.bic - out.slip_and_cracks.bic;
+  out.cracks_alone = is_like_calibrated(record, rig) ? cracks_alone(out.features) : NAN;
+  out.verdict = verdict_of(out.cracks_alone);
   return out;
 }
 

@@ -27,6 +27,7 @@ CampaignTest some_test() {
       .suspect = true,
       .standing = Standing::suspect,
       .drops_verdict = CrackVerdict::not_by_cracks_alone,
+      .cracks_alone = 0.02,
       .model = ProfileModel::sinusoid,
       .mu0 = {.value = 0.1, .standard_error = 1.0 / 3, .low = -1e-300, .high = 5e-324},
       .mu0_is_bound = true,

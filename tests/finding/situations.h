@@ -88,6 +88,7 @@ inline std::vector<Situation> situations() {
   add("cracks", Severity::suspicion, [](FittedTest& test) {
     test.judgement->drops_are_cracks = true;
     test.judgement->drops = CrackVerdict::cracks;
+    test.judgement->cracks_alone = 0.98;
   });
   add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
   add("no_sliding", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
@@ -111,8 +112,10 @@ inline std::vector<Situation> situations() {
   });
   add("coarse_force", Severity::doubt,
       [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
-  add("undecided_drops", Severity::doubt,
-      [](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; });
+  add("undecided_drops", Severity::doubt, [](FittedTest& test) {
+    test.judgement->drops = CrackVerdict::cannot_be_told;
+    test.judgement->cracks_alone = 0.35;
+  });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
   add("below_frictionless", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
   add("sloping_baseline", Severity::doubt,

@@ -69,7 +69,7 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
   CHECK(!lost_stiffness(judge(analysis, &stiffer)));
   CHECK(!judge(analysis, &noisy).changed_reload);
 
-  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
+  analysis.slip_or_crack.cracks_alone = 0.3;
   CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
   const auto as_stiff = reloaded(0.99, 0.01);
   CHECK(judge(analysis, &as_stiff).drops == CrackVerdict::not_by_cracks_alone);
@@ -82,7 +82,6 @@ TEST_CASE(
   auto analysis = slipping();
   analysis.drops.drops.resize(2);
   analysis.slip_or_crack = {};
-  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
   double left = 1;  // if friction did not matter, and the deflection hardly changed
   for (const Drop& drop : analysis.drops.drops)
     left *= analysis.record.force[drop.after] / analysis.record.force[drop.before];
@@ -98,7 +97,6 @@ TEST_CASE("limit: a reload clears no drop below the forces that it compares, and
   analysis.drops.drops.resize(2);
   analysis.slips.resize(2);
   analysis.slip_or_crack = {};
-  analysis.slip_or_crack.verdict = CrackVerdict::cannot_be_told;
   const auto as_stiff = reloaded(0.99, 0.01);
   REQUIRE(judge(analysis, &as_stiff).drops == CrackVerdict::not_by_cracks_alone);
   auto impossible = analysis;
@@ -116,6 +114,42 @@ TEST_CASE("identity: friction that surely decreases by a third of its mean is sa
   analysis.fit.drift.value = -0.5 * analysis.fit.mu0.value / (analysis.fit.S_end - analysis.fit.S_begin);
   analysis.fit.drift.high = 0.9 * analysis.fit.drift.value;
   CHECK(judge(analysis, nullptr).friction_falls);
+}
+
+TEST_CASE("identity: where half of the drops cannot be slips there is no probability, but for one of cracks") {
+  auto analysis = slipping();
+  for (Slip& slip : analysis.slips) slip.verdict = SlipVerdict::unexplained;
+  CHECK(std::isnan(judge(analysis, nullptr).cracks_alone));
+  CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
+  analysis.slip_or_crack.cracks_alone = 0.97;
+  CHECK(judge(analysis, nullptr).drops == CrackVerdict::cracks);
+}
+
+TEST_CASE("identity: with the stiffness that was lost given back, the friction of the fit is that of the specimen") {
+  const auto friction = Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1.0);
+  const std::vector<Crack> six{{0.117, 0.04}, {0.164, 0.04}, {0.211, 0.04}, {0.258, 0.04}, {0.313, 0.04}, {0.36, 0.04}};
+  const double lost = 1 - std::pow(0.96, 6);
+  const auto sound = analysed(simulated_record({.friction = friction, .stiffness = soft, .noise = 0.01}));
+  const auto cracked = analysed(simulated_record({.friction = friction, .stiffness = soft, .noise = 0.01}, six));
+  CHECK(friction_hidden_by(cracked, 0) == 0);
+  CHECK(friction_hidden_by(cracked, 0.1) < friction_hidden_by(cracked, 0.2));
+  CHECK(cracked.fit.mu0.value < 0.42);  // told of it as it is
+  const double hidden = friction_hidden_by(cracked, lost);
+  constexpr double at_other_stiffness =
+      0.15;  // the fit moves the bending stiffness by some percent, and the losses did not come evenly
+  CHECK(std::abs(cracked.fit.mu0.value + hidden - 0.5) < at_other_stiffness);
+  CHECK(message_of([&] { friction_hidden_by(cracked, 1); }).find("loss") != std::string::npos);
+
+  const auto alone = judge(sound, nullptr).if_lost;
+  REQUIRE(alone.size() == 2);
+  CHECK(alone[0].loss == 0.1);
+  CHECK(alone[0].friction > sound.fit.mu0.value);
+  CHECK(alone[1].friction > alone[0].friction);
+  const auto reload = reloaded(0.99, 0.01);
+  const auto bounded = judge(sound, &reload).if_lost;
+  REQUIRE(bounded.size() == 1);
+  CHECK(bounded[0].loss == doctest::Approx(0.01 + 1.645 * 0.01));
+  CHECK(bounded[0].friction < alone[0].friction);
 }
 
 TEST_CASE("limit: a test without an answer is not judged") {

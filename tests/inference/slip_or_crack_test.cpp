@@ -49,8 +49,9 @@ TEST_CASE("identity: rises of a fibre that slips are not those of cracks alone")
     const auto found = judged(slipping(seed));
     REQUIRE(found.judged);
     CHECK(found.verdict == CrackVerdict::not_by_cracks_alone);
-    CHECK(2 * found.stiffer_rises > found.rises);
-    CHECK(found.margin <= found.margin_arrested);
+    CHECK(2 * found.stiffer_rises > found.features.rises);
+    CHECK(found.cracks_alone < 0.02);
+    CHECK(found.features.given_back > 0.7);
   }
 }
 
@@ -59,6 +60,8 @@ TEST_CASE("identity: rises of a fibre that cracks are not those of slips, and wh
     const auto found = judged(cracking(seed));
     REQUIRE(found.judged);
     CHECK(found.verdict == CrackVerdict::cracks);
+    CHECK(found.cracks_alone > 0.95);
+    CHECK(std::abs(found.features.given_back) < 0.2);
     CHECK(found.cracks_constant.left == doctest::Approx(0.6).scale(0).epsilon(0.05));
   }
 }
@@ -70,13 +73,91 @@ TEST_CASE("limit: fewer than three drops, or three rises, tell nothing") {
     const auto found = slip_or_crack(record, {soft_train}, std::span(drops).first(count));
     CHECK(!found.judged);
     CHECK(found.verdict == CrackVerdict::cannot_be_told);
+    CHECK(std::isnan(found.cracks_alone));
   }
+}
+
+TEST_CASE("limit: a record unlike those simulated has no probability") {
+  const auto record = slipping(1);
+  const auto found = slip_or_crack(record, {1e4}, drops_of(record));
+  CHECK(found.judged);
+  CHECK(std::isnan(found.cracks_alone));
+  CHECK(found.verdict == CrackVerdict::cannot_be_told);
+  ReducedRecord coarse;
+  for (std::size_t i = 0; i < record.force.size(); i += 8) {
+    coarse.stage.push_back(record.stage[i]);
+    coarse.deflection.push_back(record.deflection[i]);
+    coarse.force.push_back(record.force[i]);
+  }
+  REQUIRE(coarse.force.size() < 60);
+  CHECK(std::isnan(judged(coarse).cracks_alone));
+}
+
+TEST_CASE(
+    "identity: the probability falls as rises give back more and as cracks explain them worse, and is surer with more "
+    "rises") {
+  const RiseFeatures middle{.rises = 9, .given_back = 0.3, .margin = 2, .loss_margin = 0};
+  double before_given = 1, before_margin = 1, before_loss = 0;
+  for (int i = -20; i <= 40; ++i) {
+    RiseFeatures given = middle, margin = middle, loss = middle;
+    given.given_back = 0.05 * i;
+    margin.margin = 2.0 * i;
+    loss.loss_margin = i;
+    const double by_given = cracks_alone(given), by_margin = cracks_alone(margin), by_loss = cracks_alone(loss);
+    CHECK(by_given < before_given);
+    CHECK(by_margin < before_margin);
+    CHECK(by_loss > before_loss);
+    before_given = by_given, before_margin = by_margin, before_loss = by_loss;
+  }
+  for (const double given_back : {0.0, 0.9}) {
+    double sureness = 0;
+    for (const std::size_t rises : {3, 5, 8, 16}) {
+      const double p = cracks_alone({.rises = rises, .given_back = given_back, .margin = 0, .loss_margin = 0});
+      CHECK(std::abs(p - 0.5) > sureness);
+      sureness = std::abs(p - 0.5);
+    }
+    CHECK(std::abs(cracks_alone({100, given_back, 0, 0}) - cracks_alone({16, given_back, 0, 0})) == 0);
+  }
+}
+
+TEST_CASE("table: probabilities of some features, by the formula of theory.md") {
+  struct Case {
+    RiseFeatures features;
+    double probability;
+  };
+  for (const auto& [features, probability] :
+       {Case{{3, 0, 0, 0}, 0.933792}, Case{{5, 0.95, 20, -4}, 0.028391}, Case{{12, 0.9, 12, -4}, 0.005486},
+        Case{{9, 0.45, 0, -2}, 0.224133}, Case{{16, -0.05, -12, 9}, 0.999825}, Case{{30, 0.3, -2, 3}, 0.861484},
+        Case{{4, 2, 100, -5}, 0.029025}})
+    CHECK(cracks_alone(features) ==
+          doctest::Approx(probability).scale(0).epsilon(2e-4));  // as many digits as are written
+}
+
+TEST_CASE(
+    "identity: a reload that shows less than cracks need makes them less probable, one that shows as much does not; "
+    "nothing stays nothing") {
+  for (const double p : {0.02, 0.5, 0.98}) {
+    CHECK(with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.01}) < p);
+    CHECK(with_reload(p, {.needed = 0.3, .shown = 0.4, .error = 0.01}) > p);
+    CHECK(with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.01}) <
+          with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.3}));
+  }
+  CHECK(std::isnan(with_reload(NAN, {.needed = 0.3, .shown = 0, .error = 0.01})));
+}
+
+TEST_CASE("identity: verdicts are by a probability of 5 and 95 %") {
+  CHECK(verdict_of(0.04) == CrackVerdict::not_by_cracks_alone);
+  CHECK(verdict_of(0.06) == CrackVerdict::cannot_be_told);
+  CHECK(verdict_of(0.94) == CrackVerdict::cannot_be_told);
+  CHECK(verdict_of(0.96) == CrackVerdict::cracks);
+  CHECK(verdict_of(NAN) == CrackVerdict::cannot_be_told);
 }
 
 TEST_CASE("identity: the same record gives the same bits") {
   const auto record = cracking(1);
   const auto a = judged(record), b = judged(record);
-  CHECK(a.margin == b.margin);
+  CHECK(a.features.margin == b.features.margin);
+  CHECK(a.cracks_alone == b.cracks_alone);
   CHECK(a.slip_and_cracks.left == b.slip_and_cracks.left);
 }
 
@@ -86,7 +167,7 @@ TEST_CASE("oracle: cracks with constant friction on a grid, levels pooled every 
   const auto all = drops_of(record);
   const auto drops = std::span(all).first(3);
   const auto found = slip_or_crack(record, {soft_train}, drops);
-  REQUIRE(found.rises == 4);
+  REQUIRE(found.features.rises == 4);
   struct Row {
     double w, F, to_stage;
     std::size_t rise;

@@ -78,7 +78,7 @@ force = "F_N [N]"
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_the_published_sawtooths_are_not_cracks(self):
-        """The table of drops: which tests reject cracks alone, and that none is called cracks."""
+        """In which tests cracks alone are below 5 %, in which they are not, and that none is called cracks."""
         specimens = {row["test"]: row for row in csv.DictReader((SHARED / "spicules/specimens.csv").read_text(encoding="utf-8").splitlines())}
         verdicts = {}
         for name in ("SS4", "SS14", "SS18", "SS20", "SS25", "SS29", "SS5", "SS19", "SS33"):
@@ -96,7 +96,7 @@ until = {int(float(row["index_of_failure"]))}
 ''')
             verdicts[name] = self.answer(case)[0]["judgement"]["drops"]
         self.assertNotIn("cracks", verdicts.values())
-        for name in ("SS4", "SS18", "SS20", "SS25", "SS29"):
+        for name in ("SS4", "SS18", "SS20", "SS25"):
             self.assertEqual(verdicts[name], "not_by_cracks_alone", name)
         for name in ("SS5", "SS19"):
             self.assertEqual(verdicts[name], "cannot_be_told", name)

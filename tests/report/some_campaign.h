@@ -33,6 +33,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                            .suspect = mu0 > 1,
                                            .standing = mu0 > 1 ? Standing::suspect : Standing::sound,
                                            .drops_verdict = CrackVerdict::not_by_cracks_alone,
+                                           .cracks_alone = 0.02,
                                            .model = ProfileModel::roughness,
                                            .mu0 = {mu0, 0.0123, mu0 - 0.0241, mu0 + 0.0241},
                                            .mu0_is_bound = false,

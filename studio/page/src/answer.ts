@@ -36,7 +36,7 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   if (!told) friction.condition = "none can be read off";
   else if (mu0?.bound) Object.assign(friction, { value: `≤ ${significant(mu0.interval95[1], 2)}`, rest: "(95 %)" });
   else if (mu0) [friction.value, friction.rest] = estimate(mu0.value, mu0.standard_error, { name: "", command: "", factor: 1 });
-  const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: fit.verdict.code === "undecided" ? "if the drops are slips" : "" };
+  const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: fit.verdict.code === "undecided" ? "if the drops are slips" : fit.judgement?.stiffness_lost == null ? "if no stiffness was lost" : "" };
   if (energy && told && !mu0?.bound) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
   if (slips?.median_spacing && told) {
