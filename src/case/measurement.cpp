@@ -483,9 +483,8 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
 // What is known of a test before its record is looked at. Without a span, as of a modulus that asks none, the curve is as good as straight.
 BeginningOf beginning_of(const Test& input, const Record& record, double stiffness) {
   constexpr double straight = 20;  // [greatest deflection]
-  BeginningOf beginning{
-      .span = straight * *std::max_element(record.deflection.begin(), record.deflection.end()),
-      .load_train_stiffness = stiffness};
+  BeginningOf beginning{.span = straight * *std::max_element(record.deflection.begin(), record.deflection.end()),
+                        .load_train_stiffness = stiffness};
   if (!(beginning.span > 0)) beginning.span = 1;
   if (!input.rig || !input.rig->span) return beginning;
   beginning.span = *input.rig->span;
