@@ -133,7 +133,7 @@ class Records(InFolder):
 
     @unittest.skipUnless((SHARED / "realrig/truth.csv").is_file(), "no records with truth")
     def test_records_of_another_simulator_whose_zero_is_off_come_out_with_the_contact_found(self):
-        truths = {row["test"]: row for row in csv.DictReader((SHARED / "realrig/truth.csv").open())}
+        truths = {row["test"]: row for row in csv.DictReader((SHARED / "realrig/truth.csv").read_text(encoding="utf-8").splitlines())}
         for name, low, high in ("found_contact_early_16", 0.475, 0.48), ("found_contact_late_29", 0.414, 0.416):
             truth = truths[name]
             case = self.file("case.toml", f"""[specimen]
