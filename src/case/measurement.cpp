@@ -480,9 +480,14 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
   return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / (contact.slope * step);
 }
 
-// What is known of a test before its record is looked at.
-BeginningOf beginning_of(const Test& input, double stiffness) {
-  BeginningOf beginning{.span = span_of(input), .load_train_stiffness = stiffness};
+// What is known of a test before its record is looked at. Without a span, as of a modulus that asks none, the curve is as good as straight.
+BeginningOf beginning_of(const Test& input, const Record& record, double stiffness) {
+  constexpr double straight = 20;  // [greatest deflection]
+  BeginningOf beginning{.span = straight * *std::max_element(record.deflection.begin(), record.deflection.end()),
+                        .load_train_stiffness = stiffness};
+  if (!(beginning.span > 0)) beginning.span = 1;
+  if (!input.rig || !input.rig->span) return beginning;
+  beginning.span = *input.rig->span;
   if (input.rig->roller_radius) beginning.support_radius = *input.rig->roller_radius;
   if (states_stiffness(input)) {
     const BendingStiffnessUsed stated = bending_stiffness_of(input);
@@ -574,7 +579,8 @@ std::size_t end_of(const Test& input, const Record& all, const std::vector<Leg>&
 void find_zero_displacement(const Test& input, const Record& whole, double stiffness, Measurement& result,
                             Preparation& steps) {
   const std::optional<ContactRule>& rule = input.record->contact;
-  const Contact contact = find_contact(whole, beginning_of(input, stiffness));
+  const BeginningOf beginning = beginning_of(input, whole, stiffness);
+  const Contact contact = find_contact(whole, beginning);
   result.own_contact = contact;
   const bool begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = rule == ContactRule{ContactWord::find};
@@ -608,7 +614,7 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
     result.contact_offset = stated ? stated->value : whole.stage.front();
     result.own_contact = counted_from(result.contact_offset, contact);
   }
-  const double usual = usual_contact_error * span_of(input);
+  const double usual = usual_contact_error * beginning.span;
   result.contact_error = stated ? stated->uncertainty.value_or(usual) : usual;
   if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
     const Estimate& own = result.own_contact.offset;
