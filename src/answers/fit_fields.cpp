@@ -560,7 +560,8 @@ Fields<Answer> answer_fields() {
 // Domain: judgement is given.
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
-      .words("standing", "how far the answer can be trusted: sound, doubtful, suspect or untrusted",
+      .words("standing", "how far the answer can be trusted: sound, conditional (it holds if nothing that one loading or the case leaves open speaks against it), doubtful, "
+             "suspect or untrusted",
              [](T test) { return name_of(standing_of(findings_of(test))); })
       .words("drops",
              "whether cracks alone can make the drops, judged by the rises and by a reload: not_by_cracks_alone, "
@@ -619,6 +620,24 @@ Fields<FittedTest> bending_fields() {
 Fields<MeasuredEnergy> measured_energy_fields() {
   return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(energy_fields(), &MeasuredEnergy::account),
                                    &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share);
+}
+
+// Of friction, for more of what is stated.
+Fields<FittedTest> sensitivity_fields() {
+  const auto by = [](double Sensitivities::*quantity, bool is_length) {
+    return [quantity, is_length](T test) {
+      return test.analysis.fit.sensitivities.*quantity / (is_length ? test.analysis.scales.span() : 1);
+    };
+  };
+  return Fields<FittedTest>()
+      .number("bending_stiffness", "by the whole of EI", by(&Sensitivities::bending_stiffness, false))
+      .number("load_train", "by the whole stiffness of the load train", by(&Sensitivities::load_train, false))
+      .number("span", "by the whole span", by(&Sensitivities::span, false))
+      .number("force_gain", "by the whole gain of the load cell", by(&Sensitivities::force_gain, false))
+      .number("contact", "by one metre, or span, of the contact", by(&Sensitivities::contact, true))
+      .number("thickness", "by one metre, or span, of the thickness", by(&Sensitivities::thickness, true))
+      .number("support_radius", "by one metre, or span, of the radius of the supports",
+              by(&Sensitivities::support_radius, true));
 }
 
 Fields<FittedTest> measurement_fields() {
@@ -698,6 +717,13 @@ Fields<FittedTest> every_fit_field() {
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
+      .group("sensitivities",
+             "by how much the mean friction would be told larger, to first order, were what is stated larger; null without an "
+             "answer, or of a constant",
+             sensitivity_fields(),
+             [](T test) {
+               return is_fitted(test) && std::isfinite(test.analysis.fit.sensitivities.span) ? &test : nullptr;
+             })
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),

@@ -232,7 +232,14 @@ void check_rig(const Test& test) {
   };
   if (test.reduced && rig.span != 1.0)
     refuse(test, "rig.span", "1, the unit of reduced variables", fmt::format("{}", rig.span->value));
-  if (rig.rollers != Rollers::fixed && !(rig.roller_radius.value_or(0) > 0))
+  const bool has_radius = rig.roller_radius.value_or(0) > 0;
+  if (rig.supports == SupportKind::edges && has_radius)
+    refuse(test, "rig.supports", "rollers, as they have a radius", "\"edges\"", "delete it, or roller_radius");
+  if (rig.supports == SupportKind::rollers && !has_radius)
+    refuse(test, "rig.supports", "edges, or rollers with a radius", "\"rollers\"",
+           rig.span ? fmt::format("add that of your rig, such as roller_radius = {}", written(0.08 * *rig.span))
+                    : "add roller_radius");
+  if (rig.rollers != Rollers::fixed && !has_radius)
     refuse(test, "rig.rollers", "rollers with a radius", "none",
            rig.span ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
                     : "add roller_radius, or delete it");

@@ -145,6 +145,8 @@ constexpr std::array keys{
              R"("5 kN/mm")", "2000", "vertical stiffness of each of the two supports, if they yield",
              ". Load train and supports in series then stand between the stage and the deflection, and a snap happens "
              "on both. The deflection is always that of the midpoint below the ends of the specimen"),
+    flagged(word(at<&RigInput::supports>, "supports", "edges|rollers", R"("edges")",
+                 "what the specimen lies on: knife edges, or rollers with a radius; edges are assumed unless given")),
     estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")", "0.08",
              "radius of the rollers that serve as supports; knife edges unless given",
              ". Friction along the specimen is looked up where its axis touches the roller"),

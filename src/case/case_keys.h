@@ -39,7 +39,7 @@ using Slot =
     std::variant<std::monostate, double*, std::optional<double>*, std::string*, std::optional<std::string>*,
                  std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*, std::optional<Known>*,
                  std::optional<StatedStiffness>*, std::vector<double>*, std::vector<CrackInput>*,
-                 std::vector<WaveInput>*, Rollers*, FrictionAt*, std::optional<FrictionModel>*, TraceDirection*,
+                 std::vector<WaveInput>*, Rollers*, FrictionAt*, std::optional<SupportKind>*, std::optional<FrictionModel>*, TraceDirection*,
                  SnapRest*, std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
                  std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
 

@@ -63,6 +63,9 @@ struct SpecimenInput {
 // Where friction acts on the specimen: at its surface, or, as the paper has it, at its axis, as if it had no thickness.
 enum class FrictionAt { surface, axis };
 
+// What the specimen lies on.
+enum class SupportKind { edges, rollers };
+
 // What rollers do when the specimen slides over them: nothing, or turn on their pins.
 enum class Rollers { fixed, pinned };
 
@@ -70,6 +73,7 @@ struct RigInput {
   std::optional<Known> span{};                // [m] reduced: 1; none: the export of the record says it
   std::optional<Known> stiffness{};           // [N/m] infinite for displacement control
   std::optional<double> support_stiffness{};  // [N/m] of each support, vertically; none: rigid
+  std::optional<SupportKind> supports{};      // none: rollers if they have a radius, else edges are assumed
   std::optional<Known> roller_radius{};       // [m] none: edges
   Rollers rollers = Rollers::fixed;
   std::optional<double> pin_radius{}, pin_friction{};  // [m], [1] of rollers on pins

@@ -17,6 +17,7 @@ enum class Severity {
   refusal,    // there is no answer, or none to use
   suspicion,  // the conclusion does not survive it
   doubt,      // it may not matter
+  condition,  // the answer is told under it
   note,       // it casts no doubt
   passed,     // what was checked is in order
   unjudged,   // this record does not allow the check

@@ -131,7 +131,7 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const
 }  // namespace
 
 std::string_view name_of(Standing standing) {
-  return name_in_order<Standing::untrusted>(standing, {"sound", "doubtful", "suspect", "untrusted"});
+  return name_in_order<Standing::untrusted>(standing, {"sound", "conditional", "doubtful", "suspect", "untrusted"});
 }
 
 bool most_are_impossible(std::size_t impossible, std::size_t drops) {

@@ -11,10 +11,11 @@ namespace flexslip {
 
 // How far an answer is one, by the weightiest of what is found against it (finding/finding.h).
 enum class Standing {
-  sound,      // nothing
-  doubtful,   // what may not matter
-  suspect,    // what the conclusion does not survive
-  untrusted,  // there is no answer, or none to use
+  sound,        // nothing
+  conditional,  // that it holds under conditions which one loading, or what was stated, leaves open
+  doubtful,     // what may not matter
+  suspect,      // what the conclusion does not survive
+  untrusted,    // there is no answer, or none to use
 };
 
 std::string_view name_of(Standing standing);
