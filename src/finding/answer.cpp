@@ -609,6 +609,17 @@ Found thickness_not_stated(T test) {
                  .numbers = {{"by_thickness", more}}};
 }
 
+// Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
+Found steady_change(T test) {
+  const FrictionFit& fit = test.analysis.fit;
+  if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
+  return Finding{.severity = Severity::condition,
+                 .sentence = "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
+                             "relaxes, or a preload that was tared, reads so.",
+                 .remedy = reload_remedy(test)};
+}
+
 Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
@@ -675,6 +686,7 @@ constexpr std::array rules{
     Rule{"no_reload", no_reload, true},
     Rule{"supports_not_stated", supports_not_stated, true},
     Rule{"thickness_not_stated", thickness_not_stated, true},
+    Rule{"steady_change", steady_change, true},
     Rule{"jumps", jumps, true},
     Rule{"imaged_length", imaged_length, true},
 };

@@ -77,7 +77,7 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
-  const RigShifts rig(problem);
+  const RigShifts rig(problem, friction);
   constexpr Index alone = 1 + static_cast<Index>(rig_quantities);
   MatrixXd shift_w, shift_F, of_friction, of_place;
   for (std::size_t k = 0; k < w.size(); ++k) {

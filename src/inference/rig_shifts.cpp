@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t places = 8;                 // at which a slow deviation is known
 constexpr std::size_t deflections = 16;           // of a force that the supports change
 constexpr double force_of_a_beam = 48;            // [EI/L^3] over a small deflection
-constexpr double usual_friction = 0.5;            // [1] at which that is taken: it hardly depends on it
 constexpr double length_of_slow = 0.5;  // of the greatest deflection
 
 double matern_5_2(double distance) {
@@ -44,24 +43,24 @@ double at_part(const std::vector<double>& values, double part) {
 
 }  // namespace
 
-RigShifts::RigShifts(const FitProblem& problem)
+RigShifts::RigShifts(const FitProblem& problem, double friction)
     : compliance_(1 / problem.rig.stiffness),
       deepest_(*std::max_element(problem.record.deflection.begin(), problem.record.deflection.end())),
       greatest_force_(*std::max_element(problem.record.force.begin(), problem.record.force.end())),
       contact_error_(problem.errors.contact),
       errors_(problem.rig_errors),
       supports_(problem.rig.fibre.supports()) {
-  thicker_ = of_supports({.radius = 0, .half_depth = 0.5});
-  rounder_ = of_supports({.radius = 1, .half_depth = 0});
+  thicker_ = of_supports({.radius = 0, .half_depth = 0.5}, friction);
+  rounder_ = of_supports({.radius = 1, .half_depth = 0}, friction);
 }
 
-std::vector<double> RigShifts::of_supports(const Supports& by) const {
+std::vector<double> RigShifts::of_supports(const Supports& by, double friction) const {
   constexpr double step = 0.002;  // [L] forces are nearly linear in either
   std::vector<double> change{0};
   for (std::size_t i = 1; i < deflections; ++i) {
     const double w = deepest_ * static_cast<double>(i) / (deflections - 1);
     const Supports more{supports_.radius + step * by.radius, supports_.half_depth + step * by.half_depth};
-    const auto stated = state_on_supports(w, usual_friction, supports_), changed = state_on_supports(w, usual_friction, more);
+    const auto stated = state_on_supports(w, friction, supports_), changed = state_on_supports(w, friction, more);
     const bool there = stated.status == FibreStatus::ok && changed.status == FibreStatus::ok;
     change.push_back(there ? (changed.F - stated.F) / step : change.back());
   }

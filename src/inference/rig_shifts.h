@@ -23,8 +23,8 @@ struct Shift {
 
 class RigShifts {
  public:
-  // Domain:     as fit_friction.
-  explicit RigShifts(const FitProblem& problem);
+  // Domain:     as fit_friction; the friction [1] at which thickness and supports act, 0 to 2.
+  RigShifts(const FitProblem& problem, double friction);
 
   // For a quantity larger than stated, to first order: by one span of contact, preload, thickness and radius, by the whole of the others.
   // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
@@ -36,7 +36,7 @@ class RigShifts {
 
  private:
   // By one span more of thickness or radius, [EI/L^2] of force at deflections evenly spread from 0 to the greatest.
-  std::vector<double> of_supports(const Supports& by) const;
+  std::vector<double> of_supports(const Supports& by, double friction) const;
 
   double compliance_, deepest_, greatest_force_, contact_error_;
   RigErrors errors_;

@@ -37,7 +37,7 @@ TEST_CASE("findings, every one there is: it is found where it holds, as whole se
     CHECK(finding->severity == severity);
     CHECK(is_sentence(finding->sentence));
     CHECK((finding->remedy.empty() || is_sentence(finding->remedy)));
-    CHECK((severity >= Severity::note || !finding->short_form.empty()));
+    CHECK((severity >= Severity::condition || !finding->short_form.empty()));
     CHECK(finding->short_form.size() < 45);
     CHECK(!answer.verdict.parts.empty());
     for (const Finding& doubt : doubts_of(answer)) CHECK(doubt.code != answer.verdict.finding);

@@ -96,7 +96,7 @@ inline std::vector<Situation> situations() {
   add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
   for (const auto& [code, kind] :
        {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
-        std::pair{"coloured_noise", CheckKind::whiteness}, std::pair{"simpler_fits_better", CheckKind::nesting},
+        std::pair{"simpler_fits_better", CheckKind::nesting},
         std::pair{"unexpected_stiffness", CheckKind::stiffness}})
     add(code, Severity::doubt,
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
@@ -123,11 +123,23 @@ inline std::vector<Situation> situations() {
   add("other_contact", Severity::doubt, [](FittedTest& test) {
     test.measurement.own_contact = {.status = ContactStatus::found, .offset = normal_estimate(4e-6, 4e-7)};
   });
-  add("only_a_limit", Severity::note, [](FittedTest& test) {
+  add("coloured_noise", Severity::note,
+      [](FittedTest& test) { check_of(test, CheckKind::whiteness).outcome = CheckOutcome::failed; });
+  add("only_a_limit", Severity::condition, [](FittedTest& test) {
     check_of(test, CheckKind::friction).outcome = CheckOutcome::failed;
     test.analysis.fit.mu0_is_bound = true;
   });
-  add("no_reload", Severity::note, [](FittedTest&) {});
+  add("no_reload", Severity::condition, [](FittedTest&) {});
+  add("supports_not_stated", Severity::condition,
+      [](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; });
+  add("thickness_not_stated", Severity::condition, [](FittedTest& test) {
+    test.analysis.rig.fibre = Fibre();
+    test.measurement.test.rig->friction_at = FrictionAt::surface;
+  });
+  add("steady_change", Severity::condition, [](FittedTest& test) {
+    for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
+    test.analysis.fit.drift = normal_estimate(0.5, 0.2);
+  });
   add("jumps", Severity::note, [](FittedTest& test) {
     test.judgement->jumped = 0.6;
     test.judgement->stiffness_for_all = 300;

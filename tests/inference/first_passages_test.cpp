@@ -58,7 +58,7 @@ TEST_CASE("oracle: what is off in a rig makes the friction read larger by as muc
   FitProblem problem{.record = simulated_record({.friction = Friction::constant(friction), .noise = 0, .fibre = rig.fibre}),
                      .rig = rig,
                      .errors = {.force = 0, .bending_stiffness = 0.03, .contact = 0},
-                     .rig_errors = {0, 0, 0, 0, 0, 0}};
+                     .rig_errors = {}};
   constexpr double h = 1e-4;
   const auto inverted = [&](double stage, double force, double compliance, const Supports& supports) {
     return state_on_supports_from_force(stage - force * compliance, force, supports).q;
@@ -81,26 +81,38 @@ TEST_CASE("oracle: what is off in a rig makes the friction read larger by as muc
   };
   const double compliance = 1 / stiff_train;
   constexpr double one = 1;  // standard deviation: what is kept then is the error itself
-  holds({0, 0, 0, 0, 0, 0}, one, [&](const Passages& p, std::size_t i) {
+  const RigErrors none{.load_train = 0,
+                       .span = 0,
+                       .force_gain = 0,
+                       .thickness = 0,
+                       .support_radius = 0,
+                       .preload = 0,
+                       .slow_force = 0};
+  const auto only = [&](double RigErrors::*quantity) {
+    RigErrors errors = none;
+    errors.*quantity = one;
+    return errors;
+  };
+  holds(none, one, [&](const Passages& p, std::size_t i) {
     return inverted(p.stage[i] - h, p.force[i], compliance, as_stated);
   });
-  holds({.load_train = one, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .slow_force = 0}, 0,
-        [&](const Passages& p, std::size_t i) { return inverted(p.stage[i], p.force[i], compliance / (1 + h), as_stated); });
-  holds({.load_train = 0, .span = one, .force_gain = 0, .thickness = 0, .support_radius = 0, .slow_force = 0}, 0,
-        [&](const Passages& p, std::size_t i) {
-          const double longer = 1 + h;
-          return inverted(p.stage[i] / longer, p.force[i] * longer * longer, compliance / (longer * longer * longer), as_stated);
-        });
-  holds({.load_train = 0, .span = 0, .force_gain = one, .thickness = 0, .support_radius = 0, .slow_force = 0}, 0,
-        [&](const Passages& p, std::size_t i) { return inverted(p.stage[i], p.force[i] * (1 + h), compliance, as_stated); });
-  holds({.load_train = 0, .span = 0, .force_gain = 0, .thickness = one, .support_radius = 0, .slow_force = 0}, 0,
-        [&](const Passages& p, std::size_t i) {
-          return inverted(p.stage[i], p.force[i], compliance, {radius, thickness / 2 * (1 + h)});
-        });
-  holds({.load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = one, .slow_force = 0}, 0,
-        [&](const Passages& p, std::size_t i) {
-          return inverted(p.stage[i], p.force[i], compliance, {radius * (1 + h), thickness / 2});
-        });
+  holds(only(&RigErrors::load_train), 0, [&](const Passages& p, std::size_t i) {
+    return inverted(p.stage[i], p.force[i], compliance / (1 + h), as_stated);
+  });
+  holds(only(&RigErrors::span), 0, [&](const Passages& p, std::size_t i) {
+    const double longer = 1 + h;
+    return inverted(p.stage[i] / longer, p.force[i] * longer * longer, compliance / (longer * longer * longer),
+                    as_stated);
+  });
+  holds(only(&RigErrors::force_gain), 0, [&](const Passages& p, std::size_t i) {
+    return inverted(p.stage[i], p.force[i] * (1 + h), compliance, as_stated);
+  });
+  holds(only(&RigErrors::thickness), 0, [&](const Passages& p, std::size_t i) {
+    return inverted(p.stage[i], p.force[i], compliance, {radius, thickness / 2 * (1 + h)});
+  });
+  holds(only(&RigErrors::support_radius), 0, [&](const Passages& p, std::size_t i) {
+    return inverted(p.stage[i], p.force[i], compliance, {radius * (1 + h), thickness / 2});
+  });
 }
 
 TEST_CASE("identity: at the friction of a level, the stage position is the one asked for") {

@@ -145,12 +145,13 @@ TEST_CASE("oracle: on rollers a wave is that of the specimen, whether these roll
     CHECK(fit.wave_claimed);
     REQUIRE(!fit.waves.empty());
     const auto& wave = fit.waves.front();
-    CHECK(wave.wavelength.value == doctest::Approx(row.wavelength).scale(0).epsilon(.005));
+    CHECK(wave.wavelength.value == doctest::Approx(row.wavelength).scale(0).epsilon(.03));
     const double phase = std::numbers::pi * fit.S_middle / row.wavelength + 1 - wave.phase_at_middle.value;
-    CHECK(std::abs(std::remainder(phase, 2 * std::numbers::pi)) < .1);
+    CHECK(std::abs(std::remainder(phase, 2 * std::numbers::pi)) < 4 * wave.phase_at_middle.standard_error);
+    covered += contains(wave.wavelength, row.wavelength);
     covered += contains(fit.mu0, .5) + contains(wave.amplitude, .2) + contains(fit.bending_stiffness, 1.01);
   }
-  CHECK(covered >= 7);  // of 9 intervals of 95 %: fewer once in 100 times, were they independent
+  CHECK(covered >= 10);  // of 12 intervals of 95 %: fewer once in 50 times, were they independent
 }
 
 TEST_CASE("identity: two waves are found as two") {
