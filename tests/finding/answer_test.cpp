@@ -103,8 +103,21 @@ TEST_CASE("answer: rows have one order for every test, and the next step is that
   const Answer undecided =
       answer_of(changed([](FittedTest& test) { test.judgement->drops = CrackVerdict::cannot_be_told; }));
   CHECK(has(undecided.next, "oad once more"));
-  CHECK(has(sentence_of(undecided.verdict), "UNDECIDED: friction 0.4"));
+  CHECK(has(sentence_of(undecided.verdict), "UNDECIDED: friction 0."));
   CHECK(has(sentence_of(undecided.verdict), "if the drops are slips"));
+}
+
+TEST_CASE("reading: each drop says what it can be") {
+  const auto reading = [](SlipVerdict verdict, bool can_be_crack) {
+    Slip slip{};
+    slip.verdict = verdict;
+    slip.can_be_crack = can_be_crack;
+    return reading_of(slip);
+  };
+  CHECK(reading(SlipVerdict::possible, true) == "slip or crack");
+  CHECK(reading(SlipVerdict::possible, false) == "slip");
+  CHECK(reading(SlipVerdict::negative, true) == "crack; a slip would need negative friction");
+  CHECK(reading(SlipVerdict::unexplained, false) == "neither slip nor crack; no friction explains a slip");
 }
 
 TEST_CASE("standing: by the weightiest finding") {

@@ -18,6 +18,23 @@ TEST_CASE("identity: slips of a periodic roughness are one wavelength apart alon
   CHECK(summarise(slips).median_fall < 2 * 0.3 * 0.6);
 }
 
+TEST_CASE(
+    "identity: every drop of a specimen that cracks at constant friction can be a crack; most of one that slips, whose "
+    "force comes back, cannot") {
+  const auto cracks = [](const ReducedRecord& record) {
+    const MeasurementErrors errors{.force = 0.01, .bending_stiffness = 0, .contact = 0};
+    std::size_t count = 0, all = 0;
+    for (const Slip& slip : slips_of(measure_friction(record, {90}, errors), plain_drops(record), errors, 1)) {
+      ++all;
+      count += slip.can_be_crack ? 1 : 0;
+    }
+    REQUIRE(all >= 3);
+    return static_cast<double>(count) / static_cast<double>(all);
+  };
+  CHECK(cracks(simulated_record({.friction = Friction::constant(0.5)}, six_cracks)) == 1);
+  CHECK(cracks(simulated_record({.friction = toothed()})) < 0.5);
+}
+
 TEST_CASE("limit: each drop that can be no slip says why") {
   const ProfilePoint usual{.index = 0,
                            .S = 1.1,
