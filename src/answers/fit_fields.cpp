@@ -560,7 +560,9 @@ Fields<Answer> answer_fields() {
 // Domain: judgement is given.
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
-      .words("standing", "how far the answer can be trusted: sound, conditional (it holds if nothing that one loading or the case leaves open speaks against it), doubtful, "
+      .words("standing",
+             "how far the answer can be trusted: sound, conditional (it holds if nothing that one loading or the case "
+             "leaves open speaks against it), doubtful, "
              "suspect or untrusted",
              [](T test) { return name_of(standing_of(findings_of(test))); })
       .words("drops",
@@ -718,7 +720,8 @@ Fields<FittedTest> every_fit_field() {
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
       .group("sensitivities",
-             "by how much the mean friction would be told larger, to first order, were what is stated larger; null without an "
+             "by how much the mean friction would be told larger, to first order, were what is stated larger; null "
+             "without an "
              "answer, or of a constant",
              sensitivity_fields(),
              [](T test) {

@@ -428,8 +428,7 @@ Found coloured_noise(T test) {
   Finding finding = checked(
       test, *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
-      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise),
-      "", "");
+      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise), "", "");
   // The noise fitted is correlated, and a slow deviation is part of the fit: another colour moves the answer by little.
   if (finding.severity == Severity::doubt) finding.severity = Severity::note;
   return finding;
@@ -586,7 +585,8 @@ Found supports_not_stated(T test) {
   const double more = radius * test.analysis.fit.sensitivities.support_radius;
   std::string sentence = "The supports are not stated, and edges are assumed.";
   if (std::isfinite(more))
-    sentence += fmt::format(" On rollers with a radius of {} friction reads {:+.2f}.", Print(test).length(radius), more);
+    sentence +=
+        fmt::format(" On rollers with a radius of {} friction reads {:+.2f}.", Print(test).length(radius), more);
   return Finding{.severity = Severity::condition,
                  .sentence = std::move(sentence),
                  .remedy = "State [rig] supports = \"edges\", or the roller_radius.",
@@ -615,8 +615,9 @@ Found steady_change(T test) {
   if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement)) return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
   return Finding{.severity = Severity::condition,
-                 .sentence = "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
-                             "relaxes, or a preload that was tared, reads so.",
+                 .sentence =
+                     "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
+                     "relaxes, or a preload that was tared, reads so.",
                  .remedy = reload_remedy(test)};
 }
 
@@ -956,12 +957,18 @@ std::string hangs_on_in_words(T test) {
   std::vector<Part> parts{{"EI +1 %", percent * by.bending_stiffness}};
   if (std::isfinite(test.analysis.rig.stiffness)) parts.push_back({"load train +1 %", percent * by.load_train});
   parts.push_back({"span +1 %", percent * by.span});
-  parts.push_back({"contact +" + print.length(thousandth), thousandth * by.contact});
-  parts.push_back({"support radius +" + print.length(percent), percent * by.support_radius});
+  const auto length = [&](double spans) {
+    return format_roughly(test.analysis.scales.physical_length(spans), print.as(kind::length));
+  };
+  parts.push_back({"contact +" + length(thousandth), thousandth * by.contact});
+  parts.push_back({"support radius +" + length(percent), percent * by.support_radius});
   if (const double half_depth = test.analysis.rig.fibre.supports().half_depth; half_depth > 0)
     parts.push_back({"thickness +1 %", percent * 2 * half_depth * by.thickness});
   std::vector<std::string> words;
-  for (const auto& [what, more] : parts) words.push_back(fmt::format("{}: {:+.2f}", what, more));
+  constexpr double worth_saying = 0.005;
+  for (const auto& [what, more] : parts)
+    if (std::abs(more) >= worth_saying) words.push_back(fmt::format("{}: {:+.2f}", what, more));
+  if (words.empty()) return "hardly anything that is stated";
   std::string all = fmt::format("{}", fmt::join(words, "; "));
   for (std::size_t at = 0; (at = all.find(": -", at)) != std::string::npos;) all.replace(at, 3, ": \u2212");
   return all;
@@ -993,8 +1000,8 @@ std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
   const Print print(test);
-  std::vector<std::string> parts{supports.radius > 0 ? "rollers of radius " + print.length(supports.radius)
-                                                     : "knife edges"};
+  std::vector<std::string> parts;
+  if (!measurement.test.rig->supports && !measurement.test.rig->roller_radius) parts.emplace_back("knife edges");
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
   parts.push_back(measurement.contact == ContactSource::first_point || measurement.contact_offset == 0
                       ? "contact at the zero of the file"

@@ -12,7 +12,8 @@
 namespace flexslip {
 
 std::string_view name_of(Severity severity) {
-  return name_in_order<Severity::unjudged>(severity, {"refusal", "suspicion", "doubt", "condition", "note", "passed", "unjudged"});
+  return name_in_order<Severity::unjudged>(
+      severity, {"refusal", "suspicion", "doubt", "condition", "note", "passed", "unjudged"});
 }
 
 std::string reading_of(const Slip& slip) {

@@ -105,7 +105,8 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
       const auto beyond = std::upper_bound(stage.begin(), stage.end(), passages.stage[i]) - stage.begin();
       const auto next = std::clamp<std::ptrdiff_t>(beyond, 1, static_cast<std::ptrdiff_t>(stage.size()) - 1);
       const double before = stage[static_cast<std::size_t>(next - 1)];
-      const double part = std::clamp((passages.stage[i] - before) / (stage[static_cast<std::size_t>(next)] - before), 0.0, 1.0);
+      const double part =
+          std::clamp((passages.stage[i] - before) / (stage[static_cast<std::size_t>(next)] - before), 0.0, 1.0);
       at.row(static_cast<Index>(i)) = (1 - part) * along.row(next - 1) + part * along.row(next);
     }
     return at;
@@ -216,9 +217,7 @@ void complete(Linearisation& at, const Passages& passages) {
   for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i], min_mu, max_mu);
   const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
-  for (auto* column :
-       {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y})
-    column->resize(n);
+  for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y}) column->resize(n);
   elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
     constexpr double min_q_force = 0.02, min_fold = 0.05;

@@ -41,10 +41,10 @@ struct Passages {
   std::vector<RigError> rig_errors;  // by one standard deviation, independent of each other
   // [1] The friction that the readings show larger where a quantity is larger than stated, as RigShifts::by.
   std::array<std::vector<double>, rig_quantities> friction_by;
-  double noise;                      // [EI/L^2] of a reading, by second differences
-  ContactTravel along;               // the specimen, past its contacts
-  double S_middle;                   // [L] of it
-  double range;                      // [L] of places on the fibre: half of what has passed
+  double noise;         // [EI/L^2] of a reading, by second differences
+  ContactTravel along;  // the specimen, past its contacts
+  double S_middle;      // [L] of it
+  double range;         // [L] of places on the fibre: half of what has passed
 
   std::size_t size() const { return row.size(); }
   double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of kernel.h

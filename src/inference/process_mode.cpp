@@ -246,7 +246,8 @@ void FrictionProcess::settle(Mode& mode) const {
       std::size_t j = 0;
       for (std::size_t k = 0; k < observations.all.size(); ++k) {
         if (observations.all[k].is_reading()) continue;
-        evidence += log_weight(mode.sites[j], bound_at(nodes[j], mode.sites[j], mode) - smoothed[k].f, smoothed[k].variance);
+        evidence +=
+            log_weight(mode.sites[j], bound_at(nodes[j], mode.sites[j], mode) - smoothed[k].f, smoothed[k].variance);
         ++j;
       }
       constexpr double negligible = 0.002;  // of the evidence
@@ -264,8 +265,9 @@ void FrictionProcess::settle(Mode& mode) const {
 }
 
 // dμ/dS of the friction fitted, at each observation.
-std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
-                                               const std::vector<SmoothedObservation>& smoothed) const {
+std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations,
+                                                               const Chain& chain,
+                                                               const std::vector<SmoothedObservation>& smoothed) const {
   const Coefficients& beta = chain.mean();
   std::vector<Slope> slopes;
   slopes.reserve(observations.all.size());

@@ -32,7 +32,8 @@ struct Profile {
 
 // Columns of β in the order of a mode's observations. Waves come last.
 struct ColumnPlaces {
-  Eigen::Index mean = 0, drift = 1, stiffness = -1, rig = -1, waves = -1;  // -1: not there; those of the rig up to the waves
+  Eigen::Index mean = 0, drift = 1, stiffness = -1, rig = -1,
+               waves = -1;  // -1: not there; those of the rig up to the waves
 };
 
 // The process of one record, whose readings it holds.
@@ -102,7 +103,7 @@ class FrictionProcess {
     double all, waves;  // [1/L] dμ/dS of the friction fitted, and of its waves
   };
   std::vector<Slope> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
-                                const std::vector<SmoothedObservation>& smoothed) const;
+                               const std::vector<SmoothedObservation>& smoothed) const;
   void maximise(Mode& mode, int iterations) const;
 
   Passages passages_;

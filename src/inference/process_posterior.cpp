@@ -492,9 +492,8 @@ class Posterior {
                           factor * std::sqrt(chain.covariance()(j, j))};
       };
       result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
-      result_.log_stiffness.push_back(columns.stiffness >= 0
-                                          ? of_beta(columns.stiffness, 1, 0)
-                                          : NormalPart{weight * share, 0, 0});
+      result_.log_stiffness.push_back(columns.stiffness >= 0 ? of_beta(columns.stiffness, 1, 0)
+                                                             : NormalPart{weight * share, 0, 0});
     }
     // Hyperparameters by the moments of the points: their logarithms are skewed about the mode.
     const auto of_theta = [&](std::size_t j, double part) {
@@ -657,8 +656,7 @@ class Posterior {
     for (const std::size_t k : profile.at) mu.push_back(FrictionProcess::mean_friction + drawn.f[k] + smoothed[k].f);
     result_.draws.push_back(table_of(mu));
     const Index stiffness = process_.columns().stiffness;
-    const double eta =
-        stiffness >= 0 ? drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
+    const double eta = stiffness >= 0 ? drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 

@@ -65,9 +65,9 @@ struct WavePosterior {
 };
 
 struct ProcessPosterior {
-  double S_begin, S_end;  // [L] the fibre seen, by the likeliest mode
-  NormalMixture mean;     // [1] of μ over it
-  NormalMixture drift;    // [1/L] dμ/dS
+  double S_begin, S_end;        // [L] the fibre seen, by the likeliest mode
+  NormalMixture mean;           // [1] of μ over it
+  NormalMixture drift;          // [1/L] dμ/dS
   Sensitivities sensitivities;  // of it
   NormalMixture log_roughness, log_length, log_stiffness, log_noise;
   double noise_correlation;

@@ -12,10 +12,10 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t places = 8;                 // at which a slow deviation is known
-constexpr std::size_t deflections = 16;           // of a force that the supports change
-constexpr double force_of_a_beam = 48;            // [EI/L^3] over a small deflection
-constexpr double length_of_slow = 0.5;  // of the greatest deflection
+constexpr std::size_t places = 8;        // at which a slow deviation is known
+constexpr std::size_t deflections = 16;  // of a force that the supports change
+constexpr double force_of_a_beam = 48;   // [EI/L^3] over a small deflection
+constexpr double length_of_slow = 0.5;   // of the greatest deflection
 
 double matern_5_2(double distance) {
   const double r = std::sqrt(5.0) * std::abs(distance) / length_of_slow;
@@ -69,13 +69,20 @@ std::vector<double> RigShifts::of_supports(const Supports& by, double friction) 
 
 Shift RigShifts::by(RigQuantity quantity, double w, double F) const {
   switch (quantity) {
-    case RigQuantity::contact: return {-1, 0};
-    case RigQuantity::preload: return {1, force_of_a_beam};
-    case RigQuantity::load_train: return {F * compliance_, 0};
-    case RigQuantity::span: return {-w, 2 * F};
-    case RigQuantity::force_gain: return {-F * compliance_, F};
-    case RigQuantity::thickness: return {0, -at_part(thicker_, w / deepest_)};
-    case RigQuantity::support_radius: return {0, -at_part(rounder_, w / deepest_)};
+    case RigQuantity::contact:
+      return {-1, 0};
+    case RigQuantity::preload:
+      return {1, force_of_a_beam};
+    case RigQuantity::load_train:
+      return {F * compliance_, 0};
+    case RigQuantity::span:
+      return {-w, 2 * F};
+    case RigQuantity::force_gain:
+      return {-F * compliance_, F};
+    case RigQuantity::thickness:
+      return {0, -at_part(thicker_, w / deepest_)};
+    case RigQuantity::support_radius:
+      return {0, -at_part(rounder_, w / deepest_)};
   }
   return {0, 0};
 }

@@ -96,8 +96,7 @@ inline std::vector<Situation> situations() {
   add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
   for (const auto& [code, kind] :
        {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
-        std::pair{"simpler_fits_better", CheckKind::nesting},
-        std::pair{"unexpected_stiffness", CheckKind::stiffness}})
+        std::pair{"simpler_fits_better", CheckKind::nesting}, std::pair{"unexpected_stiffness", CheckKind::stiffness}})
     add(code, Severity::doubt,
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
   add("unstable", Severity::doubt, [](FittedTest& test) {

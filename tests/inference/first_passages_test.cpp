@@ -46,8 +46,7 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
       return seen.q + at.slope[i] * (at.S[i] - seen.S);
     };
     const auto slope = [&](double up, double down) { return (up - down) / (2 * h); };
-    CHECK(at.noise_gain[i] ==
-          doctest::Approx(slope(y_at(force + h), y_at(force - h))).epsilon(truncation));
+    CHECK(at.noise_gain[i] == doctest::Approx(slope(y_at(force + h), y_at(force - h))).epsilon(truncation));
     CHECK(at.y[i] == doctest::Approx(at.mu[i] + at.noise_gain[i] * (passages.force[i] - force)).epsilon(1e-9));
   }
 }
@@ -55,10 +54,11 @@ TEST_CASE("oracle: the readings' slopes are differences of exact inversions") {
 TEST_CASE("oracle: what is off in a rig makes the friction read larger by as much as exact inversions say") {
   const double friction = 0.6, thickness = 0.02, radius = 0.01;
   const Rig rig{.stiffness = stiff_train, .fibre = Fibre({.radius = radius, .half_depth = thickness / 2})};
-  FitProblem problem{.record = simulated_record({.friction = Friction::constant(friction), .noise = 0, .fibre = rig.fibre}),
-                     .rig = rig,
-                     .errors = {.force = 0, .bending_stiffness = 0.03, .contact = 0},
-                     .rig_errors = {}};
+  FitProblem problem{
+      .record = simulated_record({.friction = Friction::constant(friction), .noise = 0, .fibre = rig.fibre}),
+      .rig = rig,
+      .errors = {.force = 0, .bending_stiffness = 0.03, .contact = 0},
+      .rig_errors = {}};
   constexpr double h = 1e-4;
   const auto inverted = [&](double stage, double force, double compliance, const Supports& supports) {
     return state_on_supports_from_force(stage - force * compliance, force, supports).q;
@@ -71,31 +71,27 @@ TEST_CASE("oracle: what is off in a rig makes the friction read larger by as muc
     const Passages passages = passages_of(problem);
     REQUIRE(passages.rig_errors.size() == 1);
     const RigError& error = passages.rig_errors[0];
-    const double sign = error.friction[0] * (passages.q[0] - true_friction(passages, 0)) < 0 ? -1 : 1;  // of an eigenvector
+    const double sign =
+        error.friction[0] * (passages.q[0] - true_friction(passages, 0)) < 0 ? -1 : 1;  // of an eigenvector
     for (std::size_t i = 0; i < passages.size(); i += 23) {
       CAPTURE(i);
       constexpr double of_straight_lines = 0.003, second_order = 2e-3;
-      CHECK(sign * error.friction[i] ==
-            doctest::Approx((passages.q[i] - true_friction(passages, i)) / h).epsilon(of_straight_lines + second_order));
+      CHECK(
+          sign * error.friction[i] ==
+          doctest::Approx((passages.q[i] - true_friction(passages, i)) / h).epsilon(of_straight_lines + second_order));
     }
   };
   const double compliance = 1 / stiff_train;
   constexpr double one = 1;  // standard deviation: what is kept then is the error itself
-  const RigErrors none{.load_train = 0,
-                       .span = 0,
-                       .force_gain = 0,
-                       .thickness = 0,
-                       .support_radius = 0,
-                       .preload = 0,
-                       .slow_force = 0};
+  const RigErrors none{
+      .load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .preload = 0, .slow_force = 0};
   const auto only = [&](double RigErrors::*quantity) {
     RigErrors errors = none;
     errors.*quantity = one;
     return errors;
   };
-  holds(none, one, [&](const Passages& p, std::size_t i) {
-    return inverted(p.stage[i] - h, p.force[i], compliance, as_stated);
-  });
+  holds(none, one,
+        [&](const Passages& p, std::size_t i) { return inverted(p.stage[i] - h, p.force[i], compliance, as_stated); });
   holds(only(&RigErrors::load_train), 0, [&](const Passages& p, std::size_t i) {
     return inverted(p.stage[i], p.force[i], compliance / (1 + h), as_stated);
   });
