@@ -63,11 +63,8 @@ struct SpecimenInput {
 // Where friction acts on the specimen: at its surface, or, as the paper has it, at its axis, as if it had no thickness.
 enum class FrictionAt { surface, axis };
 
-// What the specimen lies on.
 enum class SupportKind { edges, rollers };
-
-// What rollers do when the specimen slides over them: nothing, or turn on their pins.
-enum class Rollers { fixed, pinned };
+enum class Rollers { fixed, pinned };  // when the specimen slides over them, pinned ones turn
 
 struct RigInput {
   std::optional<Known> span{};                // [m] reduced: 1; none: the export of the record says it

@@ -578,6 +578,9 @@ Found no_reload(T test) {
                  .remedy = reload_remedy(test)};
 }
 
+// "+0.04", "−0.04".
+std::string signed_number(double value) { return fmt::format("{}{:.2f}", value < 0 ? "\u2212" : "+", std::abs(value)); }
+
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
   if (rig.supports || rig.roller_radius || lost_stiffness(*test.judgement)) return std::nullopt;
@@ -585,8 +588,9 @@ Found supports_not_stated(T test) {
   const double more = radius * test.analysis.fit.sensitivities.support_radius;
   std::string sentence = "The supports are not stated, and edges are assumed.";
   if (std::isfinite(more))
-    sentence +=
-        fmt::format(" On rollers with a radius of {} friction reads {:+.2f}.", Print(test).length(radius), more);
+    sentence += fmt::format(" On rollers with a radius of {} friction reads {}.",
+                            format_roughly(test.analysis.scales.physical_length(radius), Print(test).as(kind::length)),
+                            signed_number(more));
   return Finding{.severity = Severity::condition,
                  .sentence = std::move(sentence),
                  .remedy = "State [rig] supports = \"edges\", or the roller_radius.",
@@ -602,7 +606,10 @@ Found thickness_not_stated(T test) {
   const double more = thickness * test.analysis.fit.sensitivities.thickness;
   std::string sentence = "No section says how thick the specimen is.";
   if (std::isfinite(more))
-    sentence += fmt::format(" If it is {} thick, friction reads {:+.2f}.", Print(test).length(thickness), more);
+    sentence +=
+        fmt::format(" If it is {} thick, friction reads {}.",
+                    format_roughly(test.analysis.scales.physical_length(thickness), Print(test).as(kind::length)),
+                    signed_number(more));
   return Finding{.severity = Severity::condition,
                  .sentence = std::move(sentence),
                  .remedy = "State the diameter, or the height, under [specimen].",
@@ -967,11 +974,9 @@ std::string hangs_on_in_words(T test) {
   std::vector<std::string> words;
   constexpr double worth_saying = 0.005;
   for (const auto& [what, more] : parts)
-    if (std::abs(more) >= worth_saying) words.push_back(fmt::format("{}: {:+.2f}", what, more));
+    if (std::abs(more) >= worth_saying) words.push_back(fmt::format("{}: {}", what, signed_number(more)));
   if (words.empty()) return "hardly anything that is stated";
-  std::string all = fmt::format("{}", fmt::join(words, "; "));
-  for (std::size_t at = 0; (at = all.find(": -", at)) != std::string::npos;) all.replace(at, 3, ": \u2212");
-  return all;
+  return fmt::format("{}", fmt::join(words, "; "));
 }
 
 std::vector<FindingNumber> assumed_errors(T test) {

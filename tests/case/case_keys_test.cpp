@@ -86,7 +86,8 @@ TEST_CASE("case keys, identity: the example of each is read as it stands, and so
     if (key.holds != Holds::word || name == "friction.model") continue;
     for (const std::string_view word : words_of(key)) {
       changes.back() = fmt::format("{}={}", name, word);
-      if (name == "rig.rollers") changes = {"rig.roller_radius=5 um", changes.back()};
+      if (name == "rig.rollers" || changes.back() == "rig.supports=rollers")
+        changes = {"rig.roller_radius=5 um", changes.back()};
       if (changes.back() != "rig.rollers=pinned") CHECK_NOTHROW(read_case(physical, "case.toml", changes));
     }
   }
