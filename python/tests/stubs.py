@@ -46,7 +46,7 @@ WRONG = {  # and the code or words of what mypy says
     'flexslip.fit("test.csv").judgement.standing': "union-attr",  # a record without an answer has none
     'flexslip.fit("test.csv", spam="1278 um")': "call-overload|call-arg",
     'flexslip.fit("test.csv").params.mu0.valeu': '"FitParametersMu0" of "Optional[FitParametersMu0]" has no attribute "valeu"',
-    'flexslip.fit("test.csv", span={})': "arg-type",
+    'flexslip.fit("test.csv", span=object())': "arg-type",
     'flexslip.elastica(1.1)': "call-arg",
     'flexslip.design("case.toml", over={"mu0": (0, 1)}).answer': "attr-defined",
 }

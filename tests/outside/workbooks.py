@@ -211,7 +211,8 @@ class Workbooks(InFolder):
         self.workbook({"Tests": [[*row, *more] for row, more in zip(rows, [["stage", "force"], ["stage", "force"], ["stage", "force"]])]}, "tests.xlsx")
         tests = self.json("campaign", self.folder / "tests.xlsx")["tests"]
         self.assertEqual([(test["name"], test["status"]) for test in tests], [("t1", "ok"), ("t2", "ok")])
-        alone = self.json("fit", EXAMPLE / "case.toml", "--set", 'specimen.modulus="29.6 GPa"')
+        alone = self.json("fit", EXAMPLE / "test.csv", "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
+                          "--stage", "stage", "--force", "force")
         self.assertAlmostEqual(tests[0]["parameters"]["mu0"]["value"], alone["parameters"]["mu0"]["value"], delta=1e-9)  # openpyxl writes 16 digits
 
     def test_numbers_kept_as_words_and_a_text_file_opened_as_a_workbook(self):
