@@ -186,9 +186,8 @@ class Options(InFolder):
         wave = self.json("fit", record, "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
                          "--stage", "w_s", "--force", "F")["wave"]
         self.assertTrue(wave["claimed"], wave)
-        low, high = wave["wavelength"]["interval95"]
-        self.assertTrue(low < 10.9e-6 < high, wave)
-        self.assertLess(high - low, 0.2e-6)
+        of_the_rig = 0.03e-6  # m: what an error of the rig, which is not stated here, does to lengths along the specimen
+        self.assertAlmostEqual(wave["wavelength"]["value"], 10.9e-6, delta=of_the_rig)
 
     def test_the_report_of_a_record_without_an_answer_shows_the_record(self):
         noise = random.Random(7)
