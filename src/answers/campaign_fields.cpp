@@ -254,6 +254,18 @@ Fields<Campaign> all_fields() {
                    categories.emplace_back(key_of(category), CategoryOf{campaign, category});
                  return categories;
                })
+      .group("cracks_alone",
+             "what the drops of all tests say together: whether cracks alone made them; null without a probability",
+             Fields<CracksTogether>()
+                 .count("tests", "tests with a probability", &CracksTogether::tests)
+                 .number("log_odds", "logarithm of the odds that they did in all, each even beforehand",
+                         &CracksTogether::log_odds)
+                 .number("share", "share of specimens in which they did, the median", &CracksTogether::share)
+                 .number("share_high", "95 % of the probability lie below", &CracksTogether::share_high),
+             [](const Campaign& campaign) { return campaign.cracks.tests > 0 ? &campaign.cracks : nullptr; })
+      .number("shared_error",
+              "standard deviation of the mean friction by load train, span and gain, which tests on one rig share",
+              &Campaign::shared_error)
       .list("failures", "tests without an answer", failure_fields(), failures_of)
       .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());

@@ -65,6 +65,8 @@ struct SharedParameter {
 struct Campaign {
   std::vector<CampaignTest> tests;  // in the order of the plan
   std::vector<CategorySummary> categories;
+  CracksTogether cracks{};
+  double shared_error = 0;  // [1] of mean friction, from the rig that tests share
   std::vector<SharedParameter> shared;
 };
 

@@ -71,6 +71,9 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"model", &TestSummary::model},
                                            Part{"mu0", &TestSummary::mu0},
                                            Part{"mu0_is_bound", &TestSummary::mu0_is_bound},
+                                           Part{"mu0_by_load_train", &TestSummary::mu0_by_load_train},
+                                           Part{"mu0_by_span", &TestSummary::mu0_by_span},
+                                           Part{"mu0_by_gain", &TestSummary::mu0_by_gain},
                                            Part{"friction_read", &TestSummary::friction_read},
                                            Part{"roughness", &TestSummary::roughness},
                                            Part{"correlation_length", &TestSummary::correlation_length},
@@ -260,6 +263,8 @@ class Runner {
       result.campaign.tests.push_back(std::move(*test));
     }
     result.campaign.categories = summarise(summaries);
+    result.campaign.cracks = cracks_together(summaries);
+    result.campaign.shared_error = shared_error_of(summaries);
     return result;
   }
 

@@ -250,8 +250,9 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
   analysis.errors = errors;
+  analysis.rig_errors = description.rig_errors;
   analysis.most_friction = options.most_friction;
-  const FitProblem problem{analysis.reduced, analysis.rig, errors};
+  const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
     analysis.status = analysis.fit.status == FrictionFitStatus::too_few_points ? AnalysisStatus::too_few_points

@@ -123,6 +123,7 @@ struct TestAnalysis {
   ReducedRecord reduced;
   double force_noise = NAN;    // [EI/L^2] of one reading
   MeasurementErrors errors{};  // as fitted with
+  RigErrors rig_errors{};      // likewise
   Drops drops{};
   FrictionProfile profile{};
   std::vector<Slip> slips{};        // judged at the bending stiffness stated, told at that of the fit

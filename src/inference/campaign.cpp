@@ -128,6 +128,11 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .friction_share = fit.mu0_is_bound ? not_a_number : analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .known = marginals_of(fit, scales)};
+  if (const Sensitivities& by = fit.sensitivities; std::isfinite(by.span)) {
+    summary.mu0_by_load_train = by.load_train * analysis.rig_errors.load_train;
+    summary.mu0_by_span = by.span * analysis.rig_errors.span;
+    summary.mu0_by_gain = by.force_gain * analysis.rig_errors.force_gain;
+  }
   for (const auto& check : analysis.checks)
     if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
   if (!is_trusted(standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
@@ -141,6 +146,50 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
   }
   if (const auto implied = implied_surface(fit); implied && tells_variation) summary.surface_slope = implied->rms_slope;
   return summary;
+}
+
+CracksTogether cracks_together(std::span<const TestSummary> tests) {
+  CracksTogether together{.log_odds = 0};
+  constexpr std::size_t steps = 1000;
+  std::vector<double> log_weight(steps + 1, 0);
+  for (const TestSummary& test : tests) {
+    const double p = std::clamp(test.cracks_alone, 1e-6, 1 - 1e-6);
+    if (!std::isfinite(p)) continue;
+    ++together.tests;
+    together.log_odds += elementary::log(p / (1 - p));
+    for (std::size_t i = 0; i <= steps; ++i) {
+      const double share = static_cast<double>(i) / steps;
+      log_weight[i] += elementary::log(share * p + (1 - share) * (1 - p));
+    }
+  }
+  if (together.tests == 0) return {};
+  const double greatest = *std::max_element(log_weight.begin(), log_weight.end());
+  double total = 0;
+  for (double& weight : log_weight) total += weight = elementary::exp(weight - greatest);
+  const auto below = [&](double probability) {
+    double sum = 0;
+    for (std::size_t i = 0; i <= steps; ++i)
+      if ((sum += log_weight[i]) >= probability * total) return static_cast<double>(i) / steps;
+    return 1.0;
+  };
+  together.share = below(0.5);
+  together.share_high = below(0.95);
+  return together;
+}
+
+double shared_error_of(std::span<const TestSummary> tests) {
+  double by_load_train = 0, by_span = 0, by_gain = 0;
+  std::size_t count = 0;
+  for (const TestSummary& test : tests) {
+    if (test.suspect || test.mu0_is_bound || !std::isfinite(test.mu0.value)) continue;
+    ++count;
+    by_load_train += test.mu0_by_load_train;
+    by_span += test.mu0_by_span;
+    by_gain += test.mu0_by_gain;
+  }
+  return count == 0
+             ? 0
+             : elementary::length(elementary::length(by_load_train, by_span), by_gain) / static_cast<double>(count);
 }
 
 std::vector<CategorySummary> summarise(std::span<const TestSummary> tests) {

@@ -47,6 +47,8 @@ struct TestSummary {
   double
       friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a limit, and of a test not trusted
   double work_of_fracture;  // [J]
+  // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
+  double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
   std::vector<CheckKind> failed_checks{};
   TestMarginals known;
   // Of the surface that would show its friction: the amplitude of its wave, if there is a likeliest one, and all of its slopes.
@@ -87,6 +89,21 @@ struct CategorySummary {
   CategorySpread without_suspects, with_suspects;
   std::optional<BetweenSpecimens> mu0, log_roughness, log_length;  // [1], ln of [1], ln of [m]; without suspects
 };
+
+// What the drops of all tests say together.
+struct CracksTogether {
+  std::size_t tests = 0;    // with a probability; 0: nothing else is valid
+  double log_odds = NAN;    // [1] ln of the odds that cracks alone made the drops of all, each even beforehand
+  double share = NAN;       // [1] of specimens in which they did: the median of what is left of a uniform prior
+  double share_high = NAN;  // [1] 95 % lie below
+};
+
+// Domain:     probabilities of TestSummary::cracks_alone; those that are NaN tell nothing.
+// Method:     the likelihood of a share s is the product of s p + (1 - s)(1 - p), on a grid of a thousandth.
+CracksTogether cracks_together(std::span<const TestSummary> tests);
+
+// [1] Of the mean friction of tests on one rig, the standard deviation that more of them do not make smaller; 0 without tests that tell any.
+double shared_error_of(std::span<const TestSummary> tests);
 
 // The categories clear, nominal and none, then all tests together.
 std::vector<CategorySummary> summarise(std::span<const TestSummary> tests);

@@ -51,7 +51,7 @@ FitProblem usable_part(const FitProblem& whole) {
   constexpr double max_deflection = 0.8;  // [L]
   std::size_t size = 0;
   while (size < whole.record.stage.size() && whole.record.deflection[size] <= max_deflection) ++size;
-  return {every(1, size, whole.record), whole.rig, whole.errors};
+  return {every(1, size, whole.record), whole.rig, whole.errors, whole.rig_errors};
 }
 
 std::size_t thinning_of(std::size_t points) {
@@ -61,7 +61,7 @@ std::size_t thinning_of(std::size_t points) {
 
 FitProblem thinned(const FitProblem& problem) {
   const std::size_t size = problem.record.stage.size();
-  return {every(thinning_of(size), size, problem.record), problem.rig, problem.errors};
+  return {every(thinning_of(size), size, problem.record), problem.rig, problem.errors, problem.rig_errors};
 }
 
 namespace {

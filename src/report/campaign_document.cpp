@@ -114,6 +114,15 @@ std::string verdicts_in_words(const Campaign& campaign) {
   return words;
 }
 
+// What the drops of all say together; empty where fewer than two have a probability.
+std::string cracks_in_words(const Campaign& campaign) {
+  const CracksTogether& cracks = campaign.cracks;
+  if (cracks.tests < 2) return "";
+  return fmt::format(
+      " Together: cracks alone made the drops in {} of specimens ({}, fewer than {} with 95 % probability).",
+      format_percent(cracks.share), format_count(cracks.tests, "test", "tests"), format_percent(cracks.share_high));
+}
+
 // Of the work under the curves, what went into friction.
 std::string work_in_words(const Campaign& campaign) {
   std::vector<double> shares;
@@ -149,11 +158,16 @@ std::string friction_in_words(const Campaign& campaign) {
   const bool has_undecided = std::any_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
     return test.verdict == word_of(VerdictCode::undecided);
   });
-  return fmt::format(" Friction {:.2f}{}{}{}{}.", mu0.mean,
+  constexpr double worth_saying = 0.005;
+  const std::string shared =
+      mu0.count > 1 && campaign.shared_error > worth_saying
+          ? fmt::format("; errors of the rig, which its tests share, move it by ± {:.2f}", campaign.shared_error)
+          : "";
+  return fmt::format(" Friction {:.2f}{}{}{}{}{}.", mu0.mean,
                      mu0.count == 1 ? ""
                                     : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
                                                   mu0.count, mu0.min, mu0.max),
-                     has_undecided ? ", if the drops of those undecided are slips" : "",
+                     shared, has_undecided ? ", if the drops of those undecided are slips" : "",
                      limits.empty() ? "" : "; " + limits, work_in_words(campaign));
 }
 
@@ -402,8 +416,8 @@ std::string campaign_in_short(const Campaign& campaign) {
                        campaign.tests.size() == 1
                            ? "the test could not be evaluated"
                            : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
-  std::string answer = fmt::format("{}: {}.{}", format_count(campaign.tests.size(), "test", "tests"),
-                                   verdicts_in_words(campaign), friction_in_words(campaign));
+  std::string answer = fmt::format("{}: {}.{}{}", format_count(campaign.tests.size(), "test", "tests"),
+                                   verdicts_in_words(campaign), cracks_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
        {enumerated(campaign, is_suspect, "is suspect", "are suspect"),
         enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})

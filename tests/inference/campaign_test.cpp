@@ -22,6 +22,45 @@ TestSummary some_test(SawtoothCategory category, double mu0, std::optional<doubl
   return test;
 }
 
+TEST_CASE("cracks together: by hand, and jointly surer than any test") {
+  const auto with = [](std::vector<double> probabilities) {
+    std::vector<TestSummary> tests;
+    for (const double p : probabilities) {
+      TestSummary test{};
+      test.cracks_alone = p;
+      tests.push_back(test);
+    }
+    return cracks_together(tests);
+  };
+  CHECK(with({}).tests == 0);
+  CHECK(with({NAN}).tests == 0);
+  // Of surely no crack the share has the density 2 (1 - s): half lie below 1 - √½, 95 % below 1 - √0.05.
+  const auto none = with({0, NAN});
+  CHECK(none.tests == 1);
+  CHECK(none.share == doctest::Approx(1 - std::sqrt(0.5)).epsilon(0.01));
+  CHECK(none.share_high == doctest::Approx(1 - std::sqrt(0.05)).epsilon(0.01));
+  const auto even = with({0.5, 0.5});
+  CHECK(even.log_odds == 0);
+  CHECK(even.share_high == doctest::Approx(0.95).epsilon(0.01));
+  const auto twenty = with(std::vector<double>(20, 0.05));
+  CHECK(twenty.log_odds == doctest::Approx(20 * std::log(0.05 / 0.95)));
+  CHECK(twenty.share_high < 0.2);
+  CHECK(with(std::vector<double>(20, 0.95)).share > 0.9);
+}
+
+TEST_CASE("shared error: more tests on a rig do not average its errors away") {
+  TestSummary one{};
+  one.mu0.value = 0.5;
+  one.mu0_by_load_train = 0.03;
+  one.mu0_by_span = -0.04;
+  CHECK(shared_error_of(std::vector(1, one)) == doctest::Approx(0.05));
+  CHECK(shared_error_of(std::vector(30, one)) == doctest::Approx(0.05));
+  TestSummary other = one;
+  other.mu0_by_span = 0.04;
+  CHECK(shared_error_of(std::vector{one, other}) == doctest::Approx(0.03));
+  CHECK(shared_error_of({}) == 0);
+}
+
 TEST_CASE("table: mean, least and greatest of each category, with and without suspects") {
   using enum SawtoothCategory;
   const std::vector<TestSummary> tests{some_test(clear, 0.5, 10e-6, false), some_test(clear, 0.75, 20e-6, false),

@@ -112,6 +112,34 @@ TEST_CASE("identity: a wrong bending stiffness shifts the constant by what its i
   CHECK(fit.waves.empty());
 }
 
+TEST_CASE(
+    "rig: a better known one narrows the answer, and the answer moves with what is stated as its sensitivities say") {
+  const SimulatedTruth truth{.friction = Friction::constant(0.6), .noise = 0.02};
+  FitProblem problem = problem_of(truth);
+  const auto usual = fit_friction(problem);
+  const auto moved_by = [&](auto&& change) {
+    FitProblem other = problem;
+    change(other);
+    return fit_friction(other).mu0.value - usual.mu0.value;
+  };
+  constexpr double by = 0.003;
+  // Readings of the same record on a rig stated otherwise.
+  const double by_train = moved_by([&](FitProblem& other) {
+    other.rig.stiffness *= 1 + by;
+    for (std::size_t i = 0; i < other.record.force.size(); ++i)
+      other.record.deflection[i] = other.record.stage[i] - other.record.force[i] / other.rig.stiffness;
+  });
+  CHECK(by_train == doctest::Approx(by * usual.sensitivities.load_train).scale(0).epsilon(0.1));
+  const double by_contact = moved_by([&](FitProblem& other) {
+    for (double& w : other.record.deflection) w -= 0.001;
+    for (double& stage : other.record.stage) stage -= 0.001;
+  });
+  CHECK(by_contact == doctest::Approx(0.001 * usual.sensitivities.contact).scale(0).epsilon(0.2));
+  problem.rig_errors = {
+      .load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .preload = 0, .slow_force = 0};
+  CHECK(fit_friction(problem).mu0.standard_error < 0.5 * usual.mu0.standard_error);
+}
+
 TEST_CASE("identity: the paper's model finds the wave that it is made of") {
   const SimulatedTruth one{
       .friction = Friction::waves({.mu0 = 0.45, .drift = 0.8, .terms = {{0.15, 11.0 / 1278, 0.5}}, .S_reference = 1}),
