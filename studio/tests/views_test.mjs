@@ -18,7 +18,7 @@ for (const [width, height] of [[1280, 800], [1920, 1080], [820, 1180]])
   for (const theme of ["light", "dark"])
     test(`first picture, ${width} by ${height}, ${theme}: the example is open and analysed, nothing overflows`, { skip }, async () => {
       const tab = await open({ width, height, theme });
-      assert.match(await tab.locator("#answer h1").innerText(), /^SLIP\s+friction 0\.49\d+ ± 0\.00\d+; 33 % of the work was friction, not toughness\.$/);
+      assert.match(await tab.locator("#answer h1").innerText(), /^SLIP\s+friction 0\.5\d+ ± 0\.0\d+ if no stiffness was lost; at least 33 % of the work was friction, not toughness; cracks alone: less than 1 %\.$/);
       assert.match(await tab.locator("#answer .lead").innerText(), /^Next: unload and load once more;/);
       assert.equal(await tab.locator(".numbers > div").count(), 5);
       assert.ok((await tab.locator(".checks li").count()) >= 6);
@@ -89,7 +89,7 @@ test("keyboard: rows, drops, play, pins, theme, table, undo", { skip }, async ()
   assert.equal(await row(tab), start + 1);
   await tab.keyboard.press("Shift+ArrowRight");
   await painted(tab);
-  assert.match(await tab.locator("#moment .drop").innerText(), /Drop \d+: can be a slip/);
+  assert.match(await tab.locator("#moment .drop").innerText(), /Drop \d+: slip/);
   await tab.waitForFunction(() => /Row \d+, force .*friction .*Drop \d+/.test(document.querySelector("#announcer").textContent));
   const before = await row(tab);
   await tab.keyboard.press("Space");

@@ -60,7 +60,7 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   return [friction, work, spacing, stiffness, modulus];
 }
 
-const MARKS: Record<Finding["severity"], CheckLine["mark"] | null> = { refusal: "warning", suspicion: "warning", doubt: "warning", note: null, passed: "passed", unjudged: "cannot" };
+const MARKS: Record<Finding["severity"], CheckLine["mark"] | null> = { refusal: "warning", suspicion: "warning", doubt: "warning", condition: null, note: null, passed: "passed", unjudged: "cannot" };
 
 const checks = (fit: FitAnswer): CheckLine[] => fit.findings.flatMap((finding) => {
   const mark = MARKS[finding.severity];

@@ -2,7 +2,7 @@
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "phase_at_middle" | "drift" | "roughness" | "correlation_length" | "bending_stiffness" | "reference" | "contact_offset";
-export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
+export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "condition" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
 export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
 }

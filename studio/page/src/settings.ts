@@ -28,11 +28,11 @@ const quoted = (value: string): string => `"${value}"`;
 export function changesOfCase(settings: Settings, roundDiameter: number | null): string[] {
   const set = (key: string, value: string | undefined): string[] => (value === undefined ? [] : ["--set", `${key}=${value}`]);
   const text = (key: string, value: string | undefined): string[] => set(key, value === undefined ? undefined : quoted(value));
-  const EI = settings.heldStiffness;
+  const EI = settings.heldStiffness, held = EI !== undefined && roundDiameter !== null;
   return [
-    ...text("rig.span", length(settings.span)), ...text("specimen.diameter", length(settings.diameter)),
+    ...text("rig.span", length(settings.span)), ...(held ? set("specimen.diameter", `{ value = ${quoted(length(roundDiameter)!)}, uncertainty = "0 %" }`) : text("specimen.diameter", length(settings.diameter))),
     ...text("rig.stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
-    ...text("rig.roller_radius", length(settings.tipRadius || undefined)),
+    ...set("rig.supports", settings.tipRadius ? "rollers" : undefined), ...text("rig.roller_radius", length(settings.tipRadius || undefined)),
     ...(EI === undefined ? [] : roundDiameter !== null
       ? set("specimen.modulus", `{ value = ${quoted(exactly(EI / inertia(roundDiameter), giga))}, uncertainty = "${HELD}" }`)
       : set("specimen.bending_stiffness", `{ value = ${quoted(exactly(EI, bending))}, uncertainty = "${HELD}" }`)),
