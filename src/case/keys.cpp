@@ -79,11 +79,10 @@ struct Reader {
   void operator()(Known& known) const {
     toml::table of_text;
     const std::string_view whole = node().value_exact<std::string_view>().value_or("");
-    for (const std::string_view between : {"±", "+-", "+/-"})
-      if (const std::size_t at = whole.find(between); at != std::string_view::npos) {
-        of_text.insert_or_assign("value", std::string(trimmed(whole.substr(0, at))));
-        of_text.insert_or_assign("uncertainty", std::string(trimmed(whole.substr(at + between.size()))));
-      }
+    if (const auto stated = value_and_uncertainty(whole)) {
+      of_text.insert_or_assign("value", std::string(stated->first));
+      of_text.insert_or_assign("uncertainty", std::string(stated->second));
+    }
     const toml::table* parts = of_text.empty() ? node().as_table() : &of_text;
     if (!parts) {
       known = quantity();

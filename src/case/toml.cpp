@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -147,10 +148,23 @@ toml::table parse_toml(std::string_view text, const std::string& source) {
   }
 }
 
+std::optional<std::pair<std::string_view, std::string_view>> value_and_uncertainty(std::string_view text) {
+  for (const std::string_view between : {"±", "+-", "+/-"})
+    if (const std::size_t at = text.find(between); at != std::string_view::npos)
+      return std::pair{trimmed(text.substr(0, at)), trimmed(text.substr(at + between.size()))};
+  return std::nullopt;
+}
+
 toml::table& table_at(toml::table& parent, std::string_view name) {
   if (!parent[name].is_table()) {
     toml::table table;
-    if (const toml::node* value = parent.get(name)) table.insert_or_assign("value", *value);
+    if (const toml::node* value = parent.get(name)) {
+      const auto both = value_and_uncertainty(value->value<std::string_view>().value_or(""));
+      if (both)
+        table.insert_or_assign("value", std::string(both->first));  // the uncertainty beside it gives way
+      else
+        table.insert_or_assign("value", *value);
+    }
     parent.insert_or_assign(name, std::move(table));
   }
   return *parent[name].as_table();

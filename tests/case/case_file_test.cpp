@@ -114,6 +114,7 @@ TEST_CASE("table: the uncertainties that can be stated, in three ways") {
   CHECK(rig("span = '1 mm'\nstiffness = '90 N/m +- 0.3 %'") == known);
   const std::string plain = "[rig]\nspan = '1 mm'\nstiffness = '90 N/m'";
   CHECK(read_case(plain, "case.toml", {"rig.stiffness.uncertainty=0.3 %"}).rig == known);
+  CHECK(read_case(plain, "case.toml", {"rig.stiffness=90 N/m ± 2 %", "rig.stiffness.uncertainty=0.3 %"}).rig == known);
   CHECK(rig("span = '1 mm ± 2 um'\nroller_radius = '1 mm ± 0 %'") ==
         RigInput{.span = Known{1e-3, 2e-6}, .roller_radius = Known{1e-3, 0}});
   CHECK(read("[specimen]\nwidth = '2 um ± 1 %'\nheight = '1 um ± 10 nm'").specimen ==
