@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "case/toml.h"
 #include "io/call_files.h"
 #include "io/table.h"
 #include "io/text.h"

@@ -45,7 +45,7 @@ double force_at(double w, double q) {
 }  // namespace
 
 TEST_CASE("identity: rises of a fibre that slips are not those of cracks alone") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto found = judged(slipping(seed));
     REQUIRE(found.judged);
     CHECK(found.verdict == CrackVerdict::not_by_cracks_alone);
@@ -56,7 +56,7 @@ TEST_CASE("identity: rises of a fibre that slips are not those of cracks alone")
 }
 
 TEST_CASE("identity: rises of a fibre that cracks are not those of slips, and what is left of it is found") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const auto found = judged(cracking(seed));
     REQUIRE(found.judged);
     CHECK(found.verdict == CrackVerdict::cracks);
@@ -69,7 +69,7 @@ TEST_CASE("identity: rises of a fibre that cracks are not those of slips, and wh
 TEST_CASE("limit: fewer than three drops, or three rises, tell nothing") {
   const auto record = slipping(1);
   const auto drops = drops_of(record);
-  for (const std::size_t count : {0, 1, 2}) {
+  for (const std::size_t count : {0U, 1U, 2U}) {
     const auto found = slip_or_crack(record, {soft_train}, std::span(drops).first(count));
     CHECK(!found.judged);
     CHECK(found.verdict == CrackVerdict::cannot_be_told);
@@ -111,7 +111,7 @@ TEST_CASE(
   }
   for (const double given_back : {0.0, 0.9}) {
     double sureness = 0;
-    for (const std::size_t rises : {3, 5, 8, 16}) {
+    for (const std::size_t rises : {3U, 5U, 8U, 16U}) {
       const double p = cracks_alone({.rises = rises, .given_back = given_back, .margin = 0, .loss_margin = 0});
       CHECK(std::abs(p - 0.5) > sureness);
       sureness = std::abs(p - 0.5);

@@ -148,7 +148,7 @@ TEST_CASE("studio: the equilibrium curve passes through every sliding state of a
   REQUIRE(curve.status == "ok");
   const std::vector<double> programme{0, curve.deflection[20], curve.deflection[40]};
   const auto loading = studio::simulate(rig, programme, 1.0, 0);
-  for (const std::size_t i : {1, 2}) CHECK(loading.force[i] == doctest::Approx(curve.force[20 * i]).epsilon(1e-12));
+  for (const std::size_t i : {1U, 2U}) CHECK(loading.force[i] == doctest::Approx(curve.force[20 * i]).epsilon(1e-12));
 }
 
 TEST_CASE(
