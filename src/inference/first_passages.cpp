@@ -71,6 +71,10 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     S.push_back(point.S);
     F.push_back(point.F);
   }
+  if (w.size() < 2) {  // what they show is no sliding: no such friction lets the specimen be bent so far
+    passages.row.clear();
+    return;
+  }
   const auto slopes = inverse_slopes(passages.fibre, S, std::vector<double>(S.size(), friction));
 
   // Along that curve, a column each: ln EI, the quantities, then the deviations.
@@ -112,7 +116,6 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     return at;
   };
 
-  constexpr double nugget = 0.0007;
   const VectorXd noise_gain = at_readings(Eigen::Map<const VectorXd>(slopes.q_F.data(), static_cast<Index>(w.size())));
   MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - alone));
   for (Index i = 0; i < over_noise.rows(); ++i)
@@ -181,6 +184,7 @@ Passages passages_of(const FitProblem& problem) {
   }
   if (p.size() == 0) return p;
   add_errors(p, problem, from);
+  if (p.size() == 0) return p;
   const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
   p.advance.assign(p.size(), 0);
   for (std::size_t i = 1; i < p.size(); ++i)

@@ -55,6 +55,8 @@ struct Passages {
 //             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
 Passages passages_of(const FitProblem& problem);
 
+inline constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
+
 // The readings linearised: y_i = μ(x_i) + h_E (η - η0) + Σ h_r (ε_r - ε_r0) + D e_i, e_i being the error of the force, η = ln EI/nominal, ε_r
 // the errors of the rig, each over its standard deviation, h the friction that each reads larger by (Passages).
 struct Linearisation {

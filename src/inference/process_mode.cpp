@@ -20,8 +20,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
-
 }  // namespace
 
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
