@@ -89,7 +89,7 @@ Replay replay_of(const TestAnalysis& analysis) {
   return replay;
 }
 
-// A record in the units of the bending stiffness that was fitted, and the friction read off it there.
+// A record as the fit has it: less what the rig is found to be off by, in the units of the bending stiffness that was fitted.
 struct AtFit {
   double stiffening;  // [1] of the fit over nominal
   ReducedRecord record;
@@ -99,13 +99,27 @@ struct AtFit {
 
 AtFit at_fit(const TestAnalysis& analysis) {
   const auto& stiffness = analysis.fit.bending_stiffness;
-  const Scales scales(analysis.scales.span(), analysis.scales.bending_stiffness() * stiffness.value);
+  ReducedRecord record = analysis.fit.correction.corrected(analysis.reduced);
+  for (double& force : record.force) force /= stiffness.value;
   return {.stiffening = stiffness.value,
-          .record = to_reduced(analysis.record, scales),
+          .record = std::move(record),
           .rig = analysis.rig.in_units_of(stiffness.value),
           .errors = {.force = analysis.errors.force / stiffness.value,
                      .bending_stiffness = stiffness.standard_error / stiffness.value,
                      .contact = analysis.errors.contact}};
+}
+
+double stiffening_of(const TestAnalysis& analysis) {
+  return analysis.status == AnalysisStatus::ok ? analysis.fit.bending_stiffness.value : 1;
+}
+
+// A point of a run at the fit as this rig would read it, in units of the nominal bending stiffness.
+void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
+  point.F *= stiffening_of(analysis);
+  const Shift shift = analysis.fit.correction.at(point.stage);  // it changes slowly: that of the stage read is no other
+  point.w -= shift.deflection;
+  point.F -= shift.force;
+  point.stage -= shift.deflection + shift.force / analysis.rig.stiffness;
 }
 
 // In units of the nominal bending stiffness.
@@ -276,11 +290,11 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  analysis.model = follow_in_steps({friction, rig}, advancing(analysis.reduced.stage));
-  for (PathPoint& point : analysis.model.path) point.F *= stiffening;
+  analysis.model = follow_in_steps({friction, rig}, advancing(fitted.record.stage));
+  for (PathPoint& point : analysis.model.path) read_by_rig(point, analysis);
   for (Snap& snap : analysis.model.snaps) {
-    snap.before.F *= stiffening;
-    snap.after.F *= stiffening;
+    read_by_rig(snap.before, analysis);
+    read_by_rig(snap.after, analysis);
   }
   return analysis;
 }
@@ -312,14 +326,6 @@ double friction_hidden_by(const TestAnalysis& analysis, double loss) {
   return integral / length;
 }
 
-namespace {
-
-double stiffening_of(const TestAnalysis& analysis) {
-  return analysis.status == AnalysisStatus::ok ? analysis.fit.bending_stiffness.value : 1;
-}
-
-}  // namespace
-
 std::vector<EquilibriumPoint> frictionless_curve(const TestAnalysis& analysis) {
   constexpr int points = 200;
   const auto& deflection = analysis.record.deflection;
@@ -335,11 +341,11 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
 
 History mean_run_forward(const TestAnalysis& analysis) {
   constexpr int points = 1000;  // on each stretch: a figure thins them out
-  const auto& stage = analysis.reduced.stage;
+  const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = *std::max_element(stage.begin(), stage.end()), stiffening = stiffening_of(analysis);
   History history = follow_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
                                         {&farthest, 1}, points);
-  for (auto& point : history.path) point.F *= stiffening;
+  for (auto& point : history.path) read_by_rig(point, analysis);
   return history;
 }
 

@@ -217,11 +217,17 @@ SearchOptions search_options(const FitOptions& options) {
   return search;
 }
 
-// The force at stage positions that the mean profile gives, in units of the nominal bending stiffness.
+// The force at stage positions that the mean profile lets this rig read.
 std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
   const double stiffening = fit.bending_stiffness.value;
-  auto forces = forces_of(fit.mean, rig.in_units_of(stiffening), stages);
-  for (double& force : forces) force *= stiffening;
+  std::vector<double> corrected;
+  for (const double stage : stages) {
+    const Shift shift = fit.correction.at(stage);
+    corrected.push_back(stage + shift.deflection + shift.force / rig.stiffness);
+  }
+  auto forces = forces_of(fit.mean, rig.in_units_of(stiffening), corrected);
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] = stiffening * forces[i] - fit.correction.at(stages[i]).force;
   return forces;
 }
 
@@ -229,6 +235,15 @@ double residual_rms(std::span<const double> force, const Passages& passages) {
   double sum = 0;
   for (std::size_t k = 0; k < force.size(); ++k) sum += (force[k] - passages.force[k]) * (force[k] - passages.force[k]);
   return std::sqrt(sum / static_cast<double>(force.size()));
+}
+
+RigCorrection correction_of(const Linearisation& at, const Passages& passages) {
+  std::vector<Shift> shift;
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    const double force = at.force[i] - passages.force[i];
+    shift.push_back({at.stage[i] - passages.stage[i] - passages.compliance * force, force});
+  }
+  return {passages.stage, std::move(shift), passages.compliance};
 }
 
 // One friction for the whole fibre, by least squares in the force: what a handbook would compare.
@@ -346,6 +361,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
   fit.band = posterior.band;
   fit.mean = posterior.profile;
+  fit.correction = correction_of(found.components.front().mode.at, passages);
   fit.draws = posterior.draws;
   fit.draw_stiffness = posterior.draw_stiffness;
   fit.force = run_forward(fit, whole.rig, whole.record.stage);

@@ -16,6 +16,7 @@
 #include "fibre/fibre.h"
 #include "inference/matern.h"
 #include "inference/profile.h"
+#include "inference/rig_correction.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -152,10 +153,11 @@ struct FrictionFit {
   std::vector<Explanation> explanations;  // likeliest first
   std::vector<ScannedWave> scan;          // λ rising
   ProfileBand band;
+  RigCorrection correction;  // of what the rig is found to be off by, at the likeliest explanation
   FrictionTable mean;  // the mean of μ over what is drawn in, for runs forward: at the estimated bending stiffness
   std::vector<FrictionTable> draws;    // profiles that explain the record as well, drawn at random (20), likewise
   std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each
-  std::vector<double> force;           // [EI/L^2] at each stage position of the record, `mean` run forward
+  std::vector<double> force;           // [EI/L^2] that `mean`, run forward, lets each row of the record read
   double residual_rms;                 // [EI/L^2] of it, over the readings that tell of friction
   std::vector<double>
       innovations;  // [1] what each reading adds to what those before it tell, over its standard deviation; empty of a constant

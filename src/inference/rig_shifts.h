@@ -8,17 +8,12 @@
 #include <vector>
 
 #include "inference/fit.h"
+#include "inference/rig_correction.h"
 
 namespace flexslip {
 
 enum class RigQuantity { contact, preload, load_train, span, force_gain, thickness, support_radius };
 inline constexpr std::size_t rig_quantities = 7;
-
-// Of one reading, inverted at the nominal EI: by how much its deflection and force would differ.
-struct Shift {
-  double deflection;  // [L]
-  double force;       // [EI/L^2]
-};
 
 class RigShifts {
  public:
