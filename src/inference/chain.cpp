@@ -112,17 +112,17 @@ class Covariances {
 };
 
 // The states of many series at once, a row for each number of the state.
-template <int M, class T>
+template <int M>
 class States {
  public:
   static constexpr int G = M - 1;
 
-  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, T(0)), next_(m_) {}
+  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, 0.0), next_(m_) {}
 
-  void advance(const Square<M, T>& A) {
+  void advance(const Square<M, double>& A) {
     for (int i = 0; i < G; ++i)
       for (std::size_t c = 0; c < n_; ++c) {
-        T sum = A(i, 0) * row(0)[c];
+        double sum = A(i, 0) * row(0)[c];
         for (int k = 1; k < G; ++k) sum = sum + A(i, k) * row(k)[c];
         next_[static_cast<std::size_t>(i) * n_ + c] = sum;
       }
@@ -131,21 +131,21 @@ class States {
   }
 
   // By what an observation differs from what was expected, for one series.
-  T innovation(double value, double D, std::size_t c) const {
+  double innovation(double value, double D, std::size_t c) const {
     if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
     return value - D * row(G)[c];
   }
-  void learn(const std::array<T, M>& gain, const T& v, std::size_t c) {
+  void learn(const std::array<double, M>& gain, double v, std::size_t c) {
     for (int i = 0; i < M; ++i) row(i)[c] = row(i)[c] + gain[static_cast<std::size_t>(i)] * v;
   }
-  const std::vector<T>& all() const { return m_; }
+  const std::vector<double>& all() const { return m_; }
 
  private:
-  T* row(int i) { return m_.data() + static_cast<std::size_t>(i) * n_; }
-  const T* row(int i) const { return m_.data() + static_cast<std::size_t>(i) * n_; }
+  double* row(int i) { return m_.data() + static_cast<std::size_t>(i) * n_; }
+  const double* row(int i) const { return m_.data() + static_cast<std::size_t>(i) * n_; }
 
   std::size_t n_;
-  std::vector<T> m_, next_;
+  std::vector<double> m_, next_;
 };
 
 // What a function makes of the size of the state.
@@ -266,7 +266,8 @@ double ThetaPrior::slope(const Theta& theta, std::size_t i) const {
   return -(theta.values[i] - mean[i]) / (deviation[i] * deviation[i]);
 }
 
-Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at) : observations_(observations) {
+Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at)
+    : observations_(observations), kernel_(kernel), at_(at) {
   require_domain(observations, kernel, at);
   const std::size_t n = observations.all.size();
   const std::size_t columns = observations.prior.size();
@@ -280,7 +281,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
     const auto p = numbers_of(kernel, at);
     chain::Steps<M> steps{.steps = std::vector<chain::Step<M>>(n), .rate = p.rate};
     Covariances<M, double> covariances(p);
-    States<M, double> states(series);
+    States<M> states(series);
     predicted_.resize(n * M * series);
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
@@ -312,7 +313,9 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
     steps_ = std::move(steps);
   });
   const auto p = static_cast<Index>(columns);
-  const Eigen::MatrixXd products = white_ * white_.transpose();
+  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(white_.rows(), white_.rows());
+  products.selfadjointView<Eigen::Lower>().rankUpdate(white_);
+  products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
   const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
                                variances.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
@@ -505,10 +508,6 @@ Dual exp(const Dual& a) {
   return {value, a.d * value};
 }
 Dual log(const Dual& a) { return {elementary::log(a.value), a.d / a.value}; }
-Dual sqrt(const Dual& a) {
-  const double root = std::sqrt(a.value);
-  return {root, a.d / (2 * root)};
-}
 double value_of(const Dual& a) { return a.value; }
 
 Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
@@ -520,103 +519,96 @@ Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
   return duals;
 }
 
-template <int M>
-LikelihoodGradient gradient_with(const Observations& observations, Kernel kernel, const Hyperparameters& at,
-                                 std::span<const double> wavelengths) {
-  const std::size_t columns = observations.prior.size();
-  const std::size_t waves = wavelengths.size();
-  // y, the columns, and the derivatives of those of waves.
-  const std::size_t series = 1 + columns + 2 * waves;
-  effort_spent += 8 * observations.all.size() * series;  // numbers that carry derivatives
-  Covariances<M, Dual> covariances(duals_of(kernel, at));
-  States<M, Dual> states(series);
-  std::array<Dual, M> gain;
-  std::vector<Dual> v(series);
-  std::vector<Dual> products(series * series, Dual(0));  // upper triangle
-  elementary::LogProduct variances;
-  Eigen::Array4d log_variances_d = Eigen::Array4d::Zero();
-  double seen = 0;
-  for (std::size_t k = 0; k < observations.all.size(); ++k) {
-    const Observation& observation = observations.all[k];
-    if (k > 0) {
-      covariances.advance(observation.place - observations.all[k - 1].place, observation.rows);
-      states.advance(covariances.transition());
-    }
-    if (!is_seen(observation)) continue;
-    const Dual s = covariances.observe(observation.noise_gain, observation.variance, gain);
-    variances.multiply(s.value);
-    log_variances_d += s.d / s.value;
-    seen += 1;
-    const Coefficients& h = observations.columns[k];
-    const Dual scale = Dual(1) / sqrt(s);
-    for (std::size_t c = 0; c < series; ++c) {
-      double value = c == 0 ? observations.values[k] : c <= columns ? h[static_cast<Index>(c - 1)] : 0;
-      if (c > columns) {  // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
-        const std::size_t wave = (c - columns - 1) / 2;
-        const bool of_cosine = (c - columns - 1) % 2 == 0;
-        const auto first = static_cast<Index>(columns - 2 * waves + 2 * wave);
-        const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
-        value = of_cosine ? phase * h[first + 1] : -phase * h[first];
-      }
-      v[c] = states.innovation(value, observation.noise_gain, c);
-      states.learn(gain, v[c], c);
-      v[c] = v[c] * scale;
-    }
-    for (std::size_t a = 0; a < 1 + columns; ++a)
-      for (std::size_t b = a; b < series; ++b) products[a * series + b] = products[a * series + b] + v[a] * v[b];
-  }
-  const auto product = [&](std::size_t a, std::size_t b) -> const Dual& {
-    return products[std::min(a, b) * series + std::max(a, b)];
-  };
-  const auto p = static_cast<Index>(columns);
-  CoefficientMatrix BB(p, p);
-  Coefficients By(p);
-  for (std::size_t i = 0; i < columns; ++i) {
-    By[static_cast<Index>(i)] = product(0, i + 1).value;
-    for (std::size_t j = 0; j < columns; ++j)
-      BB(static_cast<Index>(i), static_cast<Index>(j)) = product(i + 1, j + 1).value;
-  }
-  const auto r = regression_of(BB, By, product(0, 0).value, variances.value(), seen, observations.prior);
-  const CoefficientMatrix covariance = covariance_of(r);
-  LikelihoodGradient result{.value = r.log_likelihood, .hyperparameters = {}, .log_wavelengths = {}};
-  for (Index t = 0; t < 4; ++t) {
-    double d = -0.5 * (log_variances_d[t] + product(0, 0).d[t]);
-    for (std::size_t i = 0; i < columns; ++i) {
-      const auto row = static_cast<Index>(i);
-      d += r.beta[row] * product(0, i + 1).d[t];
-      for (std::size_t j = 0; j < columns; ++j) {
-        const auto column = static_cast<Index>(j);
-        d -= 0.5 * (r.beta[row] * r.beta[column] + covariance(row, column)) * product(i + 1, j + 1).d[t];
-      }
-    }
-    result.hyperparameters[static_cast<std::size_t>(t)] = d;
-  }
-  for (std::size_t wave = 0; wave < waves; ++wave) {
-    double d = 0;
-    for (std::size_t part = 0; part < 2; ++part) {
-      const auto column = static_cast<Index>(columns - 2 * waves + 2 * wave + part);
-      const std::size_t derivative = 1 + columns + 2 * wave + part;
-      d += r.beta[column] * product(0, derivative).value;
-      for (std::size_t j = 0; j < columns; ++j) {
-        const auto other = static_cast<Index>(j);
-        d -= (r.beta[column] * r.beta[other] + covariance(other, column)) * product(j + 1, derivative).value;
-      }
-    }
-    result.log_wavelengths[wave] = d;
-  }
-  return result;
-}
-
 }  // namespace
 
-LikelihoodGradient likelihood_gradient(const Observations& observations, Kernel kernel, const Hyperparameters& at,
-                                       std::span<const double> wavelengths) {
-  require_domain(observations, kernel, at);
-  if (wavelengths.size() > 2 || 2 * wavelengths.size() > observations.prior.size())
+LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
+  if (wavelengths.size() > 2 || 2 * wavelengths.size() > observations_.prior.size())
     throw std::invalid_argument(std::to_string(wavelengths.size()) +
                                 " waves, more than two or than the columns are of");
-  return with_state_of<LikelihoodGradient>(
-      kernel, [&](auto M) { return gradient_with<decltype(M)::value>(observations, kernel, at, wavelengths); });
+  return std::visit([&](const auto& steps) { return gradient_of(steps, wavelengths); }, steps_);
+}
+
+template <int M>
+LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
+  constexpr int G = M - 1;
+  constexpr int first_of_G = G > 0 ? G : 1;
+  const std::size_t n = observations_.all.size();
+  const Index series = white_.rows(), p = series - 1;
+  effort_spent += n * static_cast<std::size_t>(2 * series);
+  // The filter's covariances, with their derivatives.
+  struct Derivatives {
+    Square<M, Dual> transition;
+    std::array<Dual, M> gain;
+    Dual innovation;
+  };
+  std::vector<Derivatives> of(n);
+  Covariances<M, Dual> covariances(duals_of(kernel_, at_));
+  for (std::size_t k = 0; k < n; ++k) {
+    const Observation& observation = observations_.all[k];
+    if (k > 0) {
+      covariances.advance(observation.place - observations_.all[k - 1].place, observation.rows);
+      of[k].transition = covariances.transition();
+    }
+    if (is_seen(observation))
+      of[k].innovation = covariances.observe(observation.noise_gain, observation.variance, of[k].gain);
+  }
+  // -2 ln p(y) = Σ ln s + v' Q v/s + ..., v being what an observation adds to the series: derivatives by the adjoint of their states.
+  Eigen::MatrixXd Q(series, series);
+  Q(0, 0) = 1;
+  Q.row(0).tail(p) = -beta_.transpose();
+  Q.col(0).tail(p) = -beta_;
+  Q.bottomRightCorner(p, p) = beta_ * beta_.transpose() + covariance_;
+  const Eigen::MatrixXd weighted = Q * white_;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, M>;
+  Columns adjoint = Columns::Zero(series, M), known(series, M);
+  Eigen::VectorXd v(series), of_v(series);
+  Eigen::Array4d d = Eigen::Array4d::Zero();
+  LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
+  for (std::size_t k = n; k-- > 0;) {
+    const Observation& observation = observations_.all[k];
+    const auto column = static_cast<Index>(k);
+    if (is_seen(observation)) {
+      const auto& step = steps.steps[k];
+      const double size = std::sqrt(step.innovation);
+      v = size * white_.col(column);
+      of_v = 2 / size * weighted.col(column);
+      d += (1 - white_.col(column).dot(weighted.col(column))) / step.innovation * of[k].innovation.d;
+      for (int i = 0; i < M; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        d += v.dot(adjoint.col(i)) * of[k].gain[at].d;
+        of_v += step.gain[at] * adjoint.col(i);
+      }
+      if (G > 0) adjoint.col(0) -= of_v;
+      adjoint.col(G) -= observation.noise_gain * of_v;
+      // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
+      for (std::size_t wave = 0; wave < wavelengths.size(); ++wave) {
+        const Index cosine = p - 2 * static_cast<Index>(wavelengths.size() - wave);
+        const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
+        const Coefficients& h = observations_.columns[k];
+        result.log_wavelengths[wave] -= 0.5 * phase * (of_v[1 + cosine] * h[cosine + 1] - of_v[2 + cosine] * h[cosine]);
+      }
+    }
+    if (k == 0) break;
+    known = Eigen::Map<const Columns>(predicted_.data() + (column - 1) * M * series, series, M);
+    if (is_seen(observations_.all[k - 1])) {
+      const auto& before = steps.steps[k - 1];
+      v = std::sqrt(before.innovation) * white_.col(column - 1);
+      for (int i = 0; i < M; ++i) known.col(i) += before.gain[static_cast<std::size_t>(i)] * v;
+    }
+    const Square<M, double> A{steps.steps[k].transition};
+    const auto& of_A = of[k].transition;
+    Columns carried = Columns::Zero(series, M);
+    for (int i = 0; i < G; ++i)
+      for (int j = 0; j < first_of_G; ++j) {
+        d += adjoint.col(i).dot(known.col(j)) * of_A(i, j).d;
+        carried.col(j) += A(i, j) * adjoint.col(i);
+      }
+    d += adjoint.col(G).dot(known.col(G)) * of_A(G, G).d;
+    carried.col(G) += A(G, G) * adjoint.col(G);
+    adjoint.swap(carried);
+  }
+  for (Index t = 0; t < 4; ++t) result.hyperparameters[static_cast<std::size_t>(t)] = -0.5 * d[t];
+  return result;
 }
 
 namespace {

@@ -120,6 +120,14 @@ struct Steps {
 };
 }  // namespace chain
 
+// The likelihood of what is seen of a Gaussian process, with its gradient.
+struct LikelihoodGradient {
+  double value;                           // ln p(y)
+  std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
+  std::array<double, 2>
+      log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
+};
+
 class Chain {
  public:
   // Domain:     as require_domain. Variances and priors > 0; the observations outlive this.
@@ -146,11 +154,20 @@ class Chain {
   };
   Functional functional(const Coefficients& a, std::span<const double> covariance, double variance) const;
 
+  // Of ln p(y). Domain: wavelengths: at most two [L], > 0.
+  // Method:     the adjoint of the filter; exact up to rounding.
+  LikelihoodGradient gradient(std::span<const double> wavelengths) const;
+
   // What y and the columns became in the filter, for scans over more columns.
   const Eigen::MatrixXd& whitened_columns() const { return white_; }  // first y, then the columns
 
  private:
+  template <int M>
+  LikelihoodGradient gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const;
+
   const Observations& observations_;
+  Kernel kernel_;
+  Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
   Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
   std::vector<double> predicted_;  // of the state at each observation, series by series
@@ -159,20 +176,6 @@ class Chain {
   double log_likelihood_ = 0;
   double log_determinant_ = 0;
 };
-
-// The likelihood of what is seen of a Gaussian process, with its gradient.
-
-struct LikelihoodGradient {
-  double value;                           // ln p(y)
-  std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
-  std::array<double, 2>
-      log_wavelengths;  // and to ln λ of each wave: waves are the last pairs of columns, cos(2πx/λ) and sin(2πx/λ)
-};
-
-// Domain:     as require_domain; wavelengths: at most two [L], > 0.
-// Method:     the filter on dual numbers; exact up to rounding.
-LikelihoodGradient likelihood_gradient(const Observations& observations, Kernel kernel, const Hyperparameters& at,
-                                       std::span<const double> wavelengths);
 
 // A Gaussian process drawn from what is expected of it beforehand.
 

@@ -183,7 +183,7 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Observat
   for (std::size_t wave = 0; wave < theta.waves; ++wave)
     wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
   const auto p = hyperparameters_of(theta);
-  const auto likelihood = likelihood_gradient(observations, mode.kernel, p, std::span(wavelengths).first(theta.waves));
+  const auto likelihood = Chain(observations, mode.kernel, p).gradient(std::span(wavelengths).first(theta.waves));
   Objective result{.value = likelihood.value + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, theta),
                    .gradient = {}};
   for (std::size_t i = 0; i < 4; ++i) {

@@ -165,7 +165,7 @@ TEST_CASE("oracle: derivatives of the likelihood are its differences") {
       return Chain(changed, kernel, p).log_likelihood();
     };
     const std::array<double, 1> lambdas{wavelength};
-    const auto gradient = likelihood_gradient(observations, kernel, some_hyperparameters, lambdas);
+    const auto gradient = Chain(observations, kernel, some_hyperparameters).gradient(lambdas);
     CHECK(gradient.value == doctest::Approx(at(0, 0, 0, 0, 0)).epsilon(1e-13));
     constexpr double h = 1e-4;
     constexpr double truncation = 1e-5;  // h^2 times third derivatives of some 1e2 to 1e3
