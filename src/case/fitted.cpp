@@ -178,7 +178,7 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
                               .bending_stiffness_error = {},
                               .contact_error = measurement.contact_error,
                               .fibre = fibre_of(input, Scales(span_of(input), 1)),
-                              .rig_errors = rig_errors_of(input)};
+                              .rig_errors = rig_errors_of(measurement)};
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam

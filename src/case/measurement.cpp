@@ -582,7 +582,7 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
   const BeginningOf beginning = beginning_of(input, whole, stiffness);
   const Contact contact = find_contact(whole, beginning);
   result.own_contact = contact;
-  const bool begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
+  result.begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = rule == ContactRule{ContactWord::find};
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
   constexpr double far = 10, near = 0.25;
@@ -595,7 +595,7 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
                       "state the contact, or leave the key out");
   // A baseline is off by its error, where it is led on to the contact.
   const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
-  if (is_asked || (!rule && (begins_free || begins_elsewhere))) {
+  if (is_asked || (!rule && (result.begins_free || begins_elsewhere))) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
     result.contact_error = elementary::length(contact.offset.standard_error, by_baseline);

@@ -81,6 +81,7 @@ struct Measurement {
                  // taken off as well
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
   ContactSource contact = ContactSource::first_point;
+  bool begins_free = false;   // with rows before the contact, so that no preload hides in its zero
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off

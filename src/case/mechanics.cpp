@@ -532,8 +532,10 @@ Rig rig_of(const Test& test, const Scales& scales) {
   return {scales.reduced_stiffness(rig_stiffness_of(test)), fibre_of(test, scales)};
 }
 
-RigErrors rig_errors_of(const Test& test) {
+RigErrors rig_errors_of(const Measurement& measurement) {
+  const Test& test = measurement.test;
   RigErrors errors;
+  if (measurement.begins_free) errors.preload = 0;
   const auto take = [](double& error, const std::optional<Known>& known, double times = 1) {
     if (known) error = times * known->relative_uncertainty().value_or(error);
   };
@@ -545,7 +547,10 @@ RigErrors rig_errors_of(const Test& test) {
            support_compliance_of(test) > 0 ? rig_stiffness_of(test) / *test.rig->stiffness : 1);
   }
   if (test.specimen) take(errors.thickness, test.specimen->height ? test.specimen->height : test.specimen->diameter);
-  if (test.record) errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
+  if (test.record) {
+    errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
+    if (test.record->preload_error) errors.preload = *test.record->preload_error / span_of(test);
+  }
   return errors;
 }
 

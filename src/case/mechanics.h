@@ -100,7 +100,7 @@ Fibre fibre_of(const Test& test, const Scales& scales);
 Rig rig_of(const Test& test, const Scales& scales);
 
 // By how much the rig may be off what the test states: as it says, and as is usual where it does not.
-RigErrors rig_errors_of(const Test& test);
+RigErrors rig_errors_of(const Measurement& measurement);
 
 // [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
 std::optional<double> pin_limit_of(const Test& test);

@@ -983,7 +983,7 @@ std::vector<FindingNumber> assumed_errors(T test) {
   const Test& input = test.measurement.test;
   const TestAnalysis& analysis = test.analysis;
   const Supports& supports = analysis.rig.fibre.supports();
-  const RigErrors errors = rig_errors_of(input);
+  const RigErrors errors = rig_errors_of(test.measurement);
   std::vector<FindingNumber> assumed;
   const auto add = [&](std::string_view what, double error, const std::optional<Known>& known) {
     if (!known || !known->uncertainty) assumed.push_back({what, error});
@@ -998,6 +998,8 @@ std::vector<FindingNumber> assumed_errors(T test) {
   const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
   if (test.measurement.contact != ContactSource::found && !(contact && contact->uncertainty))
     assumed.push_back({"contact", test.measurement.contact_error, kind::length});
+  if (!input.record->preload_error && errors.preload > 0)
+    assumed.push_back({"preload", errors.preload * analysis.scales.span(), kind::length});
   return assumed;
 }
 
