@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "data/names.h"
+#include "finding/hangs_on.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
@@ -578,23 +579,27 @@ Found no_reload(T test) {
                  .remedy = reload_remedy(test)};
 }
 
-// "+0.04", "−0.04".
-std::string signed_number(double value) { return fmt::format("{}{:.2f}", value < 0 ? "\u2212" : "+", std::abs(value)); }
+// A length is taken for none, as the case does not state it: friction is told for some, "with" so much of it.
+Finding length_not_stated(T test, StatedQuantity quantity, const std::string& taken,
+                          fmt::format_string<std::string> with, std::string remedy) {
+  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = std::move(remedy)};
+  const auto& by = test.analysis.fit.friction_by;
+  if (!by) return finding;
+  const double more = unstated_length * (*by)[quantity];
+  const std::string length =
+      format_roughly(test.analysis.scales.physical_length(unstated_length), Print(test).as(kind::length));
+  finding.sentence +=
+      fmt::format(" {} friction reads {}.", fmt::format(with, std::string(length)), signed_number(more));
+  finding.numbers = {{"friction_moves", more}};
+  return finding;
+}
 
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
   if (rig.supports || rig.roller_radius || lost_stiffness(*test.judgement)) return std::nullopt;
-  constexpr double radius = 0.01;  // [L]
-  const double more = radius * test.analysis.fit.sensitivities.support_radius;
-  std::string sentence = "The supports are not stated, and edges are assumed.";
-  if (std::isfinite(more))
-    sentence += fmt::format(" On rollers with a radius of {} friction reads {}.",
-                            format_roughly(test.analysis.scales.physical_length(radius), Print(test).as(kind::length)),
-                            signed_number(more));
-  return Finding{.severity = Severity::condition,
-                 .sentence = std::move(sentence),
-                 .remedy = "State [rig] supports = \"edges\", or the roller_radius.",
-                 .numbers = {{"by_rollers", more}}};
+  return length_not_stated(test, StatedQuantity::support_radius,
+                           "The supports are not stated, and edges are assumed.", "On rollers with a radius of {}",
+                           "State [rig] supports = \"edges\", or the roller_radius.");
 }
 
 Found thickness_not_stated(T test) {
@@ -602,18 +607,8 @@ Found thickness_not_stated(T test) {
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
       lost_stiffness(*test.judgement))
     return std::nullopt;
-  constexpr double thickness = 0.01;  // [L]
-  const double more = thickness * test.analysis.fit.sensitivities.thickness;
-  std::string sentence = "No section says how thick the specimen is.";
-  if (std::isfinite(more))
-    sentence +=
-        fmt::format(" If it is {} thick, friction reads {}.",
-                    format_roughly(test.analysis.scales.physical_length(thickness), Print(test).as(kind::length)),
-                    signed_number(more));
-  return Finding{.severity = Severity::condition,
-                 .sentence = std::move(sentence),
-                 .remedy = "State the diameter, or the height, under [specimen].",
-                 .numbers = {{"by_thickness", more}}};
+  return length_not_stated(test, StatedQuantity::thickness, "No section says how thick the specimen is.",
+                           "If it is {} thick,", "State the diameter, or the height, under [specimen].");
 }
 
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
@@ -952,55 +947,6 @@ std::string reload_in_words(T test) {
                      parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
-// By how much friction would be told larger, were what is stated larger.
-std::string hangs_on_in_words(T test) {
-  const Sensitivities& by = test.analysis.fit.sensitivities;
-  const Print print(test);
-  constexpr double percent = 0.01, thousandth = 0.001;  // the latter of the span
-  struct Part {
-    std::string what;
-    double more;
-  };
-  std::vector<Part> parts{{"EI +1 %", percent * by.bending_stiffness}};
-  if (std::isfinite(test.analysis.rig.stiffness)) parts.push_back({"load train +1 %", percent * by.load_train});
-  parts.push_back({"span +1 %", percent * by.span});
-  const auto length = [&](double spans) {
-    return format_roughly(test.analysis.scales.physical_length(spans), print.as(kind::length));
-  };
-  parts.push_back({"contact +" + length(thousandth), thousandth * by.contact});
-  parts.push_back({"support radius +" + length(percent), percent * by.support_radius});
-  if (const double half_depth = test.analysis.rig.fibre.supports().half_depth; half_depth > 0)
-    parts.push_back({"thickness +1 %", percent * 2 * half_depth * by.thickness});
-  std::vector<std::string> words;
-  constexpr double worth_saying = 0.005;
-  for (const auto& [what, more] : parts)
-    if (std::abs(more) >= worth_saying) words.push_back(fmt::format("{}: {}", what, signed_number(more)));
-  if (words.empty()) return "hardly anything that is stated";
-  return fmt::format("{}", fmt::join(words, "; "));
-}
-
-std::vector<FindingNumber> assumed_errors(T test) {
-  const Test& input = test.measurement.test;
-  const TestAnalysis& analysis = test.analysis;
-  const Supports& supports = analysis.rig.fibre.supports();
-  const RigErrors errors = rig_errors_of(input);
-  std::vector<FindingNumber> assumed;
-  const auto add = [&](std::string_view what, double error, const std::optional<Known>& known) {
-    if (!known || !known->uncertainty) assumed.push_back({what, error});
-  };
-  if (test.stiffness != StiffnessSource::stated) assumed.push_back({"EI", analysis.bending_stiffness_error});
-  if (std::isfinite(analysis.rig.stiffness)) add("load train", errors.load_train, input.rig->stiffness);
-  add("span", errors.span, input.rig->span);
-  if (!input.record->gain_error) assumed.push_back({"gain", errors.force_gain});
-  if (supports.half_depth > 0)
-    add("thickness", errors.thickness, input.specimen->height ? input.specimen->height : input.specimen->diameter);
-  if (supports.radius > 0) add("roller radius", errors.support_radius, input.rig->roller_radius);
-  const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
-  if (test.measurement.contact != ContactSource::found && !(contact && contact->uncertainty))
-    assumed.push_back({"contact", test.measurement.contact_error, kind::length});
-  return assumed;
-}
-
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -1033,8 +979,8 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
   }
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
-  if (tells_friction && std::isfinite(test.analysis.fit.sensitivities.span))
-    rows.push_back({"hangs on", hangs_on_in_words(test)});
+  if (tells_friction && test.analysis.fit.friction_by)
+    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
   rows.push_back({"assumed", assumed_in_words(test)});
   return rows;
 }

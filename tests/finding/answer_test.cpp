@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "answers/fit_fields.h"
+#include "bending_test/history.h"
+#include "case/mechanics.h"
+#include "finding/hangs_on.h"
 #include "tests/finding/situations.h"
 #include "tests/has.h"
 
@@ -191,6 +197,40 @@ TEST_CASE("work: no share of it is claimed of a friction that cannot be") {
     test.analysis.fit.mu0.low = 1.01;
   })));
   CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.suspects.suspect = true; })));
+}
+
+TEST_CASE("hangs on: what moves friction most comes first, and the share of the work moves with it") {
+  const std::vector<HangsOn> all = what_the_answer_hangs_on(slipping());
+  REQUIRE(all.size() >= 6);
+  std::set<std::string_view> named;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const HangsOn& each = all[i];
+    CAPTURE(each.quantity);
+    named.insert(each.quantity);
+    if (i > 0 && each.is_supposed == all[i - 1].is_supposed)
+      CHECK(std::abs(each.friction_moves) <= std::abs(all[i - 1].friction_moves));
+    if (i > 0) CHECK(each.is_supposed >= all[i - 1].is_supposed);
+    CHECK(each.friction_moves == doctest::Approx(each.friction * each.by).epsilon(1e-12));
+    CHECK(each.work_moves == doctest::Approx(each.work * each.by).epsilon(1e-12));
+    CHECK(std::isfinite(each.work));
+    CHECK(!each.stated.empty());
+  }
+  CHECK(named.size() == all.size());
+  const auto of = [](const std::vector<HangsOn>& list, std::string_view quantity) {
+    const auto at =
+        std::find_if(list.begin(), list.end(), [&](const HangsOn& each) { return each.quantity == quantity; });
+    return at == list.end() ? std::nullopt : std::optional(*at);
+  };
+  CHECK(of(all, "span")->stated == "1.278 mm");
+  CHECK(of(all, "preload")->stated == "none");
+  CHECK(of(all, "support_radius")->stated == "edges");
+  const std::vector<HangsOn> open =
+      what_the_answer_hangs_on(changed([](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; }));
+  CHECK(of(open, "support_radius")->stated == "edges, not stated");
+  CHECK(of(open, "support_radius")->may_be_off == "say 13 µm");
+  const std::vector<HangsOn> limit =
+      what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.fit.mu0_is_bound = true; }));
+  CHECK(std::isnan(limit.front().work));
 }
 
 // As the page is fed them (studio/tests/words_test.mjs): every one there is, as `fit --json` tells it. FLEXSLIP_FREEZE=1 writes them anew.
