@@ -594,12 +594,40 @@ Finding length_not_stated(T test, StatedQuantity quantity, const std::string& ta
   return finding;
 }
 
+// "rollers of 5 mm", as the case could state them.
+std::string usual_rollers(T test) {
+  return "rollers of " + Print(*test.on_rollers).length(test.on_rollers->analysis.rig.fibre.supports().radius);
+}
+
+// Friction on rollers of the usual radius, where it is told and differs from that on edges by more than the error of either.
+std::optional<std::string> friction_on_rollers(T test) {
+  if (!test.on_rollers || !is_fitted(*test.on_rollers)) return std::nullopt;
+  const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
+  const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
+  if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
+  return fmt::format("{} on {}", mean_friction(rollers), usual_rollers(test));
+}
+
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.supports || rig.roller_radius || lost_stiffness(*test.judgement)) return std::nullopt;
-  return length_not_stated(test, StatedQuantity::support_radius,
-                           "The supports are not stated, and edges are assumed.", "On rollers with a radius of {}",
-                           "State [rig] supports = \"edges\", or the roller_radius.");
+  if (rig.supports || rig.roller_radius || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
+  const std::string taken = "The supports are not stated, and edges are assumed.",
+                    remedy = "State [rig] supports = \"edges\", or the roller_radius.";
+  if (!test.on_rollers)
+    return length_not_stated(test, StatedQuantity::support_radius, taken, "On rollers with a radius of {}", remedy);
+  const TestAnalysis& rollers = test.on_rollers->analysis;
+  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = remedy};
+  if (!is_fitted(*test.on_rollers)) {
+    finding.sentence += fmt::format(" On {} no friction explains the record.", usual_rollers(test));
+    return finding;
+  }
+  const std::string friction = mean_friction(rollers.fit);
+  finding.sentence += fmt::format(" On {} friction is {}.", usual_rollers(test), friction);
+  finding.numbers = {
+      {"roller_radius", rollers.scales.physical_length(rollers.rig.fibre.supports().radius), kind::length},
+      {"mu0_on_rollers", rollers.fit.mu0.value},
+      {"mu0_on_rollers_error", rollers.fit.mu0.standard_error}};
+  return finding;
 }
 
 Found thickness_not_stated(T test) {
@@ -773,6 +801,30 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   return verdict;
 }
 
+// What the test comes to on supports that nobody states: "slip on edges (friction 0.53 ± 0.05)".
+std::string by_supports(T test, const Verdict& verdict, const std::string& supports) {
+  const bool tells = verdict.code != VerdictCode::crack && verdict.code != VerdictCode::no_answer;
+  std::string word(name_of(verdict.code));
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return fmt::format("{} on {}{}", word, supports,
+                     tells ? fmt::format(" (friction {})", mean_friction(test.analysis.fit)) : "");
+}
+
+// Where the supports are not stated, and rollers make another verdict, neither is told: the supports are asked for.
+Verdict verdict_whatever_the_supports(T test, const std::vector<Finding>& findings) {
+  Verdict on_edges = verdict_of(test, findings);
+  const Finding* open = finding_in(findings, "supports_not_stated");
+  if (!open || !test.on_rollers || on_edges.code == VerdictCode::check_input) return on_edges;
+  const Verdict on_rollers = verdict_of(*test.on_rollers, findings_of(*test.on_rollers));
+  if (on_rollers.code == on_edges.code || on_rollers.code == VerdictCode::no_answer ||
+      on_rollers.code == VerdictCode::check_input)
+    return on_edges;
+  return {VerdictCode::undecided,
+          {by_supports(test, on_edges, "edges"), by_supports(*test.on_rollers, on_rollers, usual_rollers(test)),
+           "which supports?"},
+          open->code};
+}
+
 // ---- The rows
 
 // What was done to the record: rows used, where the specimen broke, readings left out.
@@ -879,6 +931,7 @@ std::string friction_in_words(T test) {
       fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
                   format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   words += if_lost_in_words(test);
+  if (const auto on_rollers = friction_on_rollers(test)) words += "; " + *on_rollers;
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
@@ -1035,7 +1088,7 @@ double largest_drop(const TestAnalysis& analysis) {
 
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
-  Verdict verdict = verdict_of(test, findings);
+  Verdict verdict = verdict_whatever_the_supports(test, findings);
   const Standing standing = standing_of(findings);
   std::string next = next_step(verdict, findings);
   return {std::move(verdict),   standing,       rows_of(test, standing), std::move(findings),
