@@ -12,6 +12,7 @@
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/finding.h"
+#include "finding/hangs_on.h"
 
 namespace flexslip {
 namespace {
@@ -624,22 +625,28 @@ Fields<MeasuredEnergy> measured_energy_fields() {
                                    &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share);
 }
 
-// Of friction, for more of what is stated.
-Fields<FittedTest> sensitivity_fields() {
-  const auto by = [](double Sensitivities::*quantity, bool is_length) {
-    return [quantity, is_length](T test) {
-      return test.analysis.fit.sensitivities.*quantity / (is_length ? test.analysis.scales.span() : 1);
-    };
-  };
-  return Fields<FittedTest>()
-      .number("bending_stiffness", "by the whole of EI", by(&Sensitivities::bending_stiffness, false))
-      .number("load_train", "by the whole stiffness of the load train", by(&Sensitivities::load_train, false))
-      .number("span", "by the whole span", by(&Sensitivities::span, false))
-      .number("force_gain", "by the whole gain of the load cell", by(&Sensitivities::force_gain, false))
-      .number("contact", "by one metre, or span, of the contact", by(&Sensitivities::contact, true))
-      .number("thickness", "by one metre, or span, of the thickness", by(&Sensitivities::thickness, true))
-      .number("support_radius", "by one metre, or span, of the radius of the supports",
-              by(&Sensitivities::support_radius, true));
+// By the quantity, as told.
+Fields<HangsOn> sensitivity_fields() {
+  return Fields<HangsOn>()
+      .words("quantity",
+             "bending_stiffness, load_train, span, force_gain, contact, preload, thickness or support_radius",
+             &HangsOn::quantity)
+      .words("title", "the same in words", &HangsOn::title)
+      .words("stated", "what the case states of it, or what is taken instead", &HangsOn::stated)
+      .words("may_be_off", "by how much it may be off; of what is taken for none, what the effect is told for",
+             &HangsOn::may_be_off)
+      .number("by",
+              "that as a standard deviation: a part of it, but of contact, preload, thickness and support_radius in "
+              "metres, or spans if the test is reduced",
+              &HangsOn::by)
+      .number("friction",
+              "by how much the mean friction would be told larger by the whole of it, or a metre or span of it",
+              &HangsOn::friction)
+      .number("work", "by how much friction's share of the work would, likewise; null where friction is only a limit",
+              &HangsOn::work)
+      .number("friction_moves", "by how much the mean friction would be told larger, were it stated larger by `by`",
+              &HangsOn::friction_moves)
+      .number("work_moves", "by how much friction's share of the work would, likewise", &HangsOn::work_moves);
 }
 
 Fields<FittedTest> measurement_fields() {
@@ -719,14 +726,10 @@ Fields<FittedTest> every_fit_field() {
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
-      .group("sensitivities",
-             "by how much the mean friction would be told larger, to first order, were what is stated larger; null "
-             "without an "
-             "answer, or of a constant",
-             sensitivity_fields(),
-             [](T test) {
-               return is_fitted(test) && std::isfinite(test.analysis.fit.sensitivities.span) ? &test : nullptr;
-             })
+      .list("sensitivities",
+            "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "
+            "a constant",
+            sensitivity_fields(), what_the_answer_hangs_on)
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),

@@ -628,7 +628,26 @@ std::optional<Section> section_of(const Test& test) {
   return RoundSection{*specimen.diameter};
 }
 
+namespace {
+
+// Rollers that a change states leave no room for the edges of a case, nor edges for its rollers.
+void make_room_for(const std::vector<std::string>& changed, toml::table& table) {
+  toml::table* rig = table["rig"].as_table();
+  const auto is_changed = [&](std::string_view key) {
+    return std::find(changed.begin(), changed.end(), fmt::format("rig.{}", key)) != changed.end();
+  };
+  if (!rig || is_changed("supports") == is_changed("roller_radius")) return;
+  const auto supports = (*rig)["supports"].value<std::string_view>();
+  if (is_changed("roller_radius") && supports == "edges") rig->erase("supports");
+  if (!is_changed("supports") || supports != "edges") return;
+  for (const std::string_view key : {"roller_radius", "rollers", "pin_radius", "pin_friction"})
+    if (!is_changed(key)) rig->erase(key);
+}
+
+}  // namespace
+
 toml::table with_changes(toml::table table, const std::vector<std::string>& changes) {
+  std::vector<std::string> changed;
   for (const std::string& change : changes) {
     const std::string name = changed_key(change);
     const std::string value(trimmed(std::string_view(change).substr(change.find('=') + 1)));
@@ -644,7 +663,9 @@ toml::table with_changes(toml::table table, const std::vector<std::string>& chan
     const bool is_top = dot == name.size();
     const std::string last = is_top ? name : name.substr(dot + 1);
     insert(*section, last, *named_key(name), value);
+    changed.push_back(name);
   }
+  make_room_for(changed, table);
   return table;
 }
 

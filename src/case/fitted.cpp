@@ -168,8 +168,9 @@ std::string name_of_test(const std::string& file) {
 
 BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
 
-FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
-  Measurement measurement = read_measurement(asked, min_fitted_points);
+namespace {
+
+FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
   const Test input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
   TestDescription description{.span = span_of(input),
@@ -254,6 +255,20 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
           .implied = std::move(implied),
           .held = {},
           .provenance = std::move(provenance)};
+}
+
+}  // namespace
+
+FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
+  const Measurement measurement = read_measurement(asked, min_fitted_points);
+  FittedTest test = fit_measured(measurement, options);
+  const bool states_supports = measurement.test.rig->supports || measurement.test.rig->roller_radius;
+  const auto radius = test.reduced ? std::nullopt : usual_roller_radius(test.geometry);
+  if (!is_fitted(test) || states_supports || !radius) return test;
+  Measurement on_rollers = measurement;
+  on_rollers.test.rig->roller_radius = *radius;
+  test.on_rollers = std::make_shared<const FittedTest>(fit_measured(std::move(on_rollers), options));
+  return test;
 }
 
 void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,9 @@ struct FittedTest {
   std::optional<ImpliedSurface> implied;  // the surface that would explain its friction; if the fit varies it
   std::optional<HeldSurface> held;        // a trace that it was held against
   Provenance provenance;
+  // The same readings on rollers of the usual radius, where the case states no supports and there is one (data/small_deflection.h), and the
+  // analysis has an answer.
+  std::shared_ptr<const FittedTest> on_rollers{};
 };
 
 // Holds the surface that would explain the friction of a test against a trace, and keeps that in its answers.

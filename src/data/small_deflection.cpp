@@ -90,6 +90,15 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, const St
 
 }  // namespace
 
+std::optional<double> usual_roller_radius(const BeamGeometry& geometry) {
+  constexpr double thinnest = 1e-3, thin = 3e-3;          // [m] of the bars of ISO 178
+  constexpr double radius_of_thin = 2e-3, radius = 5e-3;  // [m]
+  constexpr double least_spans = 8;                       // of the thinnest bar, 16 times as long as thick
+  if (!geometry.span || !geometry.section || !(depth(*geometry.section) > thinnest)) return std::nullopt;
+  const double usual = depth(*geometry.section) > thin ? radius : radius_of_thin;
+  return *geometry.span >= least_spans * usual ? std::optional(usual) : std::nullopt;
+}
+
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options) {
   if (options.window) {

@@ -29,6 +29,9 @@ struct BeamGeometry {
   std::optional<Section> section;
 };
 
+// [m] The radius of the supports that ISO 178 asks for; none of what is no bar: not thicker than 1 mm, or on a span below eight of that radius.
+std::optional<double> usual_roller_radius(const BeamGeometry& geometry);
+
 // The chord of ISO 178, between the flexural strains 0.05 % and 0.25 %.
 struct Chord {
   Estimate stiffness;                     // [N/m] from scatter

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "data/names.h"
+#include "finding/hangs_on.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "numerics/statistics.h"
@@ -578,23 +579,55 @@ Found no_reload(T test) {
                  .remedy = reload_remedy(test)};
 }
 
-// "+0.04", "−0.04".
-std::string signed_number(double value) { return fmt::format("{}{:.2f}", value < 0 ? "\u2212" : "+", std::abs(value)); }
+// A length is taken for none, as the case does not state it: friction is told for some, "with" so much of it.
+Finding length_not_stated(T test, StatedQuantity quantity, const std::string& taken,
+                          fmt::format_string<std::string> with, std::string remedy) {
+  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = std::move(remedy)};
+  const auto& by = test.analysis.fit.friction_by;
+  if (!by) return finding;
+  const double more = unstated_length * (*by)[quantity];
+  const std::string length =
+      format_roughly(test.analysis.scales.physical_length(unstated_length), Print(test).as(kind::length));
+  finding.sentence +=
+      fmt::format(" {} friction reads {}.", fmt::format(with, std::string(length)), signed_number(more));
+  finding.numbers = {{"friction_moves", more}};
+  return finding;
+}
+
+// "rollers of 5 mm", as the case could state them.
+std::string usual_rollers(T test) {
+  return "rollers of " + Print(*test.on_rollers).length(test.on_rollers->analysis.rig.fibre.supports().radius);
+}
+
+// Friction on rollers of the usual radius, where it is told and differs from that on edges by more than the error of either.
+std::optional<std::string> friction_on_rollers(T test) {
+  if (!test.on_rollers || !is_fitted(*test.on_rollers)) return std::nullopt;
+  const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
+  const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
+  if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
+  return fmt::format("{} on {}", mean_friction(rollers), usual_rollers(test));
+}
 
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.supports || rig.roller_radius || lost_stiffness(*test.judgement)) return std::nullopt;
-  constexpr double radius = 0.01;  // [L]
-  const double more = radius * test.analysis.fit.sensitivities.support_radius;
-  std::string sentence = "The supports are not stated, and edges are assumed.";
-  if (std::isfinite(more))
-    sentence += fmt::format(" On rollers with a radius of {} friction reads {}.",
-                            format_roughly(test.analysis.scales.physical_length(radius), Print(test).as(kind::length)),
-                            signed_number(more));
-  return Finding{.severity = Severity::condition,
-                 .sentence = std::move(sentence),
-                 .remedy = "State [rig] supports = \"edges\", or the roller_radius.",
-                 .numbers = {{"by_rollers", more}}};
+  if (rig.supports || rig.roller_radius || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
+  const std::string taken = "The supports are not stated, and edges are assumed.",
+                    remedy = "State [rig] supports = \"edges\", or the roller_radius.";
+  if (!test.on_rollers)
+    return length_not_stated(test, StatedQuantity::support_radius, taken, "On rollers with a radius of {}", remedy);
+  const TestAnalysis& rollers = test.on_rollers->analysis;
+  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = remedy};
+  if (!is_fitted(*test.on_rollers)) {
+    finding.sentence += fmt::format(" On {} no friction explains the record.", usual_rollers(test));
+    return finding;
+  }
+  const std::string friction = mean_friction(rollers.fit);
+  finding.sentence += fmt::format(" On {} friction is {}.", usual_rollers(test), friction);
+  finding.numbers = {
+      {"roller_radius", rollers.scales.physical_length(rollers.rig.fibre.supports().radius), kind::length},
+      {"mu0_on_rollers", rollers.fit.mu0.value},
+      {"mu0_on_rollers_error", rollers.fit.mu0.standard_error}};
+  return finding;
 }
 
 Found thickness_not_stated(T test) {
@@ -602,18 +635,8 @@ Found thickness_not_stated(T test) {
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
       lost_stiffness(*test.judgement))
     return std::nullopt;
-  constexpr double thickness = 0.01;  // [L]
-  const double more = thickness * test.analysis.fit.sensitivities.thickness;
-  std::string sentence = "No section says how thick the specimen is.";
-  if (std::isfinite(more))
-    sentence +=
-        fmt::format(" If it is {} thick, friction reads {}.",
-                    format_roughly(test.analysis.scales.physical_length(thickness), Print(test).as(kind::length)),
-                    signed_number(more));
-  return Finding{.severity = Severity::condition,
-                 .sentence = std::move(sentence),
-                 .remedy = "State the diameter, or the height, under [specimen].",
-                 .numbers = {{"by_thickness", more}}};
+  return length_not_stated(test, StatedQuantity::thickness, "No section says how thick the specimen is.",
+                           "If it is {} thick,", "State the diameter, or the height, under [specimen].");
 }
 
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
@@ -778,6 +801,30 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   return verdict;
 }
 
+// What the test comes to on supports that nobody states: "slip on edges (friction 0.53 ± 0.05)".
+std::string by_supports(T test, const Verdict& verdict, const std::string& supports) {
+  const bool tells = verdict.code != VerdictCode::crack && verdict.code != VerdictCode::no_answer;
+  std::string word(name_of(verdict.code));
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return fmt::format("{} on {}{}", word, supports,
+                     tells ? fmt::format(" (friction {})", mean_friction(test.analysis.fit)) : "");
+}
+
+// Where the supports are not stated, and rollers make another verdict, neither is told: the supports are asked for.
+Verdict verdict_whatever_the_supports(T test, const std::vector<Finding>& findings) {
+  Verdict on_edges = verdict_of(test, findings);
+  const Finding* open = finding_in(findings, "supports_not_stated");
+  if (!open || !test.on_rollers || on_edges.code == VerdictCode::check_input) return on_edges;
+  const Verdict on_rollers = verdict_of(*test.on_rollers, findings_of(*test.on_rollers));
+  if (on_rollers.code == on_edges.code || on_rollers.code == VerdictCode::no_answer ||
+      on_rollers.code == VerdictCode::check_input)
+    return on_edges;
+  return {VerdictCode::undecided,
+          {by_supports(test, on_edges, "edges"), by_supports(*test.on_rollers, on_rollers, usual_rollers(test)),
+           "which supports?"},
+          open->code};
+}
+
 // ---- The rows
 
 // What was done to the record: rows used, where the specimen broke, readings left out.
@@ -884,6 +931,7 @@ std::string friction_in_words(T test) {
       fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
                   format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   words += if_lost_in_words(test);
+  if (const auto on_rollers = friction_on_rollers(test)) words += "; " + *on_rollers;
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
@@ -952,57 +1000,6 @@ std::string reload_in_words(T test) {
                      parts.empty() ? "" : ": ", fmt::join(parts, "; "));
 }
 
-// By how much friction would be told larger, were what is stated larger.
-std::string hangs_on_in_words(T test) {
-  const Sensitivities& by = test.analysis.fit.sensitivities;
-  const Print print(test);
-  constexpr double percent = 0.01, thousandth = 0.001;  // the latter of the span
-  struct Part {
-    std::string what;
-    double more;
-  };
-  std::vector<Part> parts{{"EI +1 %", percent * by.bending_stiffness}};
-  if (std::isfinite(test.analysis.rig.stiffness)) parts.push_back({"load train +1 %", percent * by.load_train});
-  parts.push_back({"span +1 %", percent * by.span});
-  const auto length = [&](double spans) {
-    return format_roughly(test.analysis.scales.physical_length(spans), print.as(kind::length));
-  };
-  parts.push_back({"contact +" + length(thousandth), thousandth * by.contact});
-  parts.push_back({"support radius +" + length(percent), percent * by.support_radius});
-  if (const double half_depth = test.analysis.rig.fibre.supports().half_depth; half_depth > 0)
-    parts.push_back({"thickness +1 %", percent * 2 * half_depth * by.thickness});
-  std::vector<std::string> words;
-  constexpr double worth_saying = 0.005;
-  for (const auto& [what, more] : parts)
-    if (std::abs(more) >= worth_saying) words.push_back(fmt::format("{}: {}", what, signed_number(more)));
-  if (words.empty()) return "hardly anything that is stated";
-  return fmt::format("{}", fmt::join(words, "; "));
-}
-
-std::vector<FindingNumber> assumed_errors(T test) {
-  const Test& input = test.measurement.test;
-  const TestAnalysis& analysis = test.analysis;
-  const Supports& supports = analysis.rig.fibre.supports();
-  const RigErrors errors = rig_errors_of(test.measurement);
-  std::vector<FindingNumber> assumed;
-  const auto add = [&](std::string_view what, double error, const std::optional<Known>& known) {
-    if (!known || !known->uncertainty) assumed.push_back({what, error});
-  };
-  if (test.stiffness != StiffnessSource::stated) assumed.push_back({"EI", analysis.bending_stiffness_error});
-  if (std::isfinite(analysis.rig.stiffness)) add("load train", errors.load_train, input.rig->stiffness);
-  add("span", errors.span, input.rig->span);
-  if (!input.record->gain_error) assumed.push_back({"gain", errors.force_gain});
-  if (supports.half_depth > 0)
-    add("thickness", errors.thickness, input.specimen->height ? input.specimen->height : input.specimen->diameter);
-  if (supports.radius > 0) add("roller radius", errors.support_radius, input.rig->roller_radius);
-  const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
-  if (test.measurement.contact != ContactSource::found && !(contact && contact->uncertainty))
-    assumed.push_back({"contact", test.measurement.contact_error, kind::length});
-  if (!input.record->preload_error && errors.preload > 0)
-    assumed.push_back({"preload", errors.preload * analysis.scales.span(), kind::length});
-  return assumed;
-}
-
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -1035,8 +1032,8 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
   }
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
-  if (tells_friction && std::isfinite(test.analysis.fit.sensitivities.span))
-    rows.push_back({"hangs on", hangs_on_in_words(test)});
+  if (tells_friction && test.analysis.fit.friction_by)
+    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
   rows.push_back({"assumed", assumed_in_words(test)});
   return rows;
 }
@@ -1091,7 +1088,7 @@ double largest_drop(const TestAnalysis& analysis) {
 
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
-  Verdict verdict = verdict_of(test, findings);
+  Verdict verdict = verdict_whatever_the_supports(test, findings);
   const Standing standing = standing_of(findings);
   std::string next = next_step(verdict, findings);
   return {std::move(verdict),   standing,       rows_of(test, standing), std::move(findings),

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bending_test/equilibrium.h"
@@ -12,6 +13,7 @@
 #include "fibre/elastica.h"
 #include "inference/beginning.h"
 #include "inference/profile.h"
+#include "inference/rig_shifts.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -123,9 +125,9 @@ void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
 }
 
 // In units of the nominal bending stiffness.
-MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
+MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) {
   MeasuredEnergy energy{};
-  const auto& [stiffening, record, rig, errors] = at_fit(analysis);
+  const auto& [stiffening, record, rig, errors] = at;
   const FrictionProfile profile = measure_friction(record, rig, errors);
   for (std::size_t i = 1; i < record.force.size(); ++i) {
     const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
@@ -136,7 +138,7 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
   energy.account.load_train = 0.5 * last_force * last_force / rig.stiffness;
   const auto& points = profile.points;
   const auto drop_ends_at = [&](std::size_t before, std::size_t after) {
-    return std::any_of(analysis.drops.drops.begin(), analysis.drops.drops.end(), [&](const Drop& drop) {
+    return std::any_of(drops.begin(), drops.end(), [&](const Drop& drop) {
       return drop.before < after && drop.after >= after && drop.before <= before;
     });
   };
@@ -170,6 +172,30 @@ MeasuredEnergy measured_energy(const TestAnalysis& analysis) {
                        &energy.work_of_fracture})
     *part *= stiffening;
   return energy;
+}
+
+// Of the share of the work that was friction: of the readings as another statement makes them, at the bending stiffness that the fit then finds.
+Sensitivities work_sensitivities(const TestAnalysis& analysis) {
+  const AtFit found = at_fit(analysis);
+  const Supports& supports = analysis.rig.fibre.supports();
+  Sensitivities by;
+  for (const StatedQuantity quantity : stated_quantities) {
+    const double stiffer = (*analysis.fit.log_stiffness_by)[quantity];
+    const auto share = [&](double more) {
+      FitProblem problem = restated({found.record, found.rig, found.errors}, quantity, more);
+      problem = restated(std::move(problem), StatedQuantity::bending_stiffness, elementary::exp(more * stiffer) - 1);
+      return measured_energy({.stiffening = 1, .record = problem.record, .rig = problem.rig, .errors = problem.errors},
+                             analysis.drops.drops)
+          .friction_share;
+    };
+    constexpr double step =
+        0.001;  // shares are nearly linear in all of them, and readings that come in or go out tell little
+    const bool has_less = (quantity != StatedQuantity::thickness || 2 * supports.half_depth >= step) &&
+                          (quantity != StatedQuantity::support_radius || supports.radius >= step);
+    const double less = has_less ? step : 0;
+    by[quantity] = (share(step) - share(-less)) / (step + less);
+  }
+  return by;
 }
 
 // All drops together, as a fraction of the greatest force. The two bounds are empirical: they say what one would call a sawtooth.
@@ -283,7 +309,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
-  analysis.energy = measured_energy(analysis);
+  analysis.energy = measured_energy(fitted, analysis.drops.drops);
+  if (analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
   analysis.checks = checks_of(problem, analysis.fit, options);
 
   // The mean in its own units: those of the estimated bending stiffness.

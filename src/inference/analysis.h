@@ -140,6 +140,7 @@ struct TestAnalysis {
   History model{};
   Replay replay{};
   MeasuredEnergy energy{};
+  std::optional<Sensitivities> work_by{};  // of energy.friction_share; none of a constant
   SawtoothCategory category = SawtoothCategory::none;
 };
 

@@ -128,10 +128,10 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .friction_share = fit.mu0_is_bound ? not_a_number : analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .known = marginals_of(fit, scales)};
-  if (const Sensitivities& by = fit.sensitivities; std::isfinite(by.span)) {
-    summary.mu0_by_load_train = by.load_train * analysis.rig_errors.load_train;
-    summary.mu0_by_span = by.span * analysis.rig_errors.span;
-    summary.mu0_by_gain = by.force_gain * analysis.rig_errors.force_gain;
+  if (const auto& by = fit.friction_by) {
+    summary.mu0_by_load_train = (*by)[StatedQuantity::load_train] * analysis.rig_errors.load_train;
+    summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
+    summary.mu0_by_gain = (*by)[StatedQuantity::force_gain] * analysis.rig_errors.force_gain;
   }
   for (const auto& check : analysis.checks)
     if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);

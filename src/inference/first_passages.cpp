@@ -1,6 +1,7 @@
 #include "inference/first_passages.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -77,17 +78,16 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
   }
   const auto slopes = inverse_slopes(passages.fibre, S, std::vector<double>(S.size(), friction));
 
-  // Along that curve, a column each: ln EI, the quantities, then the deviations.
+  // Along that curve, a column each: the quantities, ln EI first, then the deviations.
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
   const RigShifts rig(problem, friction);
-  constexpr Index alone = 1 + static_cast<Index>(rig_quantities);
+  constexpr auto alone = static_cast<Index>(stated_quantities.size());
   MatrixXd shift_w, shift_F, of_friction, of_place;
   for (std::size_t k = 0; k < w.size(); ++k) {
-    std::vector<Shift> shifts{{0, -F[k]}};
-    for (std::size_t quantity = 0; quantity < rig_quantities; ++quantity)
-      shifts.push_back(rig.by(static_cast<RigQuantity>(quantity), w[k], F[k]));
+    std::vector<Shift> shifts;
+    for (const StatedQuantity quantity : stated_quantities) shifts.push_back(rig.by(quantity, w[k], F[k]));
     const auto deviations = rig.deviations(w[k], F[k]);
     shifts.insert(shifts.end(), deviations.begin(), deviations.end());
     if (k == 0)
@@ -99,7 +99,7 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
       shift_w(row, column) = shift.deflection;
       shift_F(row, column) = shift.force;
       of_friction(row, column) = -(slopes.q_w[k] * shift.deflection + slopes.q_F[k] * shift.force);
-      of_place(row, column) = slopes.S_w[k] * shift.deflection + slopes.S_F[k] * shift.force;
+      of_place(row, column) = slopes.S_w[k] * shift.deflection + slopes.S_F[k] * shift.force + shift.length;
     }
   }
   // By the stage, which has no noise: with that of the deflection read, noise itself would pass for an error of the rig.
@@ -140,10 +140,16 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
       error.place.push_back(moved_place(i, r));
     }
   }
-  const MatrixXd by_quantity = at_readings(of_friction.middleCols(1, alone - 1));
-  for (std::size_t quantity = 0; quantity < rig_quantities; ++quantity) {
-    const VectorXd column = by_quantity.col(static_cast<Index>(quantity));
-    passages.friction_by[quantity].assign(column.begin(), column.end());
+  const std::array<MatrixXd, 4> each{at_readings(shift_w.leftCols(alone)), at_readings(shift_F.leftCols(alone)),
+                                     at_readings(of_friction.leftCols(alone)), at_readings(of_place.leftCols(alone))};
+  for (const StatedQuantity quantity : stated_quantities) {
+    const auto column = static_cast<Index>(quantity);
+    RigError& error = passages.quantities[quantity];
+    for (Index i = 0; i < each[0].rows(); ++i) {
+      error.shift.push_back({each[0](i, column), each[1](i, column)});
+      error.friction.push_back(each[2](i, column));
+      error.place.push_back(each[3](i, column));
+    }
   }
 }
 

@@ -6,7 +6,6 @@
 // state fitted, never at the noisy one (theory.md, "First passages"). Reduced variables of the nominal EI.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -39,12 +38,11 @@ struct Passages {
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   RigError stiffness;                // of ln EI, by one
   std::vector<RigError> rig_errors;  // by one standard deviation, independent of each other
-  // [1] The friction that the readings show larger where a quantity is larger than stated, as RigShifts::by.
-  std::array<std::vector<double>, rig_quantities> friction_by;
-  double noise;         // [EI/L^2] of a reading, by second differences
-  ContactTravel along;  // the specimen, past its contacts
-  double S_middle;      // [L] of it
-  double range;         // [L] of places on the fibre: half of what has passed
+  PerQuantity<RigError> quantities;  // of each that is larger than stated, as RigShifts::by
+  double noise;                      // [EI/L^2] of a reading, by second differences
+  ContactTravel along;               // the specimen, past its contacts
+  double S_middle;                   // [L] of it
+  double range;                      // [L] of places on the fibre: half of what has passed
 
   std::size_t size() const { return row.size(); }
   double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of kernel.h

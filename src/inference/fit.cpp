@@ -341,7 +341,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.roughness = rough ? estimate_of_exponential(posterior.log_roughness) : none();
   fit.length = rough ? estimate_of_exponential(posterior.log_length) : none();
   fit.bending_stiffness = estimate_of_exponential(posterior.log_stiffness);
-  fit.sensitivities = posterior.sensitivities;
+  fit.friction_by = posterior.friction_by;
+  fit.log_stiffness_by = posterior.log_stiffness_by;
   fit.noise = estimate_of_exponential(posterior.log_noise);
   const auto rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
   fit.noise_correlation = elementary::exp(elementary::log(posterior.noise_correlation) / rows);

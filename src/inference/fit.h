@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "inference/matern.h"
 #include "inference/profile.h"
 #include "inference/rig_correction.h"
+#include "inference/stated_quantity.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -116,12 +118,9 @@ struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
 };
 
-// By how much the mean friction told would be larger, were what is stated larger: of EI, load train, span and gain by the whole of it [1], of
-// contact, thickness and radius of the supports by one span [1/L]. To first order, at the likeliest explanation.
-struct Sensitivities {
-  double bending_stiffness = NAN, load_train = NAN, span = NAN, force_gain = NAN;
-  double contact = NAN, thickness = NAN, support_radius = NAN;
-};
+// By how much what is told would be larger, were a quantity stated larger by the whole of it [1], or by one span [1/L] (changes_in_spans). To first
+// order, averaged over the explanations.
+using Sensitivities = PerQuantity<double>;
 
 enum class FrictionFitStatus {
   ok,
@@ -141,8 +140,9 @@ struct FrictionFit {
   Estimate drift;      // [1/L] dμ/dS, S between the contacts; 0 of a constant
   Estimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
   Estimate length;     // [L] correlation length of it along the fibre; likewise
-  Estimate bending_stiffness;       // [1] relative to the nominal one
-  Sensitivities sensitivities{};    // of mu0; NaN of a constant
+  Estimate bending_stiffness;  // [1] relative to the nominal one
+  // Of mu0, and of ln bending_stiffness; none of a constant.
+  std::optional<Sensitivities> friction_by{}, log_stiffness_by{};
   Estimate noise;                   // [EI/L^2] standard deviation of a force reading
   double noise_correlation;         // [1] of readings one row apart
   std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not

@@ -421,32 +421,77 @@ class Posterior {
       if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
   }
 
-  // What is stated larger is taken off what is read.
+  // Of the explanations that weigh anything, by their weight.
   void list_sensitivities() {
-    const Mode& mode = components_.front().mode;
+    constexpr double worth_asking = 0.05;  // of the likeliest
+    double total = 0;
+    for (const auto& component : components_)
+      if (const double weight = weight_of(component, components_.front()); weight >= worth_asking) total += weight;
+    for (const auto& component : components_)
+      if (const double weight = weight_of(component, components_.front()); weight >= worth_asking)
+        add_sensitivities(component.mode, weight / total);
+  }
+
+  // What is stated larger is taken off what is read, at the hyperparameters of a mode but for the wavelengths: a wave is as long on the specimen as
+  // all places say.
+  void add_sensitivities(const Mode& mode, double weight) {
     const Observations observations = process_.observations_of(mode);
     const auto f = mean_over(from_, to_, process_, mode, observations);
-    const auto by = [&](const std::vector<double>& friction) {
-      Observations taken_off = observations;
-      std::size_t reading = 0;
-      for (std::size_t k = 0; k < taken_off.all.size(); ++k) {
-        taken_off.values[k] = -friction[reading];
-        reading += taken_off.all[k].is_reading();
+    const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
+    const Index stiffness = process_.columns().stiffness;
+    struct Told {
+      VectorXd whitened;     // what was read
+      VectorXd unexplained;  // of it
+      double mean, log_stiffness;
+    };
+    const auto told_by = [&](std::vector<double> read) {
+      Observations instead = observations;
+      instead.values = std::move(read);
+      const Chain chain(instead, mode.kernel, hyperparameters_of(mode.theta));
+      const auto& white = chain.whitened_columns();
+      return Told{
+          .whitened = white.row(0).transpose(),
+          .unexplained = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean(),
+          .mean = chain.functional(f.a, f.covariance, f.variance).mean,
+          .log_stiffness = stiffness >= 0 ? chain.mean()[stiffness] : 0};
+    };
+    std::vector<Told> longer;  // by waves longer by the whole of it, each beside those before it
+    const auto less_longer = [&](Told told) {
+      for (const Told& wave : longer) {
+        constexpr double prior = 1;  // of ln of a wavelength: a wave of no height tells nothing of it
+        const double times = wave.whitened.dot(told.unexplained) / (wave.whitened.dot(wave.unexplained) + prior);
+        told.whitened -= times * wave.whitened;
+        told.unexplained -= times * wave.unexplained;
+        told.mean -= times * wave.mean;
+        told.log_stiffness -= times * wave.log_stiffness;
       }
-      const Chain chain(taken_off, mode.kernel, hyperparameters_of(mode.theta));
-      return chain.functional(f.a, f.covariance, f.variance).mean;
+      return told;
     };
-    const Passages& passages = process_.passages();
-    const auto by_quantity = [&](RigQuantity quantity) {
-      return by(passages.friction_by[static_cast<std::size_t>(quantity)]);
-    };
-    result_.sensitivities = {.bending_stiffness = by(passages.stiffness.friction),
-                             .load_train = by_quantity(RigQuantity::load_train),
-                             .span = by_quantity(RigQuantity::span),
-                             .force_gain = by_quantity(RigQuantity::force_gain),
-                             .contact = by_quantity(RigQuantity::contact),
-                             .thickness = by_quantity(RigQuantity::thickness),
-                             .support_radius = by_quantity(RigQuantity::support_radius)};
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
+      const Index at = process_.columns().waves + 2 * static_cast<Index>(wave);
+      std::vector<double> read;
+      for (const Observation& observation : observations.all) {
+        const double angle = rate * observation.place;
+        const auto [sine, cosine] = elementary::sine_and_cosine(angle);
+        read.push_back(angle * (beta[at] * sine - beta[at + 1] * cosine));
+      }
+      longer.push_back(less_longer(told_by(std::move(read))));
+    }
+    for (const StatedQuantity quantity : stated_quantities) {
+      const RigError& error = process_.passages().quantities[quantity];
+      std::vector<double> read;
+      std::size_t reading = 0, site = 0;
+      for (const Observation& observation : observations.all) {
+        const bool is_reading = observation.is_reading();
+        const double wave_slope = is_reading ? mode.at.wave_slope[reading] : mode.sites[site].wave_slope;
+        read.push_back(-(error.friction[reading] + wave_slope * error.place[reading]));
+        ++(is_reading ? reading : site);
+      }
+      const Told told = less_longer(told_by(std::move(read)));
+      result_.friction_by[quantity] += weight * told.mean;
+      result_.log_stiffness_by[quantity] += weight * told.log_stiffness;
+    }
   }
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }

@@ -65,10 +65,10 @@ struct WavePosterior {
 };
 
 struct ProcessPosterior {
-  double S_begin, S_end;        // [L] the fibre seen, by the likeliest mode
-  NormalMixture mean;           // [1] of μ over it
-  NormalMixture drift;          // [1/L] dμ/dS
-  Sensitivities sensitivities;  // of it
+  double S_begin, S_end;                        // [L] the fibre seen, by the likeliest mode
+  NormalMixture mean;                           // [1] of μ over it
+  NormalMixture drift;                          // [1/L] dμ/dS
+  Sensitivities friction_by, log_stiffness_by;  // of the mean; of ln EI
   NormalMixture log_roughness, log_length, log_stiffness, log_noise;
   double noise_correlation;
   std::vector<WavePosterior> waves;  // of the modes with the likeliest waves, wave by wave

@@ -11,6 +11,8 @@ namespace flexslip {
 struct Shift {
   double deflection;  // [L]
   double force;       // [EI/L^2]
+  double length =
+      0;  // [L] between the contacts, beyond what these two make it: rollers let them roll along the specimen
 };
 
 // What is to be added to what is read, over the stage: between the positions given by lines, before the first in proportion, beyond the last what

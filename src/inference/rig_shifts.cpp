@@ -1,8 +1,9 @@
 #include "inference/rig_shifts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include <Eigen/Dense>
 
@@ -47,69 +48,132 @@ RigShifts::RigShifts(const FitProblem& problem, double friction)
     : compliance_(1 / problem.rig.stiffness),
       deepest_(*std::max_element(problem.record.deflection.begin(), problem.record.deflection.end())),
       greatest_force_(*std::max_element(problem.record.force.begin(), problem.record.force.end())),
-      contact_error_(problem.errors.contact),
-      errors_(problem.rig_errors),
-      supports_(problem.rig.fibre.supports()) {
+      slow_force_(problem.rig_errors.slow_force * greatest_force_),
+      supports_(problem.rig.fibre.supports()),
+      deviations_(deviations_beforehand(problem.errors, problem.rig_errors, supports_)) {
   thicker_ = of_supports({.radius = 0, .half_depth = 0.5}, friction);
   rounder_ = of_supports({.radius = 1, .half_depth = 0}, friction);
 }
 
-std::vector<double> RigShifts::of_supports(const Supports& by, double friction) const {
+RigShifts::OfSupports RigShifts::of_supports(const Supports& by, double friction) const {
   constexpr double step = 0.002;  // [L] forces are nearly linear in either
-  std::vector<double> change{0};
+  OfSupports change{{0}, {0}};
   for (std::size_t i = 1; i < deflections; ++i) {
     const double w = deepest_ * static_cast<double>(i) / (deflections - 1);
     const Supports more{supports_.radius + step * by.radius, supports_.half_depth + step * by.half_depth};
     const auto stated = state_on_supports(w, friction, supports_), changed = state_on_supports(w, friction, more);
+    const double rolled = more.radius * changed.theta0 - supports_.radius * stated.theta0;  // over each
     const bool there = stated.status == FibreStatus::ok && changed.status == FibreStatus::ok;
-    change.push_back(there ? (changed.F - stated.F) / step : change.back());
+    change.force.push_back(there ? (changed.F - stated.F) / step : change.force.back());
+    change.length.push_back(there ? (changed.slid - stated.slid - 2 * rolled) / step : change.length.back());
   }
   return change;
 }
 
-Shift RigShifts::by(RigQuantity quantity, double w, double F) const {
+Shift RigShifts::by(const OfSupports& supports, double w) const {
+  return {0, -at_part(supports.force, w / deepest_), at_part(supports.length, w / deepest_)};
+}
+
+Shift RigShifts::by(StatedQuantity quantity, double w, double F) const {
   switch (quantity) {
-    case RigQuantity::contact:
+    case StatedQuantity::bending_stiffness:
+      return {0, -F};
+    case StatedQuantity::contact:
       return {-1, 0};
-    case RigQuantity::preload:
+    case StatedQuantity::preload:
       return {1, force_of_a_beam};
-    case RigQuantity::load_train:
+    case StatedQuantity::load_train:
       return {F * compliance_, 0};
-    case RigQuantity::span:
+    case StatedQuantity::span:
       return {-w, 2 * F};
-    case RigQuantity::force_gain:
+    case StatedQuantity::force_gain:
       return {-F * compliance_, F};
-    case RigQuantity::thickness:
-      return {0, -at_part(thicker_, w / deepest_)};
-    case RigQuantity::support_radius:
-      return {0, -at_part(rounder_, w / deepest_)};
+    case StatedQuantity::thickness:
+      return by(thicker_, w);
+    case StatedQuantity::support_radius:
+      return by(rounder_, w);
   }
   return {0, 0};
 }
 
 std::vector<Shift> RigShifts::deviations(double w, double F) const {
   static const SlowMatrix whitening = whitening_of_slow();
-  const std::array deviation{std::pair{RigQuantity::contact, contact_error_},
-                             std::pair{RigQuantity::preload, errors_.preload},
-                             std::pair{RigQuantity::load_train, errors_.load_train},
-                             std::pair{RigQuantity::span, errors_.span},
-                             std::pair{RigQuantity::force_gain, errors_.force_gain},
-                             std::pair{RigQuantity::thickness, errors_.thickness * 2 * supports_.half_depth},
-                             std::pair{RigQuantity::support_radius, errors_.support_radius * supports_.radius}};
   std::vector<Shift> shifts;
-  for (const auto& [quantity, size] : deviation) {
+  for (const StatedQuantity quantity : stated_quantities) {
+    if (quantity == StatedQuantity::bending_stiffness) continue;  // which the fit finds besides
     const Shift one = by(quantity, w, F);
-    shifts.push_back({size * one.deflection, size * one.force});
+    shifts.push_back({deviations_[quantity] * one.deflection, deviations_[quantity] * one.force});
   }
   Eigen::Matrix<double, places, 1> from_places;
   for (std::size_t j = 0; j < places; ++j)
     from_places[static_cast<Eigen::Index>(j)] = matern_5_2(w / deepest_ - place_of(j));
   const Eigen::Matrix<double, places, 1> slow = whitening * from_places;
   for (const double part : slow) {
-    const double force = errors_.slow_force * greatest_force_ * part;
+    const double force = slow_force_ * part;
     shifts.push_back({0, force});  // of the specimen more than of the cell: the load train knows the true force
   }
   return shifts;
+}
+
+PerQuantity<double> deviations_beforehand(const MeasurementErrors& errors, const RigErrors& rig_errors,
+                                          const Supports& supports) {
+  PerQuantity<double> deviations;
+  deviations[StatedQuantity::bending_stiffness] = errors.bending_stiffness;
+  deviations[StatedQuantity::contact] = errors.contact;
+  deviations[StatedQuantity::preload] = rig_errors.preload;
+  deviations[StatedQuantity::load_train] = rig_errors.load_train;
+  deviations[StatedQuantity::span] = rig_errors.span;
+  deviations[StatedQuantity::force_gain] = rig_errors.force_gain;
+  deviations[StatedQuantity::thickness] = rig_errors.thickness * 2 * supports.half_depth;
+  deviations[StatedQuantity::support_radius] = rig_errors.support_radius * supports.radius;
+  return deviations;
+}
+
+FitProblem restated(FitProblem problem, StatedQuantity quantity, double more) {
+  const double times = 1 + more;
+  if (!(times > 0)) throw std::invalid_argument("what is stated, " + std::to_string(times) + " times as large");
+  auto& [stage, deflection, force] = problem.record;
+  Rig& rig = problem.rig;
+  const auto scale = [](std::vector<double>& column, double by) {
+    for (double& each : column) each *= by;
+  };
+  const auto supports_with = [&](double radius, double half_depth) {
+    const Supports& stated = rig.fibre.supports();
+    rig.fibre = Fibre({.radius = stated.radius + radius, .half_depth = stated.half_depth + half_depth});
+  };
+  switch (quantity) {
+    case StatedQuantity::bending_stiffness:
+      scale(force, 1 / times);
+      rig.stiffness /= times;
+      break;
+    case StatedQuantity::load_train:
+      rig.stiffness *= times;
+      break;
+    case StatedQuantity::span:
+      scale(stage, 1 / times);
+      scale(force, times * times);
+      rig.stiffness *= times * times * times;
+      break;
+    case StatedQuantity::force_gain:
+      scale(force, times);
+      break;
+    case StatedQuantity::contact:
+      for (double& each : stage) each -= more;
+      break;
+    case StatedQuantity::preload:
+      for (double& each : force) each += force_of_a_beam * more;
+      for (double& each : stage) each += more * (1 + force_of_a_beam / rig.stiffness);
+      break;
+    case StatedQuantity::thickness:
+      supports_with(0, 0.5 * more);
+      break;
+    case StatedQuantity::support_radius:
+      supports_with(more, 0);
+      break;
+  }
+  // The stage is what was read: the specimen bends by what the load train does not give way.
+  for (std::size_t i = 0; i < stage.size(); ++i) deflection[i] = stage[i] - force[i] / rig.stiffness;
+  return problem;
 }
 
 }  // namespace flexslip

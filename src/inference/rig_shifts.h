@@ -4,7 +4,6 @@
 // and force; so does a force that deviates slowly (theory.md, "What the answer hangs on"). Reduced variables of the nominal EI.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "inference/fit.h"
@@ -12,30 +11,39 @@
 
 namespace flexslip {
 
-enum class RigQuantity { contact, preload, load_train, span, force_gain, thickness, support_radius };
-inline constexpr std::size_t rig_quantities = 7;
-
 class RigShifts {
  public:
   // Domain:     as fit_friction; the friction [1] at which thickness and supports act, 0 to 2.
   RigShifts(const FitProblem& problem, double friction);
 
-  // For a quantity larger than stated, to first order: by one span of contact, preload, thickness and radius, by the whole of the others.
+  // For a quantity larger than stated, to first order: by the whole of it, or by one span (changes_in_spans).
   // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
-  Shift by(RigQuantity quantity, double w, double F) const;
+  Shift by(StatedQuantity quantity, double w, double F) const;
 
   // For each error that is independent of the others, one standard deviation of it. Of a force that deviates slowly there are several: a Matérn
   // 5/2 process over the deflection whose length is half of the record, known at eight places.
   std::vector<Shift> deviations(double w, double F) const;
 
  private:
-  // By one span more of thickness or radius, [EI/L^2] of force at deflections evenly spread from 0 to the greatest.
-  std::vector<double> of_supports(const Supports& by, double friction) const;
+  // By one span more of thickness or radius, at deflections evenly spread from 0 to the greatest and the same friction.
+  struct OfSupports {
+    std::vector<double> force, length;  // [EI/L^2], [L]
+  };
+  OfSupports of_supports(const Supports& by, double friction) const;
+  Shift by(const OfSupports& supports, double w) const;
 
-  double compliance_, deepest_, greatest_force_, contact_error_;
-  RigErrors errors_;
+  double compliance_, deepest_, greatest_force_, slow_force_;
   Supports supports_;
-  std::vector<double> thicker_, rounder_;
+  PerQuantity<double> deviations_;
+  OfSupports thicker_, rounder_;
 };
+
+// What each is off by beforehand, as a standard deviation: of its value [1], or in spans [L].
+PerQuantity<double> deviations_beforehand(const MeasurementErrors& errors, const RigErrors& rig_errors,
+                                          const Supports& supports);
+
+// The same readings with a quantity stated larger, by such a part of it [1], or by so many spans [L]. What is stated smaller is negative.
+// Domain:     more > -1; thickness and radius of the supports stay as Fibre has them; std::invalid_argument otherwise.
+FitProblem restated(FitProblem problem, StatedQuantity quantity, double more);
 
 }  // namespace flexslip

@@ -8,6 +8,7 @@
 #include "answers/fit_fields.h"
 #include "data/names.h"
 #include "finding/answer.h"
+#include "finding/hangs_on.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
@@ -112,6 +113,26 @@ Chapter friction_chapter(T test, const Answer& answer) {
                                                                    print.length(supports.half_depth) + " from its axis"
                                                              : "at the axis of the specimen")}},
        numbers(test, "friction_read"), numbers(test, "bending"), numbers(test, "imaged_length")}};
+}
+
+// ---- What the answer hangs on
+
+Chapter hangs_on_chapter(T test) {
+  if (what_the_answer_hangs_on(test).empty()) return {};
+  std::vector<Shown> columns{{.heading = "Quantity", .field = "title"},
+                             {.heading = "Stated", .field = "stated"},
+                             {.heading = "May be off by", .field = "may_be_off"},
+                             {.heading = "Friction then reads larger by", .field = "friction_moves", .digits = 3}};
+  if (!test.analysis.fit.mu0_is_bound)
+    columns.push_back(
+        {.heading = "and its share of the work (points)", .field = "work_moves", .digits = 2, .factor = 100});
+  PrintedTable table = listed(test, "sensitivities", columns);
+  table.folding = Folding::never;
+  return {"What the answer hangs on",
+          {std::string("Were a quantity stated larger by what it may be off, the mean friction would be told larger by "
+                       "so much, to first order. The error of friction allows for all of them but for supports and a "
+                       "thickness that are taken for none."),
+           table}};
 }
 
 // ---- Whether friction repeats
@@ -369,6 +390,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   const bool trusted = is_trusted(answer.standing);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
           friction_chapter(test, answer),
+          trusted && !lost_stiffness(*test.judgement) ? hangs_on_chapter(test) : Chapter{},
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),

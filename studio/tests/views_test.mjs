@@ -1,10 +1,11 @@
 // The page by itself: what it shows first, what follows the pointer and the keys, at three sizes, light and dark.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { close, drop, errorOf, fitted, missing, open, page, painted, root } from "./browser.mjs";
+import { close, drop, errorOf, fitted, missing, open, page, painted, program, root } from "./browser.mjs";
 
 const skip = missing || false;
 after(close);
@@ -255,6 +256,39 @@ test("rows before contact and after failure are taken off by dragging either han
   assert.match(await command(), new RegExp(`record\\.until=${here}\\b`));
   for (let i = 0; i < 3; ++i) await tab.keyboard.press("Control+z"), await painted(tab);
   assert.equal(await command(), "flexslip fit simulated.toml", "three undos take the three back");
+  quiet(tab);
+  await tab.end();
+});
+
+test("hangs on: a quantity pointed at, or its slider moved a little, moves the band by what friction would be told larger", { skip }, async () => {
+  const tab = await open();
+  const told = JSON.parse(execFileSync(program, ["fit", join(root, "examples/simulated/case.toml"), "--json"], { maxBuffer: 1 << 28 })).sensitivities;
+  const buttons = tab.locator("#hangs .hang"), band = tab.locator("#friction-plot .restated"), words = () => tab.locator("#friction-plot").innerText();
+  assert.equal(await buttons.count(), told.filter((each) => Math.abs(each.friction_moves) >= 0.0005).length);
+  assert.equal(await band.count(), 0);
+  await buttons.first().hover();
+  await painted(tab);
+  assert.equal(await band.count(), 1);
+  const signed = (value) => `${value < 0 ? "−" : "+"}${Math.abs(value).toFixed(3)}`;
+  assert.ok((await words()).includes(`${signed(told[0].friction_moves)} with ${told[0].title}`), await words());
+  await tab.mouse.move(5, 5);
+  await painted(tab);
+  assert.equal(await band.count(), 0);
+  await buttons.nth(1).focus();
+  await painted(tab);
+  assert.ok((await words()).includes(signed(told[1].friction_moves)));
+  await tab.evaluate(() => document.activeElement.blur());
+  const box = tab.locator(".parameter[data-parameter=L] input.number");
+  const span = async (micrometres) => {
+    await box.fill(`${micrometres} um`);
+    await box.press("Enter");
+    await painted(tab);
+  };
+  await span(1278 * 1.01);
+  const by = told.find((each) => each.quantity === "span").friction * 0.01;
+  assert.ok(Math.abs(Number(/([+−][\d.]+) with span stated so/.exec(await words())[1].replace("−", "-")) - by) < 0.001, `${await words()}: ${by}`);
+  await span(1278 * 1.2);
+  assert.equal(await band.count(), 0, "too far for the first order");
   quiet(tab);
   await tab.end();
 });

@@ -126,4 +126,26 @@ TEST_CASE("case keys, bad input: a change that is none, of a key that is none, o
   CHECK(complaint("reduced=perhaps").find("reduced: expected true or false") != std::string::npos);
 }
 
+TEST_CASE("case keys: the supports that a change states take the place of those of the case") {
+  const auto with_supports = [](std::string_view supports, const std::vector<std::string>& changes) {
+    std::string text(physical);
+    text.insert(text.find("[friction]"), supports);
+    return *read_case(text, "case.toml", changes).rig;
+  };
+  const RigInput rolls = with_supports("supports = \"edges\"\n", {"rig.roller_radius=5 um"});
+  CHECK(rolls.roller_radius == std::optional(Known{5e-6}));
+  CHECK(rolls.supports != SupportKind::edges);
+  const std::string pinned =
+      "roller_radius = \"50 um\"\nrollers = \"pinned\"\npin_radius = \"10 um\"\npin_friction = 0.1\n";
+  const RigInput edges = with_supports(pinned, {"rig.supports=edges"});
+  CHECK(edges.supports == SupportKind::edges);
+  CHECK(!edges.roller_radius);
+  CHECK(edges.rollers == Rollers::fixed);
+  CHECK(!edges.pin_radius);
+  // Changes that contradict each other are refused, as a case would be.
+  CHECK(message_of([&] {
+          with_supports("", {"rig.supports=edges", "rig.roller_radius=5 um"});
+        }).find("rollers, as they have a radius") != std::string::npos);
+}
+
 }  // namespace flexslip

@@ -2,15 +2,21 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <set>
 #include <sstream>
+#include <vector>
 
 #include <doctest/doctest.h>
 
 #include "answers/fit_fields.h"
+#include "bending_test/history.h"
+#include "case/mechanics.h"
+#include "finding/hangs_on.h"
 #include "tests/finding/situations.h"
 #include "tests/has.h"
 
@@ -191,6 +197,127 @@ TEST_CASE("work: no share of it is claimed of a friction that cannot be") {
     test.analysis.fit.mu0.low = 1.01;
   })));
   CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.suspects.suspect = true; })));
+}
+
+// The example on supports that it does not state, and what it would be on rollers.
+template <class Change>
+FittedTest on_unknown_supports(const Change& change) {
+  FittedTest rollers = slipping();
+  rollers.analysis.rig.fibre = Fibre({.radius = 0.05, .half_depth = 0.01});
+  rollers.measurement.test.rig->roller_radius = 0.05 * rollers.analysis.scales.span();
+  change(rollers);
+  return changed([&](FittedTest& test) {
+    test.measurement.test.rig->supports = std::nullopt;
+    test.on_rollers = std::make_shared<const FittedTest>(std::move(rollers));
+  });
+}
+
+TEST_CASE("supports that are not stated: friction is told for both, and a verdict that hangs on them is none") {
+  const auto friction_row = [](const Answer& answer) {
+    return std::find_if(answer.rows.begin(), answer.rows.end(),
+                        [](const AnswerRow& row) { return row.label == "friction"; })
+        ->words;
+  };
+  const Answer slips = answer_of(
+      on_unknown_supports([](FittedTest& rollers) { rollers.analysis.fit.mu0 = normal_estimate(0.09, 0.02); }));
+  CHECK(slips.verdict.code == VerdictCode::slip);
+  CHECK(slips.standing == Standing::conditional);
+  CHECK(has(found(slips, "supports_not_stated")->sentence, "On rollers of 63.9 µm friction is 0.090 ± 0.020."));
+  CHECK(has(friction_row(slips), "; 0.090 ± 0.020 on rollers of 63.9 µm;"));
+
+  const Answer same = answer_of(on_unknown_supports([](FittedTest&) {}));
+  CHECK(has(found(same, "supports_not_stated")->sentence, "On rollers of 63.9 µm friction is 0."));
+  CHECK_FALSE(has(friction_row(same), "rollers"));
+
+  const Answer cracks = answer_of(on_unknown_supports([](FittedTest& rollers) {
+    rollers.judgement->drops = CrackVerdict::cracks;
+    rollers.judgement->drops_are_cracks = true;
+    rollers.judgement->cracks_alone = 0.99;
+  }));
+  CHECK(cracks.verdict.code == VerdictCode::undecided);
+  CHECK(cracks.verdict.finding == "supports_not_stated");
+  CHECK(has(sentence_of(cracks.verdict), "UNDECIDED: slip on edges (friction 0."));
+  CHECK(has(sentence_of(cracks.verdict), "; crack on rollers of 63.9 µm; which supports?"));
+  CHECK(cracks.next == "State [rig] supports = \"edges\", or the roller_radius.");
+
+  // Rollers that explain nothing take no verdict away.
+  const Answer edges =
+      answer_of(on_unknown_supports([](FittedTest& rollers) { rollers.analysis.model_implausible = true; }));
+  CHECK(edges.verdict.code == VerdictCode::slip);
+}
+
+TEST_CASE("supports that are not stated: a bar is fitted on the rollers of ISO 178, too, a spicule is not") {
+  Test bar = read_case(R"([specimen]
+width = "10 mm"
+height = "2 mm"
+modulus = "3 GPa"
+[rig]
+span = "64 mm"
+stiffness = "20 N/mm"
+[record]
+file = "bar.csv"
+stage = "stage [mm]"
+force = "force [N]"
+)",
+                       "");
+  const Scales of_bar = scales_of(bar);
+  const Rig rollers{of_bar.reduced_stiffness(20e3),
+                    Fibre({.radius = of_bar.reduced_length(2e-3), .half_depth = of_bar.reduced_length(1e-3)})};
+  std::vector<double> stages;
+  for (int i = 1; i <= 300; ++i) stages.push_back(0.001 * i);
+  const History history = follow_in_steps({Friction::constant(0.3), rollers}, stages);
+  Table table{.source = "bar.csv", .columns = {{"stage [mm]", {}}, {"force [N]", {}}}, .lines = {}};
+  for (const PathPoint& point : history.path) {
+    table.columns[0].values.push_back(of_bar.physical_length(point.stage));
+    table.columns[1].values.push_back(of_bar.physical_force(point.F));
+  }
+  bar.record->given = std::make_shared<const Table>(std::move(table));
+  const FittedTest test = fit_test(bar, {});
+  REQUIRE(is_fitted(test));
+  REQUIRE(test.on_rollers);
+  CHECK(test.on_rollers->analysis.rig.fibre.supports().radius == doctest::Approx(2.0 / 64));
+  CHECK_FALSE(test.on_rollers->on_rollers);
+  bar.rig->roller_radius = 2e-3;
+  const FittedTest stated = fit_test(bar, {});
+  CHECK_FALSE(stated.on_rollers);
+  const Estimate &with = stated.analysis.fit.mu0, &without = test.on_rollers->analysis.fit.mu0;
+  CHECK(std::abs(with.value - without.value) < 0.1 * with.standard_error);  // the contact is as certain as on edges
+  CHECK(has(found(answer_of(test), "supports_not_stated")->sentence, "On rollers of 2 mm friction is "));
+  CHECK_FALSE(slipping().on_rollers);
+}
+
+TEST_CASE("hangs on: what moves friction most comes first, and the share of the work moves with it") {
+  const std::vector<HangsOn> all = what_the_answer_hangs_on(slipping());
+  REQUIRE(all.size() >= 6);
+  std::set<std::string_view> named;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const HangsOn& each = all[i];
+    CAPTURE(each.quantity);
+    named.insert(each.quantity);
+    if (i > 0 && each.is_supposed == all[i - 1].is_supposed)
+      CHECK(std::abs(each.friction_moves) <= std::abs(all[i - 1].friction_moves));
+    if (i > 0) CHECK(each.is_supposed >= all[i - 1].is_supposed);
+    CHECK(each.friction_moves == doctest::Approx(each.friction * each.by).epsilon(1e-12));
+    CHECK(each.work_moves == doctest::Approx(each.work * each.by).epsilon(1e-12));
+    CHECK(std::isfinite(each.work));
+    CHECK(!each.stated.empty());
+  }
+  CHECK(named.size() == all.size());
+  const auto of = [](const std::vector<HangsOn>& list, std::string_view quantity) {
+    const auto at =
+        std::find_if(list.begin(), list.end(), [&](const HangsOn& each) { return each.quantity == quantity; });
+    return at == list.end() ? std::nullopt : std::optional(*at);
+  };
+  CHECK(of(all, "span")->stated == "1.278 mm");
+  CHECK(of(all, "preload")->stated == "none");
+  CHECK(of(all, "support_radius")->stated == "edges");
+  const std::vector<HangsOn> open =
+      what_the_answer_hangs_on(changed([](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; }));
+  CHECK(of(open, "support_radius")->stated == "edges, not stated");
+  CHECK(of(open, "support_radius")->may_be_off == "say 13 µm");
+  const std::vector<HangsOn> limit =
+      what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.fit.mu0_is_bound = true; }));
+  CHECK(std::isnan(limit.front().work));
 }
 
 // As the page is fed them (studio/tests/words_test.mjs): every one there is, as `fit --json` tells it. FLEXSLIP_FREEZE=1 writes them anew.

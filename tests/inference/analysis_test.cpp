@@ -73,6 +73,59 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
   CHECK(measured.friction + measured.snaps == doctest::Approx(exact.friction + exact.snaps).scale(0).epsilon(2e-2));
 }
 
+TEST_CASE("identity: the share of the work moves with what is stated as its sensitivities say") {
+  const SimulatedTruth truth{.friction = Friction::constant(0.5), .noise = 0.01};
+  const Record record = to_physical(simulated_record(truth), scales);
+  const TestDescription description = description_of(truth);
+  const auto usual = analyse(record, description);
+  REQUIRE(usual.work_by);
+  constexpr double more = 0.003;
+  // The record and what is stated of its rig, as a user would change either.
+  const auto share_with = [&](StatedQuantity quantity) {
+    Record read = record;
+    TestDescription stated = description;
+    const double length = more * scales.span();
+    switch (quantity) {
+      case StatedQuantity::bending_stiffness:
+        *stated.bending_stiffness *= 1 + more;
+        break;
+      case StatedQuantity::load_train:
+        stated.load_train_stiffness *= 1 + more;
+        break;
+      case StatedQuantity::span:
+        stated.span *= 1 + more;
+        break;
+      case StatedQuantity::force_gain:
+        for (double& each : read.force) each *= 1 + more;
+        break;
+      case StatedQuantity::contact:
+        for (double& each : read.stage) each -= length;
+        break;
+      case StatedQuantity::preload: {
+        const double load = 48 * scales.physical_force(more);
+        for (double& each : read.force) each += load;
+        for (double& each : read.stage) each += length + load / stated.load_train_stiffness;
+        break;
+      }
+      case StatedQuantity::thickness:
+        stated.fibre = Fibre({.radius = 0, .half_depth = 0.5 * more});
+        break;
+      case StatedQuantity::support_radius:
+        stated.fibre = Fibre({.radius = more, .half_depth = 0});
+        break;
+    }
+    for (std::size_t i = 0; i < read.force.size(); ++i)
+      read.deflection[i] = read.stage[i] - read.force[i] / stated.load_train_stiffness;
+    return analyse(read, stated).energy.friction_share;
+  };
+  for (const StatedQuantity quantity : stated_quantities) {
+    CAPTURE(static_cast<int>(quantity));
+    constexpr double first_order = 0.2, hardly = 2e-4;  // [1] of the share: readings come in or go out
+    const double told = more * (*usual.work_by)[quantity];
+    CHECK(std::abs(share_with(quantity) - usual.energy.friction_share - told) < first_order * std::abs(told) + hardly);
+  }
+}
+
 TEST_CASE("identity: the profile and the fit know the same errors, and the contact's moves the profile as they say") {
   auto description = description_of(toothed());
   description.contact_error = 0.577e-6;

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inference/chain.h"
+#include "inference/rig_shifts.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 
@@ -117,24 +118,20 @@ TEST_CASE(
   const SimulatedTruth truth{.friction = Friction::constant(0.6), .noise = 0.02};
   FitProblem problem = problem_of(truth);
   const auto usual = fit_friction(problem);
-  const auto moved_by = [&](auto&& change) {
-    FitProblem other = problem;
-    change(other);
-    return fit_friction(other).mu0.value - usual.mu0.value;
-  };
-  constexpr double by = 0.003;
-  // Readings of the same record on a rig stated otherwise.
-  const double by_train = moved_by([&](FitProblem& other) {
-    other.rig.stiffness *= 1 + by;
-    for (std::size_t i = 0; i < other.record.force.size(); ++i)
-      other.record.deflection[i] = other.record.stage[i] - other.record.force[i] / other.rig.stiffness;
-  });
-  CHECK(by_train == doctest::Approx(by * usual.sensitivities.load_train).scale(0).epsilon(0.1));
-  const double by_contact = moved_by([&](FitProblem& other) {
-    for (double& w : other.record.deflection) w -= 0.001;
-    for (double& stage : other.record.stage) stage -= 0.001;
-  });
-  CHECK(by_contact == doctest::Approx(0.001 * usual.sensitivities.contact).scale(0).epsilon(0.2));
+  REQUIRE(usual.friction_by);
+  REQUIRE(usual.log_stiffness_by);
+  for (const StatedQuantity quantity : stated_quantities) {
+    CAPTURE(static_cast<int>(quantity));
+    constexpr double more = 0.002;
+    const auto other = fit_friction(restated(problem, quantity, more));
+    constexpr double first_order = 0.2;  // and the likeliest explanation for all of them
+    CHECK(other.mu0.value - usual.mu0.value ==
+          doctest::Approx(more * (*usual.friction_by)[quantity]).scale(0).epsilon(first_order));
+    const double stiffer = std::log(other.bending_stiffness.value / usual.bending_stiffness.value);
+    constexpr double hardly = 1e-4;  // of EI, which is known to a hundredth
+    CHECK(std::abs(stiffer - more * (*usual.log_stiffness_by)[quantity]) <
+          first_order * std::abs(more * (*usual.log_stiffness_by)[quantity]) + hardly);
+  }
   problem.rig_errors = {
       .load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .preload = 0, .slow_force = 0};
   CHECK(fit_friction(problem).mu0.standard_error < 0.5 * usual.mu0.standard_error);
@@ -170,6 +167,25 @@ TEST_CASE("limit: a correction is in proportion to the stage at first, and stays
   CHECK(corrected.stage[0] ==
         doctest::Approx(0.15 + 0.003 + 0.01 * 0.2));  // which stays deflection and force of the load train
   CHECK(RigCorrection().at(0.1).force == 0);
+}
+
+TEST_CASE("rig: where friction repeats, places tell of the rig, and so do the sensitivities") {
+  const SimulatedTruth truth{.friction = Friction::sinusoid(0.5, 0.3, 14.0 / 1278, 1.0), .noise = 0.02};
+  FitProblem problem = problem_of(truth);
+  problem.rig_errors = {.load_train = 0.001, .span = 0.001, .force_gain = 0.001, .thickness = 0, .support_radius = 0};
+  const auto usual = fit_friction(problem);
+  REQUIRE(usual.wave_claimed);
+  struct Row {
+    StatedQuantity quantity;
+    double more;
+  };
+  for (const Row& row : {Row{StatedQuantity::support_radius, 0.004}, Row{StatedQuantity::bending_stiffness, 0.03}}) {
+    CAPTURE(static_cast<int>(row.quantity));
+    const auto other = fit_friction(restated(problem, row.quantity, row.more));
+    const double told = row.more * (*usual.friction_by)[row.quantity];
+    constexpr double first_order = 0.3, hardly = 0.002;  // [1] a fifth of the error of friction
+    CHECK(std::abs(other.mu0.value - usual.mu0.value - told) < first_order * std::abs(told) + hardly);
+  }
 }
 
 TEST_CASE("identity: the paper's model finds the wave that it is made of") {

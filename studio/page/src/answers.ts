@@ -10,6 +10,8 @@ export interface Step { step: string; changed: boolean; done: string; value: num
 export interface ProfilePoint { row: number; stage: number; deflection: number; force: number; length: number; mu: number; mu_error: number; mu_error_force: number }
 export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate; phase: Estimate; phase_at_middle: Estimate }
 
+export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; by: number; friction: number; work: number | null; friction_moves: number; work_moves: number | null }
+
 export interface FitAnswer {
   status: string; name: string; model: string; suspect: boolean;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
@@ -19,6 +21,7 @@ export interface FitAnswer {
   verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   energy: { work_of_fracture: number; friction_share: number } | null;
+  sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };

@@ -1,18 +1,22 @@
 // Friction along the fibre: points read off the curve with their errors, the mean of the fit and its band, friction by the sliders.
 
-import { byId, label, svg } from "./dom";
+import { byId, el, fill, label, svg } from "./dom";
 import { area, axes, dots, dotted, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, sizeOf, type Frame } from "./plot";
-import { unitFor, type Unit } from "./quantity";
+import { signed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
 import type { Fit } from "./test";
 
 const MARGINS = { left: 54, right: 76, top: 12, bottom: 34 };
+const WORTH_SAYING = 0.0005;  // of friction
 const UNTOLD = 0.5;  // points with a larger error than this would only fill the plot
 
 export class FrictionView {
   private readonly host = byId("friction-plot");
   private readonly drawing = svg("svg", { role: "img", "aria-hidden": "true" });
   private readonly marker = svg("g", { class: "marker" });
+  private readonly restated = svg("g");  // the band as it would be told
+  private readonly hangs = byId("hangs");
+  private listed: Fit | null = null;
   private frame: Frame | null = null;
   private still: { fit: Fit; key: string } | null = null;
   private unit: Unit = unitFor(1e-4, "length");
@@ -31,6 +35,7 @@ export class FrictionView {
 
   draw(): void {
     const { studio } = this, fit = studio.fit, reach = this.reach();
+    this.listHangs(fit);
     const v = studio.values, key = JSON.stringify([sizeOf(this.host), reach, studio.wave, v && [v.mu0, v.rms, v.len, v.amp, v.lam, v.phi]]);
     if (this.frame && this.still?.fit === fit && this.still?.key === key) return this.mark();
     this.still = fit ? { fit, key } : null;
@@ -66,7 +71,7 @@ export class FrictionView {
         svg("circle", { cx, cy: at, r: 3.5, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.6 }), label("mean *μ*₀", { x: cx + 8, y: at + 4 }));
       side.append(svg("text", { x: right + 2, y: bottom - 1, fill: "var(--ink3)" }, "slips"));
     }
-    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `fibre past each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, side, this.marker);
+    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `fibre past each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
     this.host.setAttribute("aria-label", `Friction along the fibre of ${fit.answer.name}: ${points.length} points, mean ${(mu0?.value ?? 0).toFixed(2)}. Arrow keys move row by row.`);
     this.mark();
   }
@@ -82,7 +87,34 @@ export class FrictionView {
     return (fit.answer.slips?.slips ?? []).map((s) => [s.length_before, s.length_after]);
   }
 
+  /** What friction hangs on, a button each; pointed at, it moves the band. */
+  private listHangs(fit: Fit | null): void {
+    if (this.listed === fit) return;
+    this.listed = fit;
+    const all = (fit?.answer.sensitivities ?? []).filter((each) => Math.abs(each.friction_moves) >= WORTH_SAYING);
+    this.hangs.hidden = all.length === 0;
+    fill(this.hangs, el("span", { class: "note" }, "hangs on"), ...all.map((each) => {
+      const work = each.work_moves === null ? "" : `, and its share of the work ${signed(100 * each.work_moves, 1)} points`;
+      const words = `${each.title}: ${each.stated}. Stated larger by ${each.may_be_off}, friction is told ${signed(each.friction_moves, 3)}${work}`;
+      return el("button", { class: "hang", title: words, "aria-label": words, pointerenter: () => this.studio.doubt(each), pointerleave: () => this.studio.doubt(null), focus: () => this.studio.doubt(each), blur: () => this.studio.doubt(null) },
+        each.title, " ", el("b", {}, signed(each.friction_moves, 3)));
+    }));
+  }
+
+  /** The band of the fit, moved by what it would be told larger. */
+  markRestated(): void {
+    const { studio } = this, fit = studio.fit, restated = studio.restated;
+    this.restated.replaceChildren();
+    if (!fit || !restated || !this.frame || !fit.friction.seen) return;
+    const { seen } = fit.friction, S = this.past(fit, fit.friction.length.subarray(0, seen)), x = this.frame.x.copy().domain(this.frame.x.domain().map((d) => d * this.unit.factor)), { y } = this.frame;
+    const edge = (errors: number): Float64Array => fit.friction.mean.subarray(0, seen).map((m, i) => m + restated.friction + errors * fit.friction.deviation[i]!);
+    this.restated.append(svg("path", { class: "restated", d: area(S, edge(-1.96), edge(1.96), x, y), fill: "var(--band)", "clip-path": "url(#friction-clip)" }),
+      ...[-1.96, 1.96].map((errors) => svg("path", { d: lineThrough(S, edge(errors), x, y), fill: "none", stroke: "var(--model)", "stroke-width": 1, "stroke-dasharray": "3 3", "clip-path": "url(#friction-clip)" })),
+      haloed(`${signed(restated.friction, 3)} with ${restated.words}`, MARGINS.left + 8, MARGINS.top + 8, "start", "var(--model)"));
+  }
+
   mark(): void {
+    this.markRestated();
     const { studio } = this, fit = studio.fit, moment = studio.moment;
     this.marker.replaceChildren();
     if (!fit || !moment || !this.frame || !Number.isFinite(moment.drawn)) return;

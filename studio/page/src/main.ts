@@ -61,7 +61,7 @@ async function start(): Promise<void> {
     if (any(topics, "rows", "view")) rows.draw();
     else if (topics.has("moment")) rows.mark();
     if (any(topics, "model", "view")) friction.draw();
-    else if (topics.has("moment")) friction.mark();
+    else if (any(topics, "moment", "doubted")) friction.mark();
     if (any(topics, "moment", "model", "view")) drawMoment(studio), fibre.draw();
     if (any(topics, "answer", "programme", "view", "card")) programme.draw();
     else if (topics.has("moment")) programme.mark();

@@ -66,6 +66,8 @@ export const minus = (text: string): string => text.replace("-", "−");
 
 /** With `digits` after the point, and a proper minus. */
 export const fixed = (value: number, digits: number): string => minus(value.toFixed(Math.max(0, Math.min(12, digits))));
+/** "+0.044", "−0.044". */
+export const signed = (value: number, digits: number): string => `${value < 0 ? "" : "+"}${fixed(value, digits)}`;
 
 /** Digits after the point such that the error has two significant ones below 3, else one more than none. */
 export function decimalsFor(error: number): number {

@@ -1,18 +1,21 @@
 // The state of the studio and what may be done to it. Knows no elements: views listen and draw.
 
 import type { Loading, Mechanics, Program, Rig } from "./engine";
-import type { Drop } from "./answers";
+import type { Drop, Sensitivity } from "./answers";
 import { History } from "./history";
 import { forceAt, misfit, Model, type Curve } from "./model";
 import { frictionOf, type Key, type Values } from "./parameters";
 import type { Settings } from "./settings";
 import type { Fit, Test } from "./test";
 
-export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "progress" | "tour" | "error" | "axis" | "theme" | "view";
+export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "progress" | "tour" | "error" | "axis" | "theme" | "view" | "doubted";
 export interface Pin { name: string; on: boolean; curve: Curve }
 interface State { test: Test; values: Values | null; wave: boolean; settings: Settings; programme: number[] | null; fit: Fit | null }
 
 export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; drop: { drop: Drop; number: number } | null }
+
+const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", support_radius: "R" };  // of what is measured of the rig
+const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
 const REST = 250;  // [ms] after which a slider that is held still is taken to rest
@@ -31,6 +34,7 @@ export class Studio {
   lastFit = 1000;  // [ms] that the last one took: what the next is measured by
   step = -1;  // of the first visit; -1: none
   bandReady = false;  // the band of the draws is computed once the page is at rest
+  doubted: Sensitivity | null = null;  // what friction hangs on, pointed at: as if it were stated larger by what it may be off
   tried: number | null = null;  // a state of the programme that is marked instead of a row
   model!: Model;  // from `ready` on, and so with every fit
   readonly ready: Promise<void>;
@@ -124,6 +128,7 @@ export class Studio {
     this.test = test;
     this.programme = null;
     this.tried = null;
+    this.doubted = null;
     this.takeFit();
     const fit = this.fit;
     if (fit) this.row = fit.answer.drops.reduce((best, d) => (d.force_fall > best.fall ? { fall: d.force_fall, row: d.row_before } : best), { fall: 0, row: fit.answer.measurement.last_row }).row;
@@ -366,6 +371,27 @@ export class Studio {
     const { stage, deflection, force } = this.loading;
     this.pins.push({ name: `${this.test.name}, ${this.changed ? "by hand" : "fit"}`, on: true, curve: { stage, deflection, force } });
     this.tell("pins");
+  }
+
+  /** Points at a quantity that friction hangs on; null: at none. */
+  doubt(quantity: Sensitivity | null): void {
+    if (this.doubted === quantity) return;
+    this.doubted = quantity;
+    this.tell("doubted");
+  }
+  /** By how much friction would be told larger, were the quantity pointed at stated larger by what it may be off; or, to first order, were the rig stated as its sliders are. Null: as told. */
+  get restated(): { friction: number; words: string } | null {
+    const { fit, values, doubted } = this;
+    if (doubted) return { friction: doubted.friction_moves, words: `${doubted.title} ${doubted.may_be_off.replace(/^say |,.*$/g, "")} larger` };
+    if (!fit || !values) return null;
+    const moved = fit.answer.sensitivities.flatMap((each) => {
+      const key = SLIDERS[each.quantity];
+      if (!key || values[key] === fit.fitted[key] || !Number.isFinite(fit.fitted[key])) return [];
+      const more = key === "R" ? values.R - fit.fitted.R : values[key] / fit.fitted[key] - 1, most = key === "R" ? NEAR * fit.fitted.L : NEAR;
+      return [{ friction: each.friction * more, title: each.title, near: Math.abs(more) <= most }];
+    });
+    if (!moved.length || moved.some((each) => !each.near)) return null;
+    return { friction: moved.reduce((sum, each) => sum + each.friction, 0), words: `${list(moved.map((each) => each.title))} stated so` };
   }
 
   /** Friction of the sliders at lengths S, for the view of friction. */

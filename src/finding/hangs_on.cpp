@@ -1,0 +1,202 @@
+#include "finding/hangs_on.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "data/names.h"
+#include "finding/printed.h"
+#include "inference/rig_shifts.h"
+
+namespace flexslip {
+namespace {
+
+using T = const FittedTest&;
+
+constexpr std::array in_order{
+    StatedQuantity::bending_stiffness, StatedQuantity::load_train, StatedQuantity::span,
+    StatedQuantity::force_gain,        StatedQuantity::contact,    StatedQuantity::support_radius,
+    StatedQuantity::thickness,         StatedQuantity::preload};
+static_assert(in_order.size() == stated_quantities.size());
+
+std::string_view name_of(StatedQuantity quantity) {
+  return name_in_order<StatedQuantity::support_radius>(
+      quantity,
+      {"bending_stiffness", "contact", "preload", "load_train", "span", "force_gain", "thickness", "support_radius"});
+}
+
+std::string_view title_of(StatedQuantity quantity) {
+  return name_in_order<StatedQuantity::support_radius>(
+      quantity, {"EI", "contact", "preload", "load train", "span", "gain", "thickness", "support radius"});
+}
+
+// A quantity as the case has it, and what it may be off by.
+struct Statement {
+  std::string stated{};
+  bool is_there = true;      // else it is taken for none
+  bool may_be_there = true;  // and there may be some all the same
+  bool states_error = true;  // or none can be stated
+  double error = 0;          // [1] of it, or [m] of one whose zero is nothing by itself
+};
+
+bool is_offset(StatedQuantity quantity) {
+  return quantity == StatedQuantity::contact || quantity == StatedQuantity::preload;
+}
+
+Statement statement_of(T test, StatedQuantity quantity) {
+  const Test& input = test.measurement.test;
+  const TestAnalysis& analysis = test.analysis;
+  const Scales& scales = analysis.scales;
+  const Supports& supports = analysis.rig.fibre.supports();
+  const RigErrors errors = rig_errors_of(test.measurement);
+  const Print print(test);
+  const auto has_error = [](const std::optional<Known>& known) { return known && known->uncertainty; };
+  switch (quantity) {
+    case StatedQuantity::bending_stiffness:
+      return {.stated = print.own(scales.bending_stiffness(), kind::bending_stiffness),
+              .states_error = test.stiffness == StiffnessSource::stated,
+              .error = analysis.bending_stiffness_error};
+    case StatedQuantity::load_train: {
+      const bool gives = std::isfinite(analysis.rig.stiffness);
+      return {.stated = gives ? print.own(scales.physical_stiffness(analysis.rig.stiffness), kind::stiffness) : "∞",
+              .is_there = gives,
+              .may_be_there = gives,
+              .states_error = has_error(input.rig->stiffness),
+              .error = errors.load_train};
+    }
+    case StatedQuantity::span:
+      return {.stated = print.length(1), .states_error = has_error(input.rig->span), .error = errors.span};
+    case StatedQuantity::force_gain:
+      return {
+          .stated = "as recorded", .states_error = input.record->gain_error.has_value(), .error = errors.force_gain};
+    case StatedQuantity::contact: {
+      const auto* contact = input.record->contact ? std::get_if<Known>(&*input.record->contact) : nullptr;
+      const double offset = test.measurement.contact_offset;
+      return {.stated = offset == 0 ? "zero of the file" : print.own(offset, kind::length),
+              .states_error = test.measurement.contact == ContactSource::found || (contact && contact->uncertainty),
+              .error = test.measurement.contact_error};
+    }
+    case StatedQuantity::preload:
+      return {.stated = test.measurement.begins_free ? "none: rows before the contact" : "none",
+              .states_error = test.measurement.begins_free || input.record->preload_error,
+              .error = scales.physical_length(errors.preload)};
+    case StatedQuantity::thickness: {
+      const bool is_there = supports.half_depth > 0, at_axis = input.rig->friction_at == FrictionAt::axis;
+      return {
+          .stated = is_there  ? print.length(2 * supports.half_depth)
+                    : at_axis ? "friction acts at the axis"
+                              : "not stated",
+          .is_there = is_there,
+          .may_be_there = !at_axis,
+          .states_error = input.specimen && (has_error(input.specimen->height) || has_error(input.specimen->diameter)),
+          .error = errors.thickness};
+    }
+    case StatedQuantity::support_radius: {
+      const bool is_there = supports.radius > 0, is_stated = input.rig->supports || input.rig->roller_radius;
+      return {.stated = is_there    ? print.length(supports.radius)
+                        : is_stated ? "edges"
+                                    : "edges, not stated",
+              .is_there = is_there,
+              .states_error = has_error(input.rig->roller_radius),
+              .error = errors.support_radius};
+    }
+  }
+  return {};
+}
+
+std::string error_in_words(T test, StatedQuantity quantity, double error) {
+  return is_offset(quantity) ? format_roughly(error, Print(test).as(kind::length))
+                             : fmt::format("{:.2g} %", 100 * error);
+}
+
+std::string signed_points(double share) {
+  return fmt::format("{}{:.1f} points", share < 0 ? "\u2212" : "+", 100 * std::abs(share));
+}
+
+}  // namespace
+
+std::string signed_number(double value) { return fmt::format("{}{:.2f}", value < 0 ? "\u2212" : "+", std::abs(value)); }
+
+std::vector<HangsOn> what_the_answer_hangs_on(T test) {
+  const TestAnalysis& analysis = test.analysis;
+  if (!is_fitted(test) || !analysis.fit.friction_by) return {};
+  const PerQuantity<double> deviations =
+      deviations_beforehand(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
+  const Kind length = Print(test).as(kind::length);
+  std::vector<HangsOn> all;
+  for (const StatedQuantity quantity : in_order) {
+    const Statement statement = statement_of(test, quantity);
+    const double deviation = statement.is_there ? deviations[quantity] : unstated_length;
+    if (!statement.may_be_there || !(deviation > 0)) continue;
+    const double unit = changes_in_spans(quantity) ? analysis.scales.span() : 1;
+    const double friction = (*analysis.fit.friction_by)[quantity];
+    const double work = analysis.fit.mu0_is_bound ? NAN : (*analysis.work_by)[quantity];
+    all.push_back({.quantity = name_of(quantity),
+                   .title = title_of(quantity),
+                   .stated = statement.stated,
+                   .may_be_off = !statement.is_there ? "say " + format_roughly(deviation * unit, length)
+                                                     : error_in_words(test, quantity, statement.error) +
+                                                           (statement.states_error ? "" : ", assumed"),
+                   .is_supposed = !statement.is_there,
+                   .by = deviation * unit,
+                   .friction = friction / unit,
+                   .work = work / unit,
+                   .friction_moves = friction * deviation,
+                   .work_moves = work * deviation});
+  }
+  const auto weight = [](const HangsOn& each) { return std::pair(!each.is_supposed, std::abs(each.friction_moves)); };
+  std::stable_sort(all.begin(), all.end(), [&](const HangsOn& a, const HangsOn& b) { return weight(a) > weight(b); });
+  return all;
+}
+
+std::string hangs_on_in_words(T test, bool tells_work) {
+  const TestAnalysis& analysis = test.analysis;
+  const Print print(test);
+  constexpr double percent = 0.01, thousandth = 0.001;  // the latter of the span
+  const Supports& supports = analysis.rig.fibre.supports();
+  struct Part {
+    std::string what;
+    double friction, work;
+  };
+  std::vector<Part> parts;
+  for (const StatedQuantity quantity : in_order) {
+    const bool is_thickness = quantity == StatedQuantity::thickness;
+    if (quantity == StatedQuantity::force_gain ||
+        (quantity == StatedQuantity::load_train && !std::isfinite(analysis.rig.stiffness)) ||
+        (is_thickness && supports.half_depth == 0))
+      continue;
+    const double more = is_thickness                 ? percent * 2 * supports.half_depth
+                        : changes_in_spans(quantity) ? thousandth
+                                                     : percent;
+    parts.push_back({fmt::format("{} +{}", title_of(quantity),
+                                 changes_in_spans(quantity) && !is_thickness
+                                     ? format_roughly(analysis.scales.physical_length(more), print.as(kind::length))
+                                     : "1 %"),
+                     more * (*analysis.fit.friction_by)[quantity], more * (*analysis.work_by)[quantity]});
+  }
+  std::vector<std::string> words;
+  constexpr double worth_saying = 0.005;
+  for (const auto& [what, friction, work] : parts)
+    if (std::abs(friction) >= worth_saying) words.push_back(fmt::format("{}: {}", what, signed_number(friction)));
+  const auto most = std::max_element(parts.begin(), parts.end(),
+                                     [](const Part& a, const Part& b) { return std::abs(a.work) < std::abs(b.work); });
+  if (tells_work && std::abs(most->work) >= worth_saying)
+    words.push_back(fmt::format("{} moves the share of the work most, by {}", most->what, signed_points(most->work)));
+  if (words.empty()) return "hardly anything that is stated";
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+std::vector<FindingNumber> assumed_errors(T test) {
+  std::vector<FindingNumber> assumed;
+  for (const StatedQuantity quantity : in_order)
+    if (const Statement statement = statement_of(test, quantity); statement.is_there && !statement.states_error)
+      assumed.push_back({title_of(quantity), statement.error, is_offset(quantity) ? kind::length : kind::number});
+  return assumed;
+}
+
+}  // namespace flexslip

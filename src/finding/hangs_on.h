@@ -1,0 +1,43 @@
+// What an answer hangs on: each quantity that is stated or taken as something, by how much it may be off, and what that does to friction and to its
+// share of the work.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "case/fitted.h"
+#include "finding/finding.h"
+
+namespace flexslip {
+
+struct HangsOn {
+  std::string_view quantity, title;  // "load_train", "load train"
+  std::string stated;                // "90.65 N/m"; "edges, not stated"
+  std::string may_be_off;            // "1 %, assumed"
+  bool is_supposed;                  // it is taken for none, and told for some
+  double by;                         // [1] of it, or [m]: that, as a standard deviation
+  double friction,
+      work;  // [1], or [1/m]: by how much either would be larger, were it stated larger; no work of a limit
+  double friction_moves, work_moves;  // [1] for `by` more of it
+};
+
+// Those that may be off, what moves friction most first; and last, for a hundredth of the span, a radius of the supports and a thickness that are
+// taken for none.
+// Domain:     any test; empty where the fit tells no sensitivities.
+std::vector<HangsOn> what_the_answer_hangs_on(const FittedTest& test);
+
+// One line: friction for a hundredth or a thousandth more of each; and what moves the share of the work most, if that is told.
+// Domain:     the fit tells sensitivities.
+std::string hangs_on_in_words(const FittedTest& test, bool tells_work);
+
+// Of quantities that a case can state with an error and does not.
+std::vector<FindingNumber> assumed_errors(const FittedTest& test);
+
+// Of lengths that are taken for none, what is told all the same.
+inline constexpr double unstated_length = 0.01;  // [L]
+
+// "+0.04", "−0.04".
+std::string signed_number(double value);
+
+}  // namespace flexslip
