@@ -32,6 +32,19 @@ std::vector<double> weaker_of(const std::vector<double>& left, const std::vector
   return weaker;
 }
 
+// Falls with the length that has slid, as where the first contact is worn off: this part of the friction, within so many µm.
+std::vector<double> running_in(double part, double length) {
+  constexpr int count = 1680;
+  constexpr double spacing = 0.25;
+  std::vector<double> bumps;
+  for (int i = 0; i < count; ++i) bumps.push_back(part * std::exp(-i * spacing / length));
+  return bumps;
+}
+
+void add(std::vector<double>& bumps, const std::vector<double>& more) {
+  for (std::size_t i = 0; i < bumps.size(); ++i) bumps[i] += more[i];
+}
+
 // So smooth that hardly anything of it is shorter than its length [µm], as exp(-(x/length)^2/2), each quarter of a µm.
 std::vector<double> smooth_bumps(double rms, double length, Random& random) {
   constexpr double spacing = 0.25;
@@ -71,7 +84,7 @@ struct TestKind {
 
 SimulatedTest sliding(Random& random) {
   SimulatedTest test;
-  test.friction.mu0 = random.between(0.2, 0.95);
+  test.friction.mu0 = random.between(0.05, 0.95);
   test.deepest = random.between(0.15, 0.45);
   return test;
 }
@@ -112,6 +125,29 @@ SimulatedTest rough_smooth(Random& random) {
 SimulatedTest rough_wave(Random& random) {
   SimulatedTest test = rough_3_2(random);
   add_wave(test, random);
+  return test;
+}
+
+SimulatedTest rough_slow(Random& random) {
+  SimulatedTest test = rough_3_2(random);
+  add(test.friction.bumps, smooth_bumps(random.between(0.05, 0.25), log_between(random, 20, 100), random));
+  return test;
+}
+
+SimulatedTest rough_running_in(Random& random) {
+  SimulatedTest test = rough_3_2(random);
+  add(test.friction.bumps, running_in(random.between(0.1, 0.6), log_between(random, 10, 80)));
+  return test;
+}
+
+// Few high peaks or few deep holes.
+SimulatedTest rough_skewed(Random& random) {
+  SimulatedTest test = sliding(random);
+  const double side = random.uniform() < 0.5 ? -1 : 1, rms = random.between(0.03, 0.18);
+  test.friction.bumps = matern_bumps(1, log_between(random, 3, 20), random);
+  constexpr double skew = 0.7;
+  for (double& bump : test.friction.bumps) bump = side * rms * std::expm1(skew * bump) / skew;
+  test.friction.spacing = 0.25;
   return test;
 }
 
@@ -159,10 +195,10 @@ SimulatedTest slips_that_crack(Random& random) {
 // Friction that is constant or varies slowly: too slowly for slips.
 SimulatedTest cracking(Random& random) {
   SimulatedTest test = sliding(random);
-  test.friction.mu0 = random.between(0.05, 0.95);
   if (random.uniform() < 0.4) return test;
   const double length = log_between(random, 20, 80);
-  test.friction.bumps = smooth_bumps(random.between(0.02, 0.08), length, random);
+  test.friction.bumps = random.uniform() < 0.7 ? smooth_bumps(random.between(0.02, 0.08), length, random)
+                                               : running_in(random.between(0.05, 0.3), length);
   test.friction.spacing = 0.25;
   return test;
 }
@@ -226,6 +262,9 @@ constexpr std::array kinds{TestKind{"wave", wave},
                            TestKind{"rough_5_2", rough_5_2},
                            TestKind{"rough_smooth", rough_smooth},
                            TestKind{"rough_wave", rough_wave},
+                           TestKind{"rough_slow", rough_slow},
+                           TestKind{"rough_running_in", rough_running_in},
+                           TestKind{"rough_skewed", rough_skewed},
                            TestKind{"two_supports", two_supports},
                            TestKind{"constant", sliding},
                            TestKind{"slips_with_cracks", slips_with_cracks},
@@ -239,18 +278,22 @@ constexpr std::array kinds{TestKind{"wave", wave},
 
 struct RecordedTest {
   FitProblem problem;
-  double left = 1;     // [1] of the bending stiffness
-  bool slips = false;  // farther than the noise hides
+  double left = 1;                     // [1] of the bending stiffness
+  double by_slips = 0, by_cracks = 0;  // [EI/L^2] how far the force fell in all
 };
 
-// The loading that a laboratory records, with what it does not know: bending stiffness to 3 %, load train to 1 %, contact to .0005 L, noise.
+// The loading that a laboratory records, with what it does not know: bending stiffness to 5 %, load train to 1 %, contact to .0005 L or, like most
+// published tests, to .004 L, what the force is off by slowly to 0.5 %, noise.
 RecordedTest recorded(const SimulatedTest& test, Random& random) {
   static const SlidingLadder ladder(1.58, 2e-4);
   std::vector<double> mu;
   for (const double S : ladder.lengths()) mu.push_back(test.friction.mu(S));
   const auto curve = ladder.curve(mu);
-  const double k = log_between(random, 12, 300), stiffening = std::exp(0.03 * random.normal());
-  const double own_k = k * std::exp(0.01 * random.normal()) / stiffening, contact = 0.0005 * random.normal();
+  const double k = log_between(random, 12, 300), stiffening = std::exp(0.05 * random.normal());
+  const double own_k = k * std::exp(0.01 * random.normal()) / stiffening;
+  const double contact = (random.uniform() < 0.5 ? 0.0005 : 0.004) * random.normal();
+  const double drift = 0.005 * std::sqrt(2) * random.normal(), drift_begins = random.between(0, 2 * pi);
+  const double drift_turns = random.between(3, 12) / test.deepest;
   const double rows = log_between(random, 60, 2000), step = (test.deepest + 9 * stiffening / k) / rows;
   const double noise = log_between(random, 0.003, 0.03);
   const double correlation = random.uniform() < 0.5 ? 0 : random.between(0.3, 0.95);
@@ -267,18 +310,22 @@ RecordedTest recorded(const SimulatedTest& test, Random& random) {
       for (; i < curve.w.size() && G(i) < stage; ++i)
         if (G(i) < G(i - 1)) highest = std::max(highest, curve.F[i - 1]);
       if (i == curve.w.size()) return out;
+      const double fall = left * std::max(highest - curve.F[i], 0.0);
+      out.by_slips += fall;
       constexpr double seen = 4;  // [1] of the noise
-      if (left * (highest - curve.F[i]) > seen * noise) {
-        out.slips = true;
-        left *= 1 - test.loss_of_slip;
-      }
+      if (fall > seen * noise) left *= 1 - test.loss_of_slip;
       part = std::clamp((stage - G(i - 1)) / (G(i) - G(i - 1)), 0.0, 1.0);
       w = std::lerp(curve.w[i - 1], curve.w[i], part);
       settled = next == test.losses.size() || w < test.losses[next].w;
-      if (!settled) left *= 1 - test.losses[next++].share;
+      if (settled) continue;
+      const double lost = left * test.losses[next++].share;
+      out.by_cracks += lost * std::lerp(curve.F[i - 1], curve.F[i], part);
+      left -= lost;
     }
     if (w > test.deepest) return out;
-    const double force = left * std::lerp(curve.F[i - 1], curve.F[i], part) * stiffening + noise * e;
+    const double force = left * std::lerp(curve.F[i - 1], curve.F[i], part) * stiffening *
+                             (1 + drift * std::sin(drift_begins + drift_turns * stage)) +
+                         noise * e;
     e = correlation * e + std::sqrt(1 - correlation * correlation) * random.normal();
     if (stage < contact) continue;
     record.stage.push_back(stage - contact);
@@ -289,7 +336,8 @@ RecordedTest recorded(const SimulatedTest& test, Random& random) {
 
 void print_title() {
   std::puts(
-      "kind,cracks_alone,test,load_train,rows,deepest,drops,rises,given_back,margin,loss_margin,left,needed,"
+      "kind,cracks_alone,test,load_train,rows,deepest,drops,rises,given_back,friction_needed,margin,loss_margin,left,"
+      "needed,"
       "probability");
 }
 
@@ -302,11 +350,18 @@ void print(const std::string& kind, bool cracks_alone, int test, const FitProble
   if (drops.status != DropStatus::ok) return;
   const SlipOrCrack found = slip_or_crack(record, problem.rig, drops.drops);
   if (!found.judged || std::isnan(found.cracks_alone)) return;
-  std::printf("%s,%d,%d,%.1f,%zu,%.3f,%zu,%zu,%.4f,%.2f,%.2f,%.4f,%.4f,%.4f\n", kind.c_str(), cracks_alone ? 1 : 0,
+  std::printf("%s,%d,%d,%.1f,%zu,%.3f,%zu,%zu,%.4f,%.4f,%.2f,%.2f,%.4f,%.4f,%.4f\n", kind.c_str(), cracks_alone ? 1 : 0,
               test, problem.rig.stiffness, record.force.size(), record.deflection.back(), drops.drops.size(),
-              found.features.rises, found.features.given_back, found.features.margin, found.features.loss_margin, left,
+              found.features.rises, found.features.given_back, found.features.friction_needed, found.features.margin,
+              found.features.loss_margin, left,
               1 - std::max({found.cracks.left, found.cracks_constant.left, found.cracks_running.left}),
               found.cracks_alone);
+}
+
+// But for slips that hardly matter.
+bool cracks_alone(const RecordedTest& test) {
+  constexpr double hardly = 0.1;
+  return test.by_slips < hardly * test.by_cracks;
 }
 
 int simulate(const std::string& kind, int first, int tests) {
@@ -321,7 +376,7 @@ int simulate(const std::string& kind, int first, int tests) {
     Random random = random_of(kind, test);
     const SimulatedTest simulated = of_kind->make(random);
     const RecordedTest recorded_test = recorded(simulated, random);
-    print(kind, !simulated.losses.empty() && !recorded_test.slips, test, recorded_test.problem, recorded_test.left);
+    print(kind, cracks_alone(recorded_test), test, recorded_test.problem, recorded_test.left);
   }
   return 0;
 }

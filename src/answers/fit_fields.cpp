@@ -114,6 +114,8 @@ Fields<SlipOrCrack> slip_or_crack_fields() {
               &SlipOrCrack::cracks_alone)
       .number("given_back", "share of the stiffness that the drops seem to take which the rises seem to give back",
               [](const SlipOrCrack& judged) { return judged.features.given_back; })
+      .number("friction_needed", "constant friction that cracks alone would need; 0 to 1.3",
+              [](const SlipOrCrack& judged) { return judged.features.friction_needed; })
       .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
               [](const SlipOrCrack& judged) { return judged.features.margin; })
       .number("loss_margin", "BIC of slips minus BIC of slips with a loss of stiffness at each drop",

@@ -894,6 +894,8 @@ std::string slip_or_crack_in_words(T test) {
   else if (judgement.drops == CrackVerdict::cannot_be_told)
     parts.emplace_back(most_are_impossible(judgement.impossible, drops)
                            ? "no probability while so many drops cannot be slips"
+                       : stiffness_is_off(test.analysis)
+                           ? "no probability while the bending stiffness is not that stated: check the load train"
                            : "no probability: such records were not simulated");
   if (std::isfinite(judgement.loss_needed) && !lost_stiffness(judgement))
     parts.push_back(

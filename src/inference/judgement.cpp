@@ -8,6 +8,7 @@
 #include "bending_test/equilibrium.h"
 #include "data/loading_stiffness.h"
 #include "data/names.h"
+#include "inference/checks.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -97,14 +98,14 @@ double left_by_cracks(const TestAnalysis& analysis) {
              : left_by_drops(analysis);
 }
 
+// None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
 double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
   double probability = analysis.slip_or_crack.cracks_alone;
   if (std::isfinite(judgement.loss))
     probability = with_reload(probability, {judgement.loss_needed, judgement.loss, judgement.loss_error});
-  return most_are_impossible(judgement.impossible, analysis.drops.drops.size()) &&
-                 verdict_of(probability) != CrackVerdict::cracks
-             ? NAN
-             : probability;
+  const bool outside =
+      most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
+  return outside && verdict_of(probability) != CrackVerdict::cracks ? NAN : probability;
 }
 
 CrackVerdict verdict_on(const Judgement& judgement) {
@@ -132,6 +133,11 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const
 
 std::string_view name_of(Standing standing) {
   return name_in_order<Standing::untrusted>(standing, {"sound", "conditional", "doubtful", "suspect", "untrusted"});
+}
+
+bool stiffness_is_off(const TestAnalysis& analysis) {
+  return std::abs(elementary::log(analysis.fit.bending_stiffness.value)) >
+         max_stiffness_errors * analysis.bending_stiffness_error;
 }
 
 bool most_are_impossible(std::size_t impossible, std::size_t drops) {

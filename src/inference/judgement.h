@@ -48,6 +48,10 @@ struct Judgement {
   std::vector<FrictionIfLost> if_lost{};
 };
 
+// Is the bending stiffness of the fit off that stated, which the verdict on the rises takes for granted, by more than twice its error? A load train
+// stated too stiff can do that.
+bool stiffness_is_off(const TestAnalysis& analysis);
+
 // Of three drops or more half or more that cannot be slips: the load train is not as stated, before anything else.
 bool most_are_impossible(std::size_t impossible, std::size_t drops);
 
@@ -55,8 +59,8 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops);
 bool lost_stiffness(const Judgement& judgement);
 
 // A reload that is softer says cracks. One that lost less than cracks alone would need to make the drops makes these less probable; where the rises
-// tell nothing, by more than its error at 95 %, it says that they were not cracks alone. Where half of three drops or more cannot be slips there is
-// no probability, unless it is one of cracks. Drops are not asked about where there are none.
+// tell nothing, by more than its error at 95 %, it says that they were not cracks alone. Where half of three drops or more cannot be slips, or the
+// bending stiffness is off (stiffness_is_off), there is no probability, unless it is one of cracks. Drops are not asked about where there are none.
 // Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles);
 

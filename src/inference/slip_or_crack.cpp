@@ -212,6 +212,7 @@ class Rises {
     out.features.rises = size();
     out.stiffer_rises = stiffer;
     out.features.given_back = given_back;
+    out.features.friction_needed = mu;
     // friction, ρ
     const FunctionOfNumbers slow = [&](std::span<const double> p) {
       return cracks(p.first(slow_terms), p[slow_terms]);
@@ -491,6 +492,8 @@ double cracks_alone(const RiseFeatures& features) {
   const double of_a_rise =
       fitted::constant +
       fitted::of_given_back * squashed((features.given_back - fitted::given_back_middle) / fitted::given_back_width) +
+      fitted::of_friction_needed *
+          squashed((features.friction_needed - fitted::friction_needed_middle) / fitted::friction_needed_width) +
       fitted::of_margin * squashed(features.margin / fitted::margin_width) +
       fitted::of_loss_margin * squashed(features.loss_margin / fitted::loss_margin_width);
   const double rises = std::sqrt(static_cast<double>(std::min(features.rises, fitted::rises_that_count)));

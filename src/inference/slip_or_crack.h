@@ -6,8 +6,9 @@
 //   cracks   F = e_j Ψ_F(w; μ(S)), e_j never rising from rise to rise; or with μ constant; or with e falling within a rise as well
 //   slip     F = e Ψ_F(w; a_j + b_j (S - S̄_j)), b_j about one b; or with e less at each drop
 // judged by BIC; friction of cracks varies slowly. And the apparent stiffness F/Ψ_F(w; μ) falls at each drop: a specimen that slips gives it back
-// in the rises, one that cracks does not. From both together follows how probably cracks alone made the drops. What no single loading tells is
-// slip alone from slip with some loss of stiffness: for that, unload and load again.
+// in the rises, one that cracks does not. Rises of slips are steep, which cracks alone explain by much friction. From all three together follows
+// how probably cracks alone made the drops. What no single loading tells is slip alone from slip with some loss of stiffness: for that, unload and
+// load again.
 #pragma once
 
 #include <cmath>
@@ -43,12 +44,13 @@ struct RiseFeatures {
   std::size_t rises;  // that are judged
   double
       given_back;  // [1] of what the drops take off the logarithm of the apparent stiffness, the rises give back so much; -1 to 2
-  double margin;       // D*: BIC of the best of the cracks less that of the best of the slips
-  double loss_margin;  // BIC of slips less that of slips with a loss at each drop
+  double friction_needed;  // [1] by cracks alone, if constant; 0 to 1.3
+  double margin;           // D*: BIC of the best of the cracks less that of the best of the slips
+  double loss_margin;      // BIC of slips less that of slips with a loss at each drop
 };
 
 // That cracks alone made the drops, slips and cracks being as likely beforehand.
-// Domain:     finite features. The higher given_back and margin, the less probable; the higher loss_margin, the more; the more rises, the surer.
+// Domain:     finite features. The higher given_back, friction_needed and margin, the less probable; the higher loss_margin, the more; the more rises, the surer.
 // Method:     logistic regression on simulated tests (tools/calibrate-verdict; docs/theory.md, "Slip or crack").
 double cracks_alone(const RiseFeatures& features);
 

@@ -1,4 +1,4 @@
-// What makes a probability of what tells slips from cracks: cracks_alone (slip_or_crack.h). Written by tools/calibrate-verdict of 6750 simulated tests, not
+// What makes a probability of what tells slips from cracks: cracks_alone (slip_or_crack.h). Written by tools/calibrate-verdict of 7743 simulated tests, not
 // by hand.
 #pragma once
 
@@ -7,19 +7,22 @@
 namespace flexslip::verdict_coefficients {
 
 // Of the log odds that cracks alone made the drops, over the root of the number of rises, by tanh((feature - middle)/width).
-inline constexpr double constant = 0.518;
-inline constexpr double of_given_back = -1.821;
-inline constexpr double of_margin = -0.241;
-inline constexpr double of_loss_margin = 0.458;
+inline constexpr double constant = 0.292;
+inline constexpr double of_given_back = -1.732;
+inline constexpr double of_friction_needed = -0.490;
+inline constexpr double of_margin = -0.203;
+inline constexpr double of_loss_margin = 0.280;
 inline constexpr double given_back_middle = 0.25;
+inline constexpr double friction_needed_middle = 0.7;
 inline constexpr std::size_t rises_that_count = 16;
 inline constexpr double given_back_width = 0.4;
+inline constexpr double friction_needed_width = 0.4;
 inline constexpr double margin_width = 15;
 inline constexpr double loss_margin_width = 10;
 
 // Of what a reload adds to them, by how much less was lost than cracks alone need, in errors of both; that of what they need is a share of it.
-inline constexpr double reload_constant = -0.330;
-inline constexpr double of_reload = -0.605;
+inline constexpr double reload_constant = -0.351;
+inline constexpr double of_reload = -0.725;
 inline constexpr double reload_width = 0.300;
 
 // What the simulated tests range over.

@@ -1,6 +1,7 @@
 #include "inference/judgement.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <doctest/doctest.h>
 
@@ -121,6 +122,22 @@ TEST_CASE("identity: where half of the drops cannot be slips there is no probabi
   for (Slip& slip : analysis.slips) slip.verdict = SlipVerdict::unexplained;
   CHECK(std::isnan(judge(analysis, nullptr).cracks_alone));
   CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
+  analysis.slip_or_crack.cracks_alone = 0.97;
+  CHECK(judge(analysis, nullptr).drops == CrackVerdict::cracks);
+}
+
+TEST_CASE("identity: where the fit finds another bending stiffness there is no probability, but for one of cracks") {
+  auto analysis = slipping();
+  const double error = analysis.bending_stiffness_error;
+  for (const double errors : {-1.9, 1.9}) {
+    analysis.fit.bending_stiffness.value = std::exp(errors * error);
+    CHECK(judge(analysis, nullptr).drops == CrackVerdict::not_by_cracks_alone);
+  }
+  for (const double errors : {-2.1, 2.1}) {
+    analysis.fit.bending_stiffness.value = std::exp(errors * error);
+    CHECK(std::isnan(judge(analysis, nullptr).cracks_alone));
+    CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
+  }
   analysis.slip_or_crack.cracks_alone = 0.97;
   CHECK(judge(analysis, nullptr).drops == CrackVerdict::cracks);
 }

@@ -52,6 +52,7 @@ TEST_CASE("identity: rises of a fibre that slips are not those of cracks alone")
     CHECK(2 * found.stiffer_rises > found.features.rises);
     CHECK(found.cracks_alone < 0.02);
     CHECK(found.features.given_back > 0.7);
+    CHECK(found.features.friction_needed > 0.7);
   }
 }
 
@@ -62,6 +63,7 @@ TEST_CASE("identity: rises of a fibre that cracks are not those of slips, and wh
     CHECK(found.verdict == CrackVerdict::cracks);
     CHECK(found.cracks_alone > 0.95);
     CHECK(std::abs(found.features.given_back) < 0.2);
+    CHECK(found.features.friction_needed == doctest::Approx(0.5).scale(0).epsilon(0.2));
     CHECK(found.cracks_constant.left == doctest::Approx(0.6).scale(0).epsilon(0.05));
   }
 }
@@ -94,29 +96,33 @@ TEST_CASE("limit: a record unlike those simulated has no probability") {
 }
 
 TEST_CASE(
-    "identity: the probability falls as rises give back more and as cracks explain them worse, and is surer with more "
-    "rises") {
-  const RiseFeatures middle{.rises = 9, .given_back = 0.3, .margin = 2, .loss_margin = 0};
-  double before_given = 1, before_margin = 1, before_loss = 0;
+    "identity: the probability falls as rises give back more, as cracks need more friction and as they explain them "
+    "worse, and is surer with more rises") {
+  const RiseFeatures middle{.rises = 9, .given_back = 0.3, .friction_needed = 0.7, .margin = 2, .loss_margin = 0};
+  double before_given = 1, before_friction = 1, before_margin = 1, before_loss = 0;
   for (int i = -20; i <= 40; ++i) {
-    RiseFeatures given = middle, margin = middle, loss = middle;
+    RiseFeatures given = middle, friction = middle, margin = middle, loss = middle;
     given.given_back = 0.05 * i;
+    friction.friction_needed = 0.7 + 0.02 * i;
     margin.margin = 2.0 * i;
     loss.loss_margin = i;
-    const double by_given = cracks_alone(given), by_margin = cracks_alone(margin), by_loss = cracks_alone(loss);
+    const double by_given = cracks_alone(given), by_friction = cracks_alone(friction), by_margin = cracks_alone(margin),
+                 by_loss = cracks_alone(loss);
     CHECK(by_given < before_given);
+    CHECK(by_friction < before_friction);
     CHECK(by_margin < before_margin);
     CHECK(by_loss > before_loss);
-    before_given = by_given, before_margin = by_margin, before_loss = by_loss;
+    before_given = by_given, before_friction = by_friction, before_margin = by_margin, before_loss = by_loss;
   }
   for (const double given_back : {0.0, 0.9}) {
     double sureness = 0;
     for (const std::size_t rises : {3U, 5U, 8U, 16U}) {
-      const double p = cracks_alone({.rises = rises, .given_back = given_back, .margin = 0, .loss_margin = 0});
+      const double p = cracks_alone(
+          {.rises = rises, .given_back = given_back, .friction_needed = 0.7, .margin = 0, .loss_margin = 0});
       CHECK(std::abs(p - 0.5) > sureness);
       sureness = std::abs(p - 0.5);
     }
-    CHECK(std::abs(cracks_alone({100, given_back, 0, 0}) - cracks_alone({16, given_back, 0, 0})) == 0);
+    CHECK(std::abs(cracks_alone({100, given_back, 0.7, 0, 0}) - cracks_alone({16, given_back, 0.7, 0, 0})) == 0);
   }
 }
 
@@ -126,9 +132,10 @@ TEST_CASE("table: probabilities of some features, by the formula of theory.md") 
     double probability;
   };
   for (const auto& [features, probability] :
-       {Case{{3, 0, 0, 0}, 0.933792}, Case{{5, 0.95, 20, -4}, 0.028391}, Case{{12, 0.9, 12, -4}, 0.005486},
-        Case{{9, 0.45, 0, -2}, 0.224133}, Case{{16, -0.05, -12, 9}, 0.999825}, Case{{30, 0.3, -2, 3}, 0.861484},
-        Case{{4, 2, 100, -5}, 0.029025}})
+       {Case{{3, 0, 0.3, 0, 0}, 0.943528}, Case{{5, 0.95, 0.9, 20, -4}, 0.015796},
+        Case{{12, 0.9, 1.2, 12, -4}, 0.001095}, Case{{9, 0.45, 1, 0, -2}, 0.067570},
+        Case{{16, -0.05, 0.5, -12, 9}, 0.999597}, Case{{30, 0.3, 0.3, -2, 3}, 0.903183},
+        Case{{4, 2, 0.6, 100, -5}, 0.035446}})
     CHECK(cracks_alone(features) ==
           doctest::Approx(probability).scale(0).epsilon(2e-4));  // as many digits as are written
 }

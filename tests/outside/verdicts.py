@@ -96,10 +96,29 @@ until = {int(float(row["index_of_failure"]))}
 ''')
             verdicts[name] = self.answer(case)[0]["judgement"]["drops"]
         self.assertNotIn("cracks", verdicts.values())
-        for name in ("SS4", "SS18", "SS20", "SS25"):
+        for name in ("SS4", "SS14", "SS18", "SS19", "SS20", "SS25", "SS29"):
             self.assertEqual(verdicts[name], "not_by_cracks_alone", name)
-        for name in ("SS5", "SS19"):
+        for name in ("SS5", "SS33"):
             self.assertEqual(verdicts[name], "cannot_be_told", name)
+
+    @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
+    def test_a_load_train_stated_far_too_stiff_leaves_no_probability(self):
+        case = self.file("case.toml", f'''[specimen]
+bending_stiffness = {{ value = "{1.0208333333333333 * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
+[rig]
+span = "1278 um"
+stiffness = "90.65 N/m"
+[record]
+file = "{(SHARED / "spicules/ss").resolve() / "SS14.csv"}"
+stage = "w_s_m [m]"
+force = "F_N [N]"
+until = 267
+''')
+        self.assertLess(self.json("fit", case)["judgement"]["cracks_alone"], 0.05)
+        for stiffness in "150 N/m", "200 N/m":
+            answer = self.json("fit", case, "--set", f'rig.stiffness="{stiffness}"')
+            self.assertIsNone(answer["judgement"]["cracks_alone"])
+            self.assertEqual(answer["verdict"]["code"], "undecided")
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_a_record_that_no_friction_on_such_rollers_gives_is_said_to_be_one(self):
