@@ -136,12 +136,15 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
     const double unit = changes_in_spans(quantity) ? analysis.scales.span() : 1;
     const double friction = (*analysis.fit.friction_by)[quantity];
     const double work = analysis.fit.mu0_is_bound ? NAN : (*analysis.work_by)[quantity];
+    const std::string step =
+        statement.is_there ? error_in_words(test, quantity, statement.error) : format_roughly(deviation * unit, length);
     all.push_back({.quantity = name_of(quantity),
                    .title = title_of(quantity),
                    .stated = statement.stated,
-                   .may_be_off = !statement.is_there ? "say " + format_roughly(deviation * unit, length)
-                                                     : error_in_words(test, quantity, statement.error) +
-                                                           (statement.states_error ? "" : ", assumed"),
+                   .step = step,
+                   .may_be_off = !statement.is_there      ? "say " + step
+                                 : statement.states_error ? step
+                                                          : step + ", assumed",
                    .is_supposed = !statement.is_there,
                    .by = deviation * unit,
                    .friction = friction / unit,
@@ -155,38 +158,18 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
 }
 
 std::string hangs_on_in_words(T test, bool tells_work) {
-  const TestAnalysis& analysis = test.analysis;
-  const Print print(test);
-  constexpr double percent = 0.01, thousandth = 0.001;  // the latter of the span
-  const Supports& supports = analysis.rig.fibre.supports();
-  struct Part {
-    std::string what;
-    double friction, work;
-  };
-  std::vector<Part> parts;
-  for (const StatedQuantity quantity : in_order) {
-    const bool is_thickness = quantity == StatedQuantity::thickness;
-    if (quantity == StatedQuantity::force_gain ||
-        (quantity == StatedQuantity::load_train && !std::isfinite(analysis.rig.stiffness)) ||
-        (is_thickness && supports.half_depth == 0))
-      continue;
-    const double more = is_thickness                 ? percent * 2 * supports.half_depth
-                        : changes_in_spans(quantity) ? thousandth
-                                                     : percent;
-    parts.push_back({fmt::format("{} +{}", title_of(quantity),
-                                 changes_in_spans(quantity) && !is_thickness
-                                     ? format_roughly(analysis.scales.physical_length(more), print.as(kind::length))
-                                     : "1 %"),
-                     more * (*analysis.fit.friction_by)[quantity], more * (*analysis.work_by)[quantity]});
-  }
+  const auto all = what_the_answer_hangs_on(test);
   std::vector<std::string> words;
   constexpr double worth_saying = 0.005;
-  for (const auto& [what, friction, work] : parts)
-    if (std::abs(friction) >= worth_saying) words.push_back(fmt::format("{}: {}", what, signed_number(friction)));
-  const auto most = std::max_element(parts.begin(), parts.end(),
-                                     [](const Part& a, const Part& b) { return std::abs(a.work) < std::abs(b.work); });
-  if (tells_work && std::abs(most->work) >= worth_saying)
-    words.push_back(fmt::format("{} moves the share of the work most, by {}", most->what, signed_points(most->work)));
+  const HangsOn* most = nullptr;  // of the work
+  for (const HangsOn& each : all) {
+    if (std::abs(each.friction_moves) >= worth_saying)
+      words.push_back(fmt::format("{} +{}: {}", each.title, each.step, signed_number(each.friction_moves)));
+    if (!each.is_supposed && (!most || std::abs(each.work_moves) > std::abs(most->work_moves))) most = &each;
+  }
+  if (tells_work && most && std::abs(most->work_moves) >= worth_saying)
+    words.push_back(fmt::format("{} +{} moves the share of the work most, by {}", most->title, most->step,
+                                signed_points(most->work_moves)));
   if (words.empty()) return "hardly anything that is stated";
   return fmt::format("{}", fmt::join(words, "; "));
 }

@@ -14,7 +14,8 @@ namespace flexslip {
 struct HangsOn {
   std::string_view quantity, title;  // "load_train", "load train"
   std::string stated;                // "90.65 N/m"; "edges, not stated"
-  std::string may_be_off;            // "1 %, assumed"
+  std::string step;                  // "1 %"
+  std::string may_be_off;            // that, "1 %, assumed"
   bool is_supposed;                  // it is taken for none, and told for some
   double by;                         // [1] of it, or [m]: that, as a standard deviation
   double friction,
@@ -22,12 +23,12 @@ struct HangsOn {
   double friction_moves, work_moves;  // [1] for `by` more of it
 };
 
-// Those that may be off, what moves friction most first; and last, for a hundredth of the span, a radius of the supports and a thickness that are
+// Those that may be off, what moves friction most first; and last, for a thousandth of the span, a radius of the supports and a thickness that are
 // taken for none.
 // Domain:     any test; empty where the fit tells no sensitivities.
 std::vector<HangsOn> what_the_answer_hangs_on(const FittedTest& test);
 
-// One line: friction for a hundredth or a thousandth more of each; and what moves the share of the work most, if that is told.
+// One line: friction for as much more of each as it may be off; and what moves the share of the work most, if that is told.
 // Domain:     the fit tells sensitivities.
 std::string hangs_on_in_words(const FittedTest& test, bool tells_work);
 
@@ -35,7 +36,7 @@ std::string hangs_on_in_words(const FittedTest& test, bool tells_work);
 std::vector<FindingNumber> assumed_errors(const FittedTest& test);
 
 // Of lengths that are taken for none, what is told all the same.
-inline constexpr double unstated_length = 0.01;  // [L]
+inline constexpr double unstated_length = 0.001;  // [L]
 
 // "+0.04", "−0.04".
 std::string signed_number(double value);

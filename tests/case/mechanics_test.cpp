@@ -61,15 +61,22 @@ TEST_CASE("mechanics: the section's uncertainty counts in EI as its second momen
 }
 
 TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual where it says nothing (identity)") {
-  const RigErrors usual = rig_errors_of(read_case("[rig]\nspan = '1 mm'\nstiffness = '90 N/m'", "case.toml"));
+  Measurement measurement;
+  measurement.test = read_case("[rig]\nspan = '1 mm'\nstiffness = '90 N/m'", "case.toml");
+  const RigErrors usual = rig_errors_of(measurement);
   CHECK(usual.load_train == RigErrors{}.load_train);
   CHECK(usual.span == RigErrors{}.span);
   CHECK(usual.force_gain == RigErrors{}.force_gain);
-  const RigErrors errors = rig_errors_of(
-      read_case("[specimen]\ndiameter = '30 um ± 2 %'\nmodulus = '30 GPa'\n[rig]\nspan = '1 mm ± 2 um'\n"
-                "stiffness = '90 N/m ± 0.4 %'\nsupport_stiffness = '45 N/m'\nroller_radius = '0.1 mm ± 3 %'\n"
-                "[record]\nfile = 'a.csv'\nstage = 'w [um]'\nforce = 'F [N]'\ngain_error = '0 %'",
-                "case.toml"));
+  CHECK(usual.preload == RigErrors{}.preload);
+  measurement.begins_free = true;
+  CHECK(rig_errors_of(measurement).preload == 0);
+  measurement.test = read_case(
+      "[specimen]\ndiameter = '30 um ± 2 %'\nmodulus = '30 GPa'\n[rig]\nspan = '1 mm ± 2 um'\n"
+      "stiffness = '90 N/m ± 0.4 %'\nsupport_stiffness = '45 N/m'\nroller_radius = '0.1 mm ± 3 %'\n"
+      "[record]\nfile = 'a.csv'\nstage = 'w [um]'\nforce = 'F [N]'\ngain_error = '0 %'\npreload_error = '3 um'",
+      "case.toml");
+  const RigErrors errors = rig_errors_of(measurement);
+  CHECK(errors.preload == doctest::Approx(0.003));
   CHECK(errors.span == doctest::Approx(0.002));
   CHECK(errors.thickness == doctest::Approx(0.02));
   CHECK(errors.support_radius == doctest::Approx(0.03));
