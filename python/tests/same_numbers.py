@@ -229,7 +229,7 @@ class Tables(unittest.TestCase):
     def test_identity_a_record_of_arrays_has_the_numbers_of_its_file(self):
         export = flexslip.read("examples/simulated/test.csv")
         keys = {"diameter": "34.8 um ± 0.1 %", "modulus": ("29.6 GPa", "888 MPa"), "span": "1278 um ± 0.1 %", "stiffness": "90.65 N/m ± 0.1 %", "material": "glass",
-                "support_material": "steel", "supports": "edges", "record": {"gain_error": "0.1 %"}}
+                "support_material": "steel", "supports": "edges", "record": {"gain_error": "0.1 %", "preload_error": "0 um"}}
         of_file = flexslip.fit(case("simulated")).to_dict()
         of_arrays = flexslip.fit(stage=export.si("crosshead"), force=export.si("force"), **keys).to_dict()
         in_units = flexslip.fit(stage=(export.si("crosshead") * 1e6, "um"), force=list(export.si("force")), **keys).to_dict()

@@ -169,10 +169,8 @@ struct RecordInput {
   std::optional<std::string> calibration{};  // of a force in volts, "222 N/V"
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
-  std::optional<ContactRule> contact{};  // none: found where the record begins before it
-  std::optional<double> gain_error{};    // [1] of the load cell's gain, a standard deviation
-  std::optional<double>
-      preload_error{};  // [m] of the deflection that was there before displacement and force were set to zero, likewise
+  std::optional<ContactRule> contact{};                 // none: found where the record begins before it
+  std::optional<double> gain_error{}, preload_error{};  // [1] of the load cell, [m] of its zero: standard deviations
   FailureRule failure = FailureRule::find;
   std::optional<char> decimal{};
   std::optional<PlaceInRecord> first{}, until{};  // none: with its first row, before failure

@@ -237,12 +237,13 @@ double residual_rms(std::span<const double> force, const Passages& passages) {
   return std::sqrt(sum / static_cast<double>(force.size()));
 }
 
-RigCorrection correction_of(const Linearisation& at, const Passages& passages) {
-  std::vector<Shift> shift;
-  for (std::size_t i = 0; i < passages.size(); ++i) {
-    const double force = at.force[i] - passages.force[i];
-    shift.push_back({at.stage[i] - passages.stage[i] - passages.compliance * force, force});
-  }
+RigCorrection correction_of(const std::vector<double>& rig, const Passages& passages) {
+  std::vector<Shift> shift(passages.size(), Shift{0, 0});
+  for (std::size_t r = 0; r < rig.size(); ++r)
+    for (std::size_t i = 0; i < shift.size(); ++i) {
+      shift[i].deflection += rig[r] * passages.rig_errors[r].shift[i].deflection;
+      shift[i].force += rig[r] * passages.rig_errors[r].shift[i].force;
+    }
   return {passages.stage, std::move(shift), passages.compliance};
 }
 
@@ -362,7 +363,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});
   fit.band = posterior.band;
   fit.mean = posterior.profile;
-  fit.correction = correction_of(found.components.front().mode.at, passages);
+  fit.correction = correction_of(posterior.rig, passages);
   fit.draws = posterior.draws;
   fit.draw_stiffness = posterior.draw_stiffness;
   fit.force = run_forward(fit, whole.rig, whole.record.stage);

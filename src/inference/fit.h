@@ -68,7 +68,7 @@ struct RigErrors {
   double load_train = 0.01, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
-  double preload = 0.005;      // [L] of deflection that was there before displacement and force were set to zero
+  double preload = 0.001;  // [L] of deflection that was there before displacement and force were set to zero, with care
   double slow_force = 0.0065;  // of the greatest force: bow, relaxation, drift of the cell
 };
 
@@ -153,7 +153,7 @@ struct FrictionFit {
   std::vector<Explanation> explanations;  // likeliest first
   std::vector<ScannedWave> scan;          // λ rising
   ProfileBand band;
-  RigCorrection correction;  // of what the rig is found to be off by, at the likeliest explanation
+  RigCorrection correction;  // of what the rig is found to be off by
   FrictionTable mean;  // the mean of μ over what is drawn in, for runs forward: at the estimated bending stiffness
   std::vector<FrictionTable> draws;    // profiles that explain the record as well, drawn at random (20), likewise
   std::vector<double> draw_stiffness;  // [1] relative bending stiffness of each

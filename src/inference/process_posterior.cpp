@@ -642,6 +642,7 @@ class Posterior {
     for (const auto& component : components_)
       if (weighs(component)) total += weight_of(component, components_.front());
     std::vector<double> squares(profile_points, 0);
+    result_.rig.assign(process_.passages().rig_errors.size(), 0);
     double passed = 0;
     for (const auto& component : components_) {
       if (!weighs(component)) continue;
@@ -649,7 +650,10 @@ class Posterior {
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
       Profile profile = process_.profile_of(mode, places);
-      const auto smoothed = Chain(profile.observations, mode.kernel, p).smoothed();
+      const Chain chain(profile.observations, mode.kernel, p);
+      const auto smoothed = chain.smoothed();
+      for (std::size_t r = 0; r < result_.rig.size(); ++r)
+        result_.rig[r] += weight * chain.mean()[process_.columns().rig + static_cast<Index>(r)];
       for (std::size_t i = 0; i < profile_points; ++i) {
         const auto& at = smoothed[profile.at[i]];
         const double mu = FrictionProcess::mean_friction + at.f;

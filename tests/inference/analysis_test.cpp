@@ -62,7 +62,9 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
 TEST_CASE("identity: the measured energies close, and agree with those of the model that made the test") {
   auto truth = toothed();
   truth.noise = 1e-4;
-  const auto analysis = analyse(to_physical(simulated_record(truth), scales), description_of(truth));
+  TestDescription description = description_of(truth);
+  description.rig_errors = none_off;
+  const auto analysis = analyse(to_physical(simulated_record(truth), scales), description);
   const auto& measured = analysis.energy.account;
   // Trapezoids over the points of a test: a few per mille of the work.
   const double parts = measured.bending + measured.load_train + measured.friction + measured.snaps;
@@ -76,7 +78,8 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
 TEST_CASE("identity: the share of the work moves with what is stated as its sensitivities say") {
   const SimulatedTruth truth{.friction = Friction::constant(0.5), .noise = 0.01};
   const Record record = to_physical(simulated_record(truth), scales);
-  const TestDescription description = description_of(truth);
+  TestDescription description = description_of(truth);
+  description.rig_errors = none_off;
   const auto usual = analyse(record, description);
   REQUIRE(usual.work_by);
   constexpr double more = 0.003;

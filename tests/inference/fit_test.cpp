@@ -132,8 +132,7 @@ TEST_CASE(
     CHECK(std::abs(stiffer - more * (*usual.log_stiffness_by)[quantity]) <
           first_order * std::abs(more * (*usual.log_stiffness_by)[quantity]) + hardly);
   }
-  problem.rig_errors = {
-      .load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .preload = 0, .slow_force = 0};
+  problem.rig_errors = none_off;
   CHECK(fit_friction(problem).mu0.standard_error < 0.5 * usual.mu0.standard_error);
 }
 

@@ -21,6 +21,10 @@ inline const std::vector<Crack> six_cracks{{0.12, 0.06},           {0.17, 1 - 0.
 // Span and bending stiffness of a spicule.
 inline const Scales scales(1278e-6, 1.02 * 1278e-6 * 1278e-6 * 1278e-6);
 
+// Of a rig that is as stated.
+inline constexpr RigErrors none_off{
+    .load_train = 0, .span = 0, .force_gain = 0, .thickness = 0, .support_radius = 0, .preload = 0, .slow_force = 0};
+
 struct SimulatedTruth {
   Friction friction;
   double stiffness = 90;     // [EI/L^3] nominal

@@ -92,7 +92,7 @@ class BadRecord(InFolder):
     def test_until_beyond_the_record(self):
         self.file("test.csv", RECORD)
         case = self.file("case.toml", CASE + "until = 5000\n")
-        self.refused("invert", case, says=["case.toml:19", "until", "426"])
+        self.refused("invert", case, says=["case.toml:20", "until", "426"])
 
 
 class BadLoadTrain(InFolder):
