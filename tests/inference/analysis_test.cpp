@@ -78,8 +78,7 @@ TEST_CASE("identity: the measured energies close, and agree with those of the mo
 TEST_CASE("identity: the share of the work moves with what is stated as its sensitivities say") {
   const SimulatedTruth truth{.friction = Friction::constant(0.5), .noise = 0.01};
   const Record record = to_physical(simulated_record(truth), scales);
-  TestDescription description = description_of(truth);
-  description.rig_errors = none_off;
+  const TestDescription description = description_of(truth);
   const auto usual = analyse(record, description);
   REQUIRE(usual.work_by);
   constexpr double more = 0.003;

@@ -151,7 +151,7 @@ TEST_CASE("rig: run forward, the fit reads what a rig does that is off") {
     sum += problem.record.force[i] - fit.force[i];
     ++count;
   }
-  CHECK(std::abs(sum / count) < 0.001 * greatest);
+  CHECK(std::abs(sum / count) < 0.002 * greatest);  // what the gain adds is 0.6 % in the mean
 }
 
 TEST_CASE("limit: a correction is in proportion to the stage at first, and stays at last") {
