@@ -124,14 +124,6 @@ void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
   point.stage -= shift.deflection + shift.force / analysis.rig.stiffness;
 }
 
-// ∫ F dw0 over a record.
-double work_of(const ReducedRecord& record) {
-  double work = 0;
-  for (std::size_t i = 1; i < record.force.size(); ++i)
-    work += 0.5 * (record.force[i] + record.force[i - 1]) * (record.deflection[i] - record.deflection[i - 1]);
-  return work;
-}
-
 // In units of the nominal bending stiffness.
 MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) {
   MeasuredEnergy energy{};
@@ -140,6 +132,7 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
   for (std::size_t i = 1; i < record.force.size(); ++i) {
     const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
     energy.account.stage_work += mean_force * (record.stage[i] - record.stage[i - 1]);
+    energy.work_of_fracture += mean_force * (record.deflection[i] - record.deflection[i - 1]);
   }
   const double last_force = record.force.empty() ? 0 : record.force.back();
   energy.account.load_train = 0.5 * last_force * last_force / rig.stiffness;
@@ -174,7 +167,6 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
     previous = state;
   }
   auto& account = energy.account;
-  energy.work_of_fracture = work_of(record);
   energy.friction_share = (account.friction + account.snaps) / energy.work_of_fracture;
   for (double* part : {&account.stage_work, &account.bending, &account.load_train, &account.friction, &account.snaps,
                        &energy.work_of_fracture})
@@ -317,8 +309,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
-  analysis.energy = measured_energy(fitted, analysis.drops.drops);
-  analysis.energy.work_of_fracture = work_of(analysis.reduced);  // as it was read
+  AtFit as_read = fitted;  // what work was measured is a matter of what was read
+  as_read.record = analysis.reduced;
+  for (double& force : as_read.record.force) force /= fitted.stiffening;
+  analysis.energy = measured_energy(as_read, analysis.drops.drops);
   if (analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
   analysis.checks = checks_of(problem, analysis.fit, options);
 

@@ -62,9 +62,7 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
 TEST_CASE("identity: the measured energies close, and agree with those of the model that made the test") {
   auto truth = toothed();
   truth.noise = 1e-4;
-  TestDescription description = description_of(truth);
-  description.rig_errors = none_off;
-  const auto analysis = analyse(to_physical(simulated_record(truth), scales), description);
+  const auto analysis = analyse(to_physical(simulated_record(truth), scales), description_of(truth));
   const auto& measured = analysis.energy.account;
   // Trapezoids over the points of a test: a few per mille of the work.
   const double parts = measured.bending + measured.load_train + measured.friction + measured.snaps;
