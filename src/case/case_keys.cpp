@@ -293,9 +293,8 @@ constexpr std::array keys{
             share(at<&RecordInput::gain_error>, "gain_error", Range::non_negative, R"("1 %")",
                   "standard deviation of the gain of the load cell; 1 % unless given")),
     quantity(at<&RecordInput::preload_error>, "preload_error", kind::length, Range::non_negative, R"("0 um")", "0",
-             "standard deviation of the deflection that was there before displacement and force were set to zero; 0.5 "
-             "% of the span "
-             "unless given, none where the record begins before the contact"),
+             "standard deviation of the deflection that was there before displacement and force were set to zero; "
+             "0.5 % of the span unless given, none where the record begins before the contact"),
     flagged(word(at<&RecordInput::failure>, "failure", "find|none", R"("none")",
                  "whether to find where the specimen fails and end the record there; find unless given")),
     flagged(word(at<&RecordInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file")),

@@ -170,7 +170,7 @@ struct RecordInput {
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
   std::optional<ContactRule> contact{};                 // none: found where the record begins before it
-  std::optional<double> gain_error{}, preload_error{};  // [1] of the load cell, [m] of its zero: standard deviations
+  std::optional<double> gain_error{}, preload_error{};  // standard deviations: [1], [m] (docs/case-files.md)
   FailureRule failure = FailureRule::find;
   std::optional<char> decimal{};
   std::optional<PlaceInRecord> first{}, until{};  // none: with its first row, before failure

@@ -53,7 +53,7 @@ Statement statement_of(T test, StatedQuantity quantity) {
   const TestAnalysis& analysis = test.analysis;
   const Scales& scales = analysis.scales;
   const Supports& supports = analysis.rig.fibre.supports();
-  const RigErrors errors = rig_errors_of(test.measurement);
+  const RigErrors& errors = analysis.rig_errors;
   const Print print(test);
   const auto has_error = [](const std::optional<Known>& known) { return known && known->uncertainty; };
   switch (quantity) {

@@ -91,7 +91,7 @@ Replay replay_of(const TestAnalysis& analysis) {
   return replay;
 }
 
-// A record as the fit has it: less what the rig is found to be off by, in the units of the bending stiffness that was fitted.
+// A record in the units of the bending stiffness that was fitted.
 struct AtFit {
   double stiffening;  // [1] of the fit over nominal
   ReducedRecord record;
@@ -99,9 +99,8 @@ struct AtFit {
   MeasurementErrors errors;
 };
 
-AtFit at_fit(const TestAnalysis& analysis) {
+AtFit in_units_of_fit(ReducedRecord record, const TestAnalysis& analysis) {
   const auto& stiffness = analysis.fit.bending_stiffness;
-  ReducedRecord record = analysis.fit.correction.corrected(analysis.reduced);
   for (double& force : record.force) force /= stiffness.value;
   return {.stiffening = stiffness.value,
           .record = std::move(record),
@@ -109,6 +108,11 @@ AtFit at_fit(const TestAnalysis& analysis) {
           .errors = {.force = analysis.errors.force / stiffness.value,
                      .bending_stiffness = stiffness.standard_error / stiffness.value,
                      .contact = analysis.errors.contact}};
+}
+
+// As the fit has it: less what the rig is found to be off by.
+AtFit at_fit(const TestAnalysis& analysis) {
+  return in_units_of_fit(analysis.fit.correction.corrected(analysis.reduced), analysis);
 }
 
 double stiffening_of(const TestAnalysis& analysis) {
@@ -176,7 +180,7 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
 
 // Of the share of the work that was friction: of the readings as another statement makes them, at the bending stiffness that the fit then finds.
 Sensitivities work_sensitivities(const TestAnalysis& analysis) {
-  const AtFit found = at_fit(analysis);
+  const AtFit found = in_units_of_fit(analysis.reduced, analysis);
   const Supports& supports = analysis.rig.fibre.supports();
   Sensitivities by;
   for (const StatedQuantity quantity : stated_quantities) {
@@ -309,10 +313,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
-  AtFit as_read = fitted;  // what work was measured is a matter of what was read
-  as_read.record = analysis.reduced;
-  for (double& force : as_read.record.force) force /= fitted.stiffening;
-  analysis.energy = measured_energy(as_read, analysis.drops.drops);
+  // What work was measured is a matter of what was read.
+  analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
   if (analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
   analysis.checks = checks_of(problem, analysis.fit, options);
 
@@ -325,6 +327,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   for (Snap& snap : analysis.model.snaps) {
     read_by_rig(snap.before, analysis);
     read_by_rig(snap.after, analysis);
+    snap.stage = snap.before.stage;
   }
   return analysis;
 }

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inference/chain.h"
+#include "inference/process_posterior.h"
 #include "inference/rig_shifts.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
@@ -145,13 +146,18 @@ TEST_CASE("rig: run forward, the fit reads what a rig does that is off") {
     problem.record.deflection[i] = problem.record.stage[i] - problem.record.force[i] / problem.rig.stiffness;
   }
   const auto fit = fit_friction(problem);
-  double sum = 0, count = 0;
+  const double stiffening = fit.bending_stiffness.value;
+  const auto of_an_exact_rig = forces_of(fit.mean, problem.rig.in_units_of(stiffening), problem.record.stage);
+  double beside = 0, beside_exact = 0, count = 0;
   for (std::size_t i = 0; i < fit.force.size(); ++i) {
     if (!(problem.record.deflection[i] > 0.1)) continue;
-    sum += problem.record.force[i] - fit.force[i];
+    beside += problem.record.force[i] - fit.force[i];
+    beside_exact += problem.record.force[i] - stiffening * of_an_exact_rig[i];
     ++count;
   }
-  CHECK(std::abs(sum / count) < 0.002 * greatest);  // what the gain adds is 0.6 % in the mean
+  MESSAGE("mean residual " << beside / count << ", of an exact rig " << beside_exact / count << ", of " << greatest);
+  CHECK(std::abs(beside) < 0.3 * std::abs(beside_exact));
+  CHECK(std::abs(beside / count) < 0.002 * greatest);
 }
 
 TEST_CASE("limit: a correction is in proportion to the stage at first, and stays at last") {
