@@ -550,6 +550,11 @@ RigErrors rig_errors_of(const Measurement& measurement) {
   if (test.record) {
     errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
     if (test.record->preload_error) errors.preload = *test.record->preload_error / span_of(test);
+    constexpr double most = 0.05;  // [L] beyond, the beginning of the curve is another test's
+    if (errors.preload > most)
+      throw wrong_value(test, "record.preload_error", "at most 5 % of the span",
+                        fmt::format("{:.2g} %", 100 * errors.preload),
+                        "zero displacement and force before the contact");
   }
   return errors;
 }

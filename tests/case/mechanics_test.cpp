@@ -77,6 +77,8 @@ TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual 
       "case.toml");
   const RigErrors errors = rig_errors_of(measurement);
   CHECK(errors.preload == doctest::Approx(0.003));
+  measurement.test.record->preload_error = 51e-6;
+  CHECK_THROWS_AS(rig_errors_of(measurement), InputError);
   CHECK(errors.span == doctest::Approx(0.002));
   CHECK(errors.thickness == doctest::Approx(0.02));
   CHECK(errors.support_radius == doctest::Approx(0.03));
