@@ -221,10 +221,7 @@ SearchOptions search_options(const FitOptions& options) {
 std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
   const double stiffening = fit.bending_stiffness.value;
   std::vector<double> corrected;
-  for (const double stage : stages) {
-    const Shift shift = fit.correction.at(stage);
-    corrected.push_back(stage + shift.deflection + shift.force / rig.stiffness);
-  }
+  for (const double stage : stages) corrected.push_back(fit.correction.corrected_stage(stage));
   auto forces = forces_of(fit.mean, rig.in_units_of(stiffening), corrected);
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] = stiffening * forces[i] - fit.correction.at(stages[i]).force;

@@ -136,8 +136,7 @@ std::string_view name_of(Standing standing) {
 }
 
 bool stiffness_is_off(const TestAnalysis& analysis) {
-  return std::abs(elementary::log(analysis.fit.bending_stiffness.value)) >
-         max_stiffness_errors * analysis.bending_stiffness_error;
+  return stiffness_errors(analysis.fit, analysis.bending_stiffness_error) > max_stiffness_errors;
 }
 
 bool most_are_impossible(std::size_t impossible, std::size_t drops) {

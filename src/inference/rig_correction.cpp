@@ -20,10 +20,15 @@ Shift RigCorrection::at(double stage) const {
           before.force + part * (after.force - before.force)};
 }
 
+double RigCorrection::corrected_stage(double stage) const {
+  const Shift shift = at(stage);
+  return stage + shift.deflection + compliance_ * shift.force;
+}
+
 ReducedRecord RigCorrection::corrected(ReducedRecord record) const {
   for (std::size_t i = 0; i < record.stage.size(); ++i) {
     const Shift shift = at(record.stage[i]);
-    record.stage[i] += shift.deflection + compliance_ * shift.force;
+    record.stage[i] = corrected_stage(record.stage[i]);
     record.deflection[i] += shift.deflection;
     record.force[i] += shift.force;
   }

@@ -25,6 +25,7 @@ class RigCorrection {
   RigCorrection(std::vector<double> stage, std::vector<Shift> shift, double compliance);
 
   Shift at(double stage) const;
+  double corrected_stage(double stage) const;  // [L]
   ReducedRecord corrected(ReducedRecord record) const;
 
  private:
