@@ -232,7 +232,7 @@ Fields<FittedTest> likeliest_wave_fields() {
 
 Fields<Explanation> explanation_fields() {
   return Fields<Explanation>()
-      .words("kernel", "kernel of the roughness: exponential, matern_3_2, matern_5_2 or none",
+      .words("kernel", "kernel of the roughness: exponential, matern_3_2, matern_5_2, matern_9_2 or none",
              [](const Explanation& each) { return name_of(each.kernel); })
       .numbers("wavelengths", kind::length, "wavelengths of the waves in the explanation",
                [](const Explanation& each) { return each.wavelengths; })

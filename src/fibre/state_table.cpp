@@ -232,14 +232,23 @@ SupportedState SupportedTables::state(double w, double q) const {
 CellTable::Source SupportedTables::source(Field first, Field second) const {
   return [this, first, second](std::span<const double> w, std::span<const double> q) {
     CellTable::Pair pair;
+    const CellStates& states = cell_states(w, q);
     for (std::size_t i = 0; i < w.size(); ++i) {
-      const SupportedState at = state(w[i], q[i]);
+      const SupportedState& at = states[i];
       const bool exists = at.status == FibreStatus::ok;
       pair.first.push_back(exists ? at.*first / w[i] : not_a_number);
       pair.second.push_back(exists ? at.*second / w[i] : not_a_number);
     }
     return pair;
   };
+}
+
+const SupportedTables::CellStates& SupportedTables::cell_states(std::span<const double> w,
+                                                                std::span<const double> q) const {
+  const std::scoped_lock lock(solving_);
+  CellStates& states = solved_[{w[0], q[0]}];
+  for (std::size_t i = states.size(); i < w.size(); ++i) states.push_back(state(w[i], q[i]));
+  return states;
 }
 
 PairSlopes SupportedTables::slopes(const CellTable& table, Field first, Field second, std::span<const double> w,

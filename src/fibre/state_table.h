@@ -7,9 +7,11 @@
 
 #include <array>
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "fibre/batch.h"
@@ -103,6 +105,9 @@ class SupportedTables {
   BranchEnd branch_end(double q) const;
   BranchEnd end_at(std::size_t index) const;
   SupportedState state(double w, double q) const;
+  // Of all nodes of a cell, for the three tables over deflection and friction alike.
+  using CellStates = std::vector<SupportedState>;
+  const CellStates& cell_states(std::span<const double> w, std::span<const double> q) const;
   CellTable::Source source(Field first, Field second) const;
   CellTable::Pair pair_by_length(std::span<const double> x, std::span<const double> q) const;
   PairSlopes slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
@@ -112,6 +117,8 @@ class SupportedTables {
                    std::span<const double> q, const std::array<double*, 6>& columns) const;
 
   CellTable sliding_, contacts_, bent_, by_length_;
+  mutable std::mutex solving_;
+  mutable std::map<std::pair<double, double>, CellStates> solved_;  // by the first node
   mutable std::array<std::once_flag, ends> end_known_;
   mutable std::array<BranchEnd, ends> ends_{};
 };

@@ -20,58 +20,57 @@
 
 namespace flexslip {
 
-// The Kalman filter whose state is a Matérn process, its derivatives and an AR(1) process: over doubles, or over numbers that carry derivatives.
+// The Kalman filter whose state is a Matérn process, its derivatives and an AR(1) process.
 
 namespace {
 
 using Eigen::Index;
-using matern::exp;
-inline double log(double a) { return elementary::log(a); }
-inline double value_of(double a) { return a; }
 
-template <class T>
 struct Parameters {
-  T noise, correlation, roughness, rate;
+  double noise, correlation, roughness, rate;
 };
 
-Parameters<double> numbers_of(Kernel kernel, const Hyperparameters& at) {
+Parameters parameters_of(Kernel kernel, const Hyperparameters& at) {
   return {at.noise, at.correlation, kernel == Kernel::none ? 0 : at.roughness,
           kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
 }
 
-// The filter's covariances: what it knows of the state before each observation. G numbers of g, then e.
-template <int M, class T>
+// What is known of a state of which nothing is seen. G numbers of g, then e.
+template <int M>
+Square<M> limit_of(const Parameters& p) {
+  constexpr int G = M - 1;
+  Square<M> limit{};
+  if constexpr (G > 0) {
+    constexpr auto P = matern::stationary<G>();
+    for (int i = 0; i < G; ++i)
+      for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
+  }
+  limit(G, G) = p.noise * p.noise;
+  return limit;
+}
+
+// The filter's covariances: what it knows of the state before each observation.
+template <int M>
 class Covariances {
  public:
   static constexpr int G = M - 1;
 
-  explicit Covariances(const Parameters<T>& p) : p_(p) {
-    const T variance = p.roughness * p.roughness;
-    A_.at_.fill(T(0));
-    limit_.at_.fill(T(0));
-    if constexpr (G > 0) {
-      constexpr auto P = matern::stationary<G>();
-      for (int i = 0; i < G; ++i)
-        for (int j = 0; j < G; ++j) limit_(i, j) = variance * P(i, j);
-    }
-    limit_(G, G) = p.noise * p.noise;
-    P_ = limit_;
-  }
+  explicit Covariances(const Parameters& p) : p_(p), limit_(limit_of<M>(p)), P_(limit_) {}
 
   // To an observation from the one before.
   void advance(double distance, double rows) {
     if constexpr (G > 0) {
-      const auto A = matern::transition_over<(G > 0 ? G : 1), T>(p_.rate * distance);
+      const auto A = matern::transition_over<G>(p_.rate * distance);
       for (int i = 0; i < G; ++i)
         for (int j = 0; j < G; ++j) A_(i, j) = A(i, j);
     }
-    A_(G, G) = rows == 0 ? T(1) : rows == 1 ? p_.correlation : power(rows);
-    Square<M, T> half;  // A (P - P of the limit), which ends where nothing is known
+    A_(G, G) = rows == 0 ? 1 : rows == 1 ? p_.correlation : power(rows);
+    Square<M> half;  // A (P - P of the limit), which ends where nothing is known
     for (int i = 0; i < M; ++i)
       for (int j = 0; j < M; ++j) {
-        T sum(0);
+        double sum = 0;
         if (i < G) {
-          for (int k = 0; k < G; ++k) sum = sum + A_(i, k) * (P_(k, j) - limit_(k, j));
+          for (int k = 0; k < G; ++k) sum += A_(i, k) * (P_(k, j) - limit_(k, j));
         } else {
           sum = A_(G, G) * (P_(G, j) - limit_(G, j));
         }
@@ -79,36 +78,38 @@ class Covariances {
       }
     for (int i = 0; i < M; ++i)
       for (int j = i; j < M; ++j) {
-        T sum = limit_(i, j);
+        double sum = limit_(i, j);
         if (j < G) {
-          for (int k = 0; k < G; ++k) sum = sum + half(i, k) * A_(j, k);
+          for (int k = 0; k < G; ++k) sum += half(i, k) * A_(j, k);
         } else {
-          sum = sum + half(i, G) * A_(G, G);
+          sum += half(i, G) * A_(G, G);
         }
         P_(i, j) = P_(j, i) = sum;
       }
   }
 
   // The variance of what an observation adds, and what it tells of the state.
-  T observe(double D, double variance, std::array<T, M>& gain) {
-    std::array<T, M> PH;
+  double observe(double D, double variance, Few<M>& gain) {
+    Few<M> PH;
     for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
-    T innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
+    const double innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
     for (int i = 0; i < M; ++i) gain[at(i)] = PH[at(i)] / innovation;
     for (int i = 0; i < M; ++i)
       for (int j = i; j < M; ++j) P_(i, j) = P_(j, i) = P_(i, j) - gain[at(i)] * PH[at(j)];
     return innovation;
   }
 
-  const Square<M, T>& covariance() const { return P_; }
-  const Square<M, T>& transition() const { return A_; }
+  const Square<M>& covariance() const { return P_; }
+  const Square<M>& transition() const { return A_; }
 
  private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  T power(double rows) const { return value_of(p_.correlation) > 0 ? exp(T(rows) * log(p_.correlation)) : T(0); }
+  double power(double rows) const {
+    return p_.correlation > 0 ? elementary::exp(rows * elementary::log(p_.correlation)) : 0;
+  }
 
-  Parameters<T> p_;
-  Square<M, T> limit_, P_, A_;
+  Parameters p_;
+  Square<M> limit_, P_, A_{};
 };
 
 // The states of many series at once, a row for each number of the state.
@@ -119,7 +120,7 @@ class States {
 
   explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, 0.0), next_(m_) {}
 
-  void advance(const Square<M, double>& A) {
+  void advance(const Square<M>& A) {
     for (int i = 0; i < G; ++i)
       for (std::size_t c = 0; c < n_; ++c) {
         double sum = A(i, 0) * row(0)[c];
@@ -159,12 +160,13 @@ Result with_state_of(Kernel kernel, Function function) {
     case Kernel::matern_3_2:
       return function(std::integral_constant<int, 3>());
     case Kernel::matern_5_2:
+      return function(std::integral_constant<int, 4>());
+    case Kernel::matern_9_2:
       break;
   }
-  return function(std::integral_constant<int, 4>());
+  return function(std::integral_constant<int, 6>());
 }
 
-using Eigen::Index;
 constexpr double log_two_pi = 1.8378770664093454836;
 
 void require(bool ok, const char* name, double value) {
@@ -174,7 +176,7 @@ void require(bool ok, const char* name, double value) {
 }  // namespace
 
 std::string_view name_of(Kernel kernel) {
-  return name_in_order<Kernel::matern_5_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2"});
+  return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2", "matern_9_2"});
 }
 
 void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at) {
@@ -278,9 +280,9 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   double seen = 0;
   with_state_of<void>(kernel, [&](auto size) {
     constexpr int M = decltype(size)::value;
-    const auto p = numbers_of(kernel, at);
+    const auto p = parameters_of(kernel, at);
     chain::Steps<M> steps{.steps = std::vector<chain::Step<M>>(n), .rate = p.rate};
-    Covariances<M, double> covariances(p);
+    Covariances<M> covariances(p);
     States<M> states(series);
     predicted_.resize(n * M * series);
     for (std::size_t k = 0; k < n; ++k) {
@@ -336,8 +338,8 @@ void Chain::whiten(std::span<const double> series, std::span<double> out) const 
             for (int i = 0; i < G; ++i)
               for (int j = 0; j < G; ++j)
                 next[static_cast<std::size_t>(i)] +=
-                    step.transition[Square<M, double>::place(i, j)] * m[static_cast<std::size_t>(j)];
-            next[G] = step.transition[Square<M, double>::place(G, G)] * m[G];
+                    step.transition[Square<M>::place(i, j)] * m[static_cast<std::size_t>(j)];
+            next[G] = step.transition[Square<M>::place(G, G)] * m[G];
             m = next;
           }
           if (!is_seen(observations_.all[k])) {
@@ -381,7 +383,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
         Few<M> r{};
         std::array<std::array<double, max_columns + 1>, M> of_columns{}, carried{};
         std::array<double, max_columns + 1> u{}, left{};
-        Square<M, double> N{};
+        Square<M> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Observation& observation = observations_.all[k];
@@ -443,7 +445,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
             result[k].variance = own;
           }
           if (k == 0) break;
-          const Square<M, double> A{step.transition}, A_transposed = transposed(A);
+          const Square<M> A{step.transition}, A_transposed = transposed(A);
           r = product(A_transposed, r);
           if (k <= first_place) continue;
           for (std::size_t i = 0; i < M; ++i) {
@@ -480,47 +482,6 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
   return result;
 }
 
-namespace {
-
-// A number with its derivatives to ln σ, ρ, ln σ_g and ln ℓ.
-struct Dual {
-  double value;
-  Eigen::Array4d d;
-
-  Dual() = default;    // of no value, as a double
-  Dual(double number)  // NOLINT(google-explicit-constructor): a number is one with no derivative
-      : value(number), d(Eigen::Array4d::Zero()) {}
-  Dual(double number, Index of) : Dual(number) { d[of] = 1; }
-  Dual(double number, Eigen::Array4d derivatives) : value(number), d(std::move(derivatives)) {}
-
-  friend Dual operator+(const Dual& a, const Dual& b) { return {a.value + b.value, a.d + b.d}; }
-  friend Dual operator-(const Dual& a, const Dual& b) { return {a.value - b.value, a.d - b.d}; }
-  friend Dual operator*(const Dual& a, const Dual& b) { return {a.value * b.value, a.d * b.value + b.d * a.value}; }
-  friend Dual operator/(const Dual& a, const Dual& b) {
-    const double inverse = 1 / b.value;
-    const double quotient = a.value * inverse;
-    return {quotient, (a.d - b.d * quotient) * inverse};
-  }
-};
-
-Dual exp(const Dual& a) {
-  const double value = elementary::exp(a.value);
-  return {value, a.d * value};
-}
-Dual log(const Dual& a) { return {elementary::log(a.value), a.d / a.value}; }
-double value_of(const Dual& a) { return a.value; }
-
-Parameters<Dual> duals_of(Kernel kernel, const Hyperparameters& at) {
-  const auto p = numbers_of(kernel, at);
-  Parameters<Dual> duals{p.noise, Dual(p.correlation, 1), p.roughness, p.rate};
-  duals.noise.d[0] = p.noise;
-  duals.roughness.d[2] = p.roughness;
-  duals.rate.d[3] = -p.rate;
-  return duals;
-}
-
-}  // namespace
-
 LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
   if (wavelengths.size() > 2 || 2 * wavelengths.size() > observations_.prior.size())
     throw std::invalid_argument(std::to_string(wavelengths.size()) +
@@ -531,28 +492,13 @@ LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
 template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
   constexpr int G = M - 1;
-  constexpr int first_of_G = G > 0 ? G : 1;
   const std::size_t n = observations_.all.size();
   const Index series = white_.rows(), p = series - 1;
   effort_spent += n * static_cast<std::size_t>(2 * series);
-  // The filter's covariances, with their derivatives.
-  struct Derivatives {
-    Square<M, Dual> transition;
-    std::array<Dual, M> gain;
-    Dual innovation;
-  };
-  std::vector<Derivatives> of(n);
-  Covariances<M, Dual> covariances(duals_of(kernel_, at_));
-  for (std::size_t k = 0; k < n; ++k) {
-    const Observation& observation = observations_.all[k];
-    if (k > 0) {
-      covariances.advance(observation.place - observations_.all[k - 1].place, observation.rows);
-      of[k].transition = covariances.transition();
-    }
-    if (is_seen(observation))
-      of[k].innovation = covariances.observe(observation.noise_gain, observation.variance, of[k].gain);
-  }
-  // -2 ln p(y) = Σ ln s + v' Q v/s + ..., v being what an observation adds to the series: derivatives by the adjoint of their states.
+  const Parameters parameters = parameters_of(kernel_, at_);
+  const Square<M> limit = limit_of<M>(parameters);
+  // -2 ln p(y) = Σ ln s + v' Q v/s + ..., s being the variance of what an observation adds to the series and v what it adds: derivatives by the
+  // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
   Eigen::MatrixXd Q(series, series);
   Q(0, 0) = 1;
   Q.row(0).tail(p) = -beta_.transpose();
@@ -560,54 +506,99 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
   Q.bottomRightCorner(p, p) = beta_ * beta_.transpose() + covariance_;
   const Eigen::MatrixXd weighted = Q * white_;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, M>;
-  Columns adjoint = Columns::Zero(series, M), known(series, M);
-  Eigen::VectorXd v(series), of_v(series);
-  Eigen::Array4d d = Eigen::Array4d::Zero();
+  Columns by_states = Columns::Zero(series, M), carried(series, M), known(series, M);
+  Square<M> by_covariance{}, by_limit{};
+  Eigen::VectorXd v(series), by_v(series);
+  double by_correlation = 0, by_log_length = 0;
   LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
   for (std::size_t k = n; k-- > 0;) {
     const Observation& observation = observations_.all[k];
     const auto column = static_cast<Index>(k);
+    const auto& step = steps.steps[k];
     if (is_seen(observation)) {
-      const auto& step = steps.steps[k];
       const double size = std::sqrt(step.innovation);
       v = size * white_.col(column);
-      of_v = 2 / size * weighted.col(column);
-      d += (1 - white_.col(column).dot(weighted.col(column))) / step.innovation * of[k].innovation.d;
+      by_v = 2 / size * weighted.col(column);
+      Few<M> by_gain;
       for (int i = 0; i < M; ++i) {
         const auto at = static_cast<std::size_t>(i);
-        d += v.dot(adjoint.col(i)) * of[k].gain[at].d;
-        of_v += step.gain[at] * adjoint.col(i);
+        by_gain[at] = v.dot(by_states.col(i));
+        by_v += step.gain[at] * by_states.col(i);
       }
-      if (G > 0) adjoint.col(0) -= of_v;
-      adjoint.col(G) -= observation.noise_gain * of_v;
+      if (G > 0) by_states.col(0) -= by_v;
+      by_states.col(G) -= observation.noise_gain * by_v;
       // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
       for (std::size_t wave = 0; wave < wavelengths.size(); ++wave) {
         const Index cosine = p - 2 * static_cast<Index>(wavelengths.size() - wave);
         const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
         const Coefficients& h = observations_.columns[k];
-        result.log_wavelengths[wave] -= 0.5 * phase * (of_v[1 + cosine] * h[cosine + 1] - of_v[2 + cosine] * h[cosine]);
+        result.log_wavelengths[wave] -= 0.5 * phase * (by_v[1 + cosine] * h[cosine + 1] - by_v[2 + cosine] * h[cosine]);
       }
+      // P - K s K', K = P H'/s, s = H P H' + variance
+      const Few<M> with_gain = product(by_covariance, step.gain);
+      const double by_variance =
+          (1 - white_.col(column).dot(weighted.col(column)) - dot<M>(by_gain, step.gain)) / step.innovation +
+          dot<M>(step.gain, with_gain);
+      Few<M> H{};
+      if (G > 0) H[0] = 1;
+      H[G] = observation.noise_gain;  // of e, which is all there is without a kernel
+      Few<M> across;
+      for (std::size_t i = 0; i < M; ++i)
+        across[i] = 0.5 * (by_gain[i] / step.innovation + by_variance * H[i]) - with_gain[i];
+      for (int i = 0; i < M; ++i)
+        for (int j = 0; j < M; ++j) {
+          const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
+          by_covariance(i, j) += across[a] * H[b] + H[a] * across[b];
+        }
     }
     if (k == 0) break;
+    const auto& before = steps.steps[k - 1];
     known = Eigen::Map<const Columns>(predicted_.data() + (column - 1) * M * series, series, M);
+    Square<M> away{before.predicted};  // from what is known where nothing is seen
+    for (std::size_t i = 0; i < away.at_.size(); ++i) away.at_[i] -= limit.at_[i];
     if (is_seen(observations_.all[k - 1])) {
-      const auto& before = steps.steps[k - 1];
       v = std::sqrt(before.innovation) * white_.col(column - 1);
-      for (int i = 0; i < M; ++i) known.col(i) += before.gain[static_cast<std::size_t>(i)] * v;
-    }
-    const Square<M, double> A{steps.steps[k].transition};
-    const auto& of_A = of[k].transition;
-    Columns carried = Columns::Zero(series, M);
-    for (int i = 0; i < G; ++i)
-      for (int j = 0; j < first_of_G; ++j) {
-        d += adjoint.col(i).dot(known.col(j)) * of_A(i, j).d;
-        carried.col(j) += A(i, j) * adjoint.col(i);
+      for (int i = 0; i < M; ++i) {
+        const double gain = before.gain[static_cast<std::size_t>(i)];
+        known.col(i) += gain * v;
+        for (int j = 0; j < M; ++j) away(i, j) -= before.innovation * gain * before.gain[static_cast<std::size_t>(j)];
       }
-    d += adjoint.col(G).dot(known.col(G)) * of_A(G, G).d;
-    carried.col(G) += A(G, G) * adjoint.col(G);
-    adjoint.swap(carried);
+    }
+    // limit + A (P - limit) A', and A of the states
+    const Square<M> A{step.transition}, A_transposed = transposed(A);
+    const Square<M> half = product(by_covariance, A), through = product(A_transposed, half);
+    for (std::size_t i = 0; i < through.at_.size(); ++i) by_limit.at_[i] += by_covariance.at_[i] - through.at_[i];
+    by_covariance = through;
+    Square<M> by_A = product(half, away);
+    carried.setZero();
+    for (int i = 0; i < M; ++i)
+      for (int j = 0; j < M; ++j) {
+        if ((i < G) != (j < G)) continue;  // g and e do not mix
+        by_A(i, j) = 2 * by_A(i, j) + by_states.col(i).dot(known.col(j));
+        carried.col(j) += A(i, j) * by_states.col(i);
+      }
+    by_states.swap(carried);
+    if constexpr (G > 0) {
+      constexpr auto F = matern::companion<G>();
+      const double distance = observation.place - observations_.all[k - 1].place;
+      double sum = 0;  // of F A, the slope of A
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) {
+          double slope = 0;
+          for (int m = 0; m < G; ++m) slope += F(i, m) * A(m, j);
+          sum += slope * by_A(i, j);
+        }
+      by_log_length -= parameters.rate * distance * sum;
+    }
+    if (observation.rows == 1) by_correlation += by_A(G, G);
+    if (observation.rows > 1 && parameters.correlation > 0)
+      by_correlation += by_A(G, G) * observation.rows * A(G, G) / parameters.correlation;
   }
-  for (Index t = 0; t < 4; ++t) result.hyperparameters[static_cast<std::size_t>(t)] = -0.5 * d[t];
+  double by_log_roughness = 0;
+  for (int i = 0; i < G; ++i)
+    for (int j = 0; j < G; ++j) by_log_roughness += 2 * limit(i, j) * (by_limit(i, j) + by_covariance(i, j));
+  const double by_log_noise = 2 * limit(G, G) * (by_limit(G, G) + by_covariance(G, G));
+  result.hyperparameters = {-0.5 * by_log_noise, -0.5 * by_correlation, -0.5 * by_log_roughness, -0.5 * by_log_length};
   return result;
 }
 
@@ -615,16 +606,13 @@ namespace {
 
 // The process drawn beforehand, at given β: g and e at each observation.
 template <int M>
-void draw_states(const Observations& observations, const Parameters<double>& p, NormalSource& normal, Drawn& drawn) {
+void draw_states(const Observations& observations, const Parameters& p, NormalSource& normal, Drawn& drawn) {
   constexpr int G = M - 1;
   constexpr int size = G > 0 ? G : 1;
-  using Matrix = Square<size, double>;
+  using Matrix = Square<size>;
   Matrix limit{};
-  if constexpr (G > 0) {
-    constexpr auto P = matern::stationary<G>();
-    for (int i = 0; i < G; ++i)
-      for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
-  }
+  for (int i = 0; i < G; ++i)
+    for (int j = 0; j < G; ++j) limit(i, j) = limit_of<M>(p)(i, j);
   const auto some = [&](const Matrix& covariance) {
     Few<size> z, out{};
     for (double& value : z) value = normal();
@@ -651,8 +639,7 @@ void draw_states(const Observations& observations, const Parameters<double>& p, 
     const Observation& observation = observations.all[k];
     if (k > 0) {
       if constexpr (G > 0) {
-        const Matrix A =
-            matern::transition_over<G, double>(p.rate * (observation.place - observations.all[k - 1].place));
+        const Matrix A = matern::transition_over<G>(p.rate * (observation.place - observations.all[k - 1].place));
         Matrix added = product(product(A, limit), transposed(A));
         for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
         g = product(A, g);
@@ -689,7 +676,7 @@ Drawn draw_from_prior(const Observations& observations, Kernel kernel, const Hyp
     drawn.beta[static_cast<Index>(j)] = std::sqrt(observations.prior[j]) * normal();
   for (std::size_t k = 0; k < n; ++k) drawn.f[k] = observations.columns[k].dot(drawn.beta);
   with_state_of<void>(
-      kernel, [&](auto M) { draw_states<decltype(M)::value>(observations, numbers_of(kernel, at), normal, drawn); });
+      kernel, [&](auto M) { draw_states<decltype(M)::value>(observations, parameters_of(kernel, at), normal, drawn); });
   return drawn;
 }
 

@@ -168,7 +168,7 @@ class Chain {
   const Observations& observations_;
   Kernel kernel_;
   Hyperparameters at_;
-  std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>> steps_;
+  std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
   Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
   std::vector<double> predicted_;  // of the state at each observation, series by series
   Coefficients beta_;

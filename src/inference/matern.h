@@ -5,18 +5,20 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <string_view>
 
 #include "numerics/elementary.h"
 
 namespace flexslip {
 
-// How smooth the roughness is: a path of `exponential` (Matérn 1/2) has no slope, one of `matern_3_2` one, of `matern_5_2` two derivatives.
-enum class Kernel { none, exponential, matern_3_2, matern_5_2 };
+// How smooth the roughness is: a path of `exponential` (Matérn 1/2) has no slope, one of `matern_3_2` one, of `matern_5_2` two derivatives, of
+// `matern_9_2` four.
+enum class Kernel { none, exponential, matern_3_2, matern_5_2, matern_9_2 };
 
-inline constexpr std::array all_kernels{Kernel::none, Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2};
+inline constexpr std::array all_kernels{Kernel::none, Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2,
+                                        Kernel::matern_9_2};
 
 std::string_view name_of(Kernel kernel);
 
@@ -30,12 +32,11 @@ struct Hyperparameters {
 
 // A square matrix of a few numbers, and products of it: what Eigen takes seconds to compile, source by source.
 
-// Of numbers of whatever kind; of no value until it is given one.
-template <int M, class T>
+template <int M>
 struct Square {
-  std::array<T, static_cast<std::size_t>(M) * M> at_;
-  constexpr T& operator()(int i, int j) { return at_[place(i, j)]; }
-  constexpr const T& operator()(int i, int j) const { return at_[place(i, j)]; }
+  std::array<double, static_cast<std::size_t>(M) * M> at_;
+  constexpr double& operator()(int i, int j) { return at_[place(i, j)]; }
+  constexpr double operator()(int i, int j) const { return at_[place(i, j)]; }
   static constexpr std::size_t place(int i, int j) {
     return static_cast<std::size_t>(i) * M + static_cast<std::size_t>(j);
   }
@@ -59,7 +60,7 @@ double dot(const Few<M>& a, const Few<M>& b) {
 }
 
 template <int M>
-Few<M> product(const Square<M, double>& A, const Few<M>& v) {
+Few<M> product(const Square<M>& A, const Few<M>& v) {
   Few<M> out;
   for (int i = 0; i < M; ++i)
     out[static_cast<std::size_t>(i)] = paired_sum<M>([&](int j) { return A(i, j) * v[static_cast<std::size_t>(j)]; });
@@ -67,16 +68,16 @@ Few<M> product(const Square<M, double>& A, const Few<M>& v) {
 }
 
 template <int M>
-Square<M, double> product(const Square<M, double>& A, const Square<M, double>& B) {
-  Square<M, double> out;
+Square<M> product(const Square<M>& A, const Square<M>& B) {
+  Square<M> out;
   for (int i = 0; i < M; ++i)
     for (int j = 0; j < M; ++j) out(i, j) = paired_sum<M>([&](int k) { return A(i, k) * B(k, j); });
   return out;
 }
 
 template <int M>
-Square<M, double> transposed(const Square<M, double>& A) {
-  Square<M, double> out;
+Square<M> transposed(const Square<M>& A) {
+  Square<M> out;
   for (int i = 0; i < M; ++i)
     for (int j = 0; j < M; ++j) out(i, j) = A(j, i);
   return out;
@@ -86,60 +87,73 @@ Square<M, double> transposed(const Square<M, double>& A) {
 
 namespace flexslip::matern {
 
-// The rate [1/L] of a kernel of correlation length 1.
-constexpr double rate_of(Kernel kernel) {
+// Matérn kernels of a half-integer order: G numbers of the state, G - 1 derivatives.
+constexpr int order_of(Kernel kernel) {
   switch (kernel) {
     case Kernel::none:
       return 0;
     case Kernel::exponential:
       return 1;
     case Kernel::matern_3_2:
-      return std::numbers::sqrt3;
+      return 2;
     case Kernel::matern_5_2:
+      return 3;
+    case Kernel::matern_9_2:
       break;
   }
-  return 2.2360679774997896964;  // √5
+  return 5;
 }
 
-inline double exp(double a) { return elementary::exp(a); }
+// The rate [1/L] of a kernel of correlation length 1.
+inline double rate_of(Kernel kernel) { return std::sqrt(2.0 * order_of(kernel) - 1); }
 
-// Over the distance a in units of 1/rate: exp(F a), F being the companion matrix of (1 + d/da)^G.
-template <int G, class T>
-Square<G, T> transition_over(const T& a) {
-  const T decay = exp(T(0) - a);
-  Square<G, T> A;
-  if constexpr (G == 1) {
-    A(0, 0) = decay;
-  } else if constexpr (G == 2) {
-    A(0, 0) = decay * (T(1) + a);
-    A(0, 1) = decay * a;
-    A(1, 0) = T(0) - decay * a;
-    A(1, 1) = decay * (T(1) - a);
-  } else {
-    const T half = T(0.5) * a * a;
-    A(0, 0) = decay * (T(1) + a + half);
-    A(0, 1) = decay * (a + T(2) * half);
-    A(0, 2) = decay * half;
-    A(1, 0) = T(0) - decay * half;
-    A(1, 1) = decay * (T(1) + a - T(2) * half);
-    A(1, 2) = decay * (a - half);
-    A(2, 0) = decay * (half - a);
-    A(2, 1) = decay * (T(2) * half - T(3) * a);
-    A(2, 2) = decay * (T(1) - T(2) * a + half);
+// F, with which the state X goes on as dX = F X da without noise, a in units of 1/rate: the companion matrix of (1 + d/da)^G.
+template <int G>
+constexpr Square<G> companion() {
+  Square<G> F{};
+  double binomial = 1;
+  for (int j = 0; j < G; ++j) {
+    if (j > 0) F(j - 1, j) = 1;
+    F(G - 1, j) -= binomial;
+    binomial = binomial * (G - j) / (j + 1);
+  }
+  return F;
+}
+
+// exp(F a), the powers of F + 1 ending with that of G - 1.
+template <int G>
+Square<G> transition_over(double a) {
+  constexpr auto powers = [] {
+    std::array<Square<G>, static_cast<std::size_t>(G)> all{};  // of F + 1, over the factorials of their exponents
+    Square<G> nilpotent = companion<G>();
+    for (int i = 0; i < G; ++i) all[0](i, i) = 1, nilpotent(i, i) += 1;
+    for (int n = 1; n < G; ++n)
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j)
+          for (int k = 0; k < G; ++k)
+            all[static_cast<std::size_t>(n)](i, j) +=
+                all[static_cast<std::size_t>(n - 1)](i, k) * nilpotent(k, j) / static_cast<double>(n);
+    return all;
+  }();
+  const double decay = elementary::exp(-a);
+  Square<G> A;
+  for (std::size_t at = 0; at < A.at_.size(); ++at) {
+    double sum = powers[G - 1].at_[at];
+    for (std::size_t n = G - 1; n-- > 0;) sum = sum * a + powers[n].at_[at];
+    A.at_[at] = decay * sum;
   }
   return A;
 }
 
 // The covariance of a stationary process of variance 1 and its derivatives.
 template <int G>
-constexpr Square<G, double> stationary() {
-  Square<G, double> P{};
-  P(0, 0) = 1;
-  if constexpr (G == 2) P(1, 1) = 1;
-  if constexpr (G == 3) {
-    P(1, 1) = 1.0 / 3;
-    P(2, 2) = 1;
-    P(0, 2) = P(2, 0) = -1.0 / 3;
+constexpr Square<G> stationary() {
+  Square<G> P{};
+  double moment = 1;  // of the spectrum, (1 + ω²)^-G
+  for (int half = 0; half < G; ++half) {
+    if (half > 0) moment *= (2.0 * half - 1) / (2.0 * (G - half) - 1);
+    for (int i = 0; i < G; ++i)
+      if (const int j = 2 * half - i; j >= 0 && j < G) P(i, j) = (i - half) % 2 == 0 ? moment : -moment;
   }
   return P;
 }
@@ -149,18 +163,23 @@ struct KernelIntegrals {
   double of_kernel, of_tapered;
 };
 inline KernelIntegrals integrals_to(double R, Kernel kernel) {
-  const double E = elementary::exp(-R);
-  switch (kernel) {
-    case Kernel::none:
-      return {0, 0};
-    case Kernel::exponential:
-      return {1 - E, R - 1 + E};
-    case Kernel::matern_3_2:
-      return {2 - (2 + R) * E, 2 * R - 3 + (R + 3) * E};
-    case Kernel::matern_5_2:
-      break;
+  const int last = order_of(kernel) - 1;  // exponent in k = exp(-r) Σ c_n r^n
+  KernelIntegrals integrals{0, 0};
+  const double decay = elementary::exp(-R);
+  double c = 1, factorial = 1, power = 1, series = 1;  // c_n, n!, R^n / n!, and the sum of these
+  for (int n = 0; n <= last; ++n) {
+    if (n > 0) {
+      c *= 2.0 * (last - n + 1) / (n * (2.0 * last - n + 1));
+      factorial *= n;
+      power *= R / n;
+      series += power;
+    }
+    const double whole = factorial * (1 - decay * series);  // ∫ r^n exp(-r)
+    const double next = (n + 1) * (whole - decay * factorial * power * R / (n + 1));
+    integrals.of_kernel += c * whole;
+    integrals.of_tapered += c * (R * whole - next);
   }
-  return {8.0 / 3 - E * (8.0 / 3 + R * (5.0 / 3 + R / 3)), 8 * R / 3 - 5 + E * (5 + R * (7.0 / 3 + R / 3))};
+  return integrals;
 }
 
 }  // namespace flexslip::matern

@@ -59,9 +59,12 @@ double covariance_of(Kernel kernel, const Hyperparameters& at, double distance) 
     case Kernel::matern_3_2:
       return variance * (1 + std::sqrt(3.0) * r) * std::exp(-std::sqrt(3.0) * r);
     case Kernel::matern_5_2:
+      return variance * (1 + std::sqrt(5.0) * r + 5 * r * r / 3) * std::exp(-std::sqrt(5.0) * r);
+    case Kernel::matern_9_2:
       break;
   }
-  return variance * (1 + std::sqrt(5.0) * r + 5 * r * r / 3) * std::exp(-std::sqrt(5.0) * r);
+  const double a = 3 * r;
+  return variance * (1 + a + 3 * a * a / 7 + 2 * a * a * a / 21 + a * a * a * a / 105) * std::exp(-a);
 }
 
 // The same by dense matrices: nothing of the filter is in it.

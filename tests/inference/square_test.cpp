@@ -15,7 +15,7 @@ void compare_with_eigen() {
   std::mt19937_64 random(20210829);
   std::uniform_real_distribution<double> number(-1, 1);
   for (int trial = 0; trial < 100; ++trial) {
-    Square<M, double> A, B;
+    Square<M> A, B;
     Few<M> v;
     for (double& value : A.at_) value = number(random);
     for (double& value : B.at_) value = number(random);
@@ -38,6 +38,7 @@ TEST_CASE("oracle: products have the bits of Eigen's") {
   compare_with_eigen<2>();
   compare_with_eigen<3>();
   compare_with_eigen<4>();
+  compare_with_eigen<6>();
 }
 
 }  // namespace flexslip
