@@ -651,6 +651,24 @@ Found steady_change(T test) {
                  .remedy = reload_remedy(test)};
 }
 
+// Where noise moves the place of a reading by so much, short variation hides: the fibre rests on its crests, and friction reads smooth.
+Found hidden_waves(T test) {
+  const FrictionFit& fit = test.analysis.fit;
+  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || lost_stiffness(*test.judgement))
+    return std::nullopt;
+  constexpr double lengths_told_apart = 20;
+  const double seen = 0.5 * (fit.along.at(fit.S_end) - fit.along.at(fit.S_begin));
+  if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
+  const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
+  return Finding{
+      .severity = Severity::condition,
+      .sentence = fmt::format("Friction that varies over less than {} along the specimen does not show on so "
+                              "soft a rig: the specimen would rest on its crests, and the mean be lower.",
+                              std::string(format_roughly(shortest, Print(test).as(kind::length)))),
+      .remedy = "A stiffer rig, or less noise of the force, shows shorter variation.",
+      .numbers = {{"shortest_wave", shortest, kind::length}}};
+}
+
 Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
@@ -718,6 +736,7 @@ constexpr std::array rules{
     Rule{"supports_not_stated", supports_not_stated, true},
     Rule{"thickness_not_stated", thickness_not_stated, true},
     Rule{"steady_change", steady_change, true},
+    Rule{"hidden_waves", hidden_waves, true},
     Rule{"jumps", jumps, true},
     Rule{"imaged_length", imaged_length, true},
 };

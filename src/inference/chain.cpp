@@ -324,6 +324,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   log_determinant_ = r.log_determinant;
   beta_ = r.beta;
   covariance_ = covariance_of(r);
+  if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;
 }
 
 void Chain::whiten(std::span<const double> series, std::span<double> out) const {

@@ -43,6 +43,7 @@ struct Observations {
   std::vector<double> values;         // [1] y
   std::vector<Coefficients> columns;  // h
   std::vector<double> prior;          // [1] variances of β
+  Coefficients pull = {};             // what else is known of β: the slope of its logarithm; of no size: nothing
 };
 
 inline bool is_seen(const Observation& observation) { return observation.variance < infinity; }

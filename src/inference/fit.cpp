@@ -355,6 +355,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
   fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain &&
                                                         fit.waves.front().wavelength.value < passages.range / 4));
+  fit.shortest_wave = process.min_wavelength();
   fit.explanations = posterior.explanations;
   fit.innovations = posterior.innovations;
   for (const auto& at : found.scan) fit.scan.push_back({at.wavelength, at.gain});

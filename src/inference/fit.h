@@ -150,6 +150,7 @@ struct FrictionFit {
       log_evidence_of_wave;  // ln of the evidence with a wave over that without; NaN of models that have a wave or cannot
   bool
       wave_claimed;  // it exceeds 3, and the wave is shorter than a quarter of the fibre seen; true of models that have one
+  double shortest_wave;                   // [L] of friction that would be found; 0 of a constant
   std::vector<Explanation> explanations;  // likeliest first
   std::vector<ScannedWave> scan;          // λ rising
   ProfileBand band;

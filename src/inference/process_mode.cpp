@@ -97,7 +97,7 @@ double FrictionProcess::by_error(const RigError& error, std::size_t reading, dou
 
 // Likewise by the errors of EI and of the rig that a linearisation has taken off.
 double FrictionProcess::by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const {
-  double more = by_error(passages_.stiffness, reading, wave_slope) * at.eta;
+  double more = columns_.stiffness >= 0 ? by_error(passages_.stiffness, reading, wave_slope) * at.eta : 0;
   for (std::size_t r = 0; r < at.rig.size(); ++r)
     more += by_error(passages_.rig_errors[r], reading, wave_slope) * at.rig[r];
   return more;
@@ -135,6 +135,17 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
   }
   say_sites(mode, nodes, observations);
   return observations;
+}
+
+std::vector<double> FrictionProcess::by_stiffness(const Mode& mode) const {
+  std::vector<double> by;
+  std::size_t site = 0;
+  for (std::size_t i = 0; i < passages_.size(); ++i) {
+    for (; site < mode.sites.size() && mode.sites[site].reading == i; ++site)
+      by.push_back(by_error(passages_.stiffness, i, mode.sites[site].wave_slope));
+    by.push_back(by_error(passages_.stiffness, i, mode.at.wave_slope[i]));
+  }
+  return by;
 }
 
 Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> places) const {
@@ -294,10 +305,9 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
   const auto smoothed = chain.smoothed();
   const auto slopes = slopes_of(mode, observations, chain, smoothed);
   auto& at = mode.at;
-  const double stiffness_part = columns_.stiffness >= 0 ? chain.mean()[columns_.stiffness] : 0;
   const double most = 0.15 + 5 * passages_.stiffness_error;
   constexpr double longest = 0.01;  // J holds near where it was taken
-  const double eta = std::clamp(stiffness_part, -most, most);
+  const double eta = columns_.stiffness >= 0 ? std::clamp(chain.mean()[columns_.stiffness], -most, most) : at.eta;
   const double eta_step = std::clamp(eta - at.eta, -longest / fraction, longest / fraction);
   const std::vector<double> rig(chain.mean().data() + columns_.rig, chain.mean().data() + columns_.waves);
   std::vector<double> target(passages_.size());

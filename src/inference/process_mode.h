@@ -59,6 +59,8 @@ class FrictionProcess {
 
   // The observations of a mode, and what they say.
   Observations observations_of(const Mode& mode) const;
+  // [1] The friction that each of them reads larger by ln EI, by one.
+  std::vector<double> by_stiffness(const Mode& mode) const;
   // Where a place at which nothing is seen belongs among the columns.
   Coefficients columns_at(double place, const Mode& mode) const;
   // The observations of a mode with places between them at which nothing is seen.

@@ -14,6 +14,7 @@
 #include "inference/chain.h"
 #include "inference/matern.h"
 #include "inference/profile.h"
+#include "inference/rig_pull.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -357,6 +358,7 @@ class Posterior {
     result_.S_end = S.back();
     from_ = process.passages().place(result_.S_begin);
     to_ = process.passages().place(result_.S_end);
+    pull_ = rig_pull(process, components.front().mode);
   }
 
   ProcessPosterior result() {
@@ -524,7 +526,8 @@ class Posterior {
       const Mode& mode = point.mode;
       const double share =
           elementary::exp(std::clamp(point.log_weight, -50.0, 3.0)) / static_cast<double>(points.size());
-      const Observations observations = process_.observations_of(mode);
+      Observations observations = process_.observations_of(mode);
+      observations.pull = pull_on(observations);
       const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
       const auto f = mean_over(from_, to_, process_, mode, observations);
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
@@ -650,6 +653,7 @@ class Posterior {
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
       Profile profile = process_.profile_of(mode, places);
+      profile.observations.pull = pull_on(profile.observations);
       const Chain chain(profile.observations, mode.kernel, p);
       const auto smoothed = chain.smoothed();
       for (std::size_t r = 0; r < result_.rig.size(); ++r)
@@ -709,8 +713,16 @@ class Posterior {
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 
+  // A pull of the likeliest mode, for one with its own number of waves.
+  Coefficients pull_on(const Observations& observations) const {
+    Coefficients pull = Coefficients::Zero(static_cast<Index>(observations.prior.size()));
+    pull.head(process_.columns().waves) = pull_.head(process_.columns().waves);
+    return pull;
+  }
+
   const FrictionProcess& process_;
   std::span<const Component> components_;
+  Coefficients pull_;
   double from_, to_;
   std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
   ProcessPosterior result_{};

@@ -139,6 +139,10 @@ inline std::vector<Situation> situations() {
     for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
     test.analysis.fit.drift = normal_estimate(0.5, 0.2);
   });
+  add("hidden_waves", Severity::condition, [](FittedTest& test) {
+    for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
+    test.analysis.fit.shortest_wave = 0.1;
+  });
   add("jumps", Severity::note, [](FittedTest& test) {
     test.judgement->jumped = 0.6;
     test.judgement->stiffness_for_all = 300;

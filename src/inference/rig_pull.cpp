@@ -1,0 +1,76 @@
+#include "inference/rig_pull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Dense>
+
+#include "inference/chain.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+
+// Readings of a rig that is as a mode has found it, with no error of it left.
+Passages of_known_rig(const FrictionProcess& process, const Mode& mode) {
+  Passages passages = process.passages();
+  passages.stage = mode.at.stage;
+  passages.force = mode.at.force;
+  passages.rig_errors.clear();
+  passages.stiffness_error = 0;
+  return passages;
+}
+
+}  // namespace
+
+Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
+  const Observations all = process.observations_of(mode);
+  Coefficients pull = Coefficients::Zero(static_cast<Index>(all.prior.size()));
+  if (mode.kernel == Kernel::none) return pull;
+  const FrictionProcess known(of_known_rig(process, mode));
+  Mode middle = mode;
+  middle.at.rig.clear();
+  complete(middle.at, known.passages());
+  const auto merit_beside = [&](double eta) {
+    Mode beside = middle;
+    beside.at.eta += eta;
+    complete(beside.at, known.passages());
+    known.burst(beside, 12, 0.5);
+    known.polish(beside, 3, 6, 0.5);
+    return beside.merit;
+  };
+  known.settle(middle);
+  const Observations seen = known.observations_of(middle);
+  const Chain chain(seen, middle.kernel, hyperparameters_of(middle.theta));
+  const std::vector<double> by_stiffness = known.by_stiffness(middle);
+  std::vector<double> whitened(by_stiffness.size());
+  chain.whiten(by_stiffness, whitened);
+  const auto& white = chain.whitened_columns();
+  const Eigen::VectorXd unexplained =
+      white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
+  const Eigen::Map<const Eigen::VectorXd> column(whitened.data(), static_cast<Index>(whitened.size()));
+  // Within what the readings resolve of it, were nothing else unknown.
+  const Eigen::VectorXd with_columns = white.bottomRows(white.rows() - 1) * column;
+  const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
+  const double step = std::clamp(1 / std::sqrt(information), 0.002, 0.02);
+  const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);
+  constexpr double most = 100;
+  const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
+
+  const auto& columns = process.columns();
+  if (columns.stiffness >= 0) pull[columns.stiffness] = besides;
+  const std::vector<double> by = process.by_stiffness(mode);
+  double squares = 0;
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    if (!all.all[k].is_reading()) continue;
+    squares += by[k] * by[k];
+    for (Index r = columns.rig; r < columns.waves; ++r) pull[r] += besides * by[k] * all.columns[k][r];
+  }
+  for (Index r = columns.rig; r < columns.waves; ++r) pull[r] /= squares;
+  return pull;
+}
+
+}  // namespace flexslip

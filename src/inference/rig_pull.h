@@ -1,0 +1,18 @@
+// What readings tell of a rig that its columns do not say.
+#pragma once
+
+#include "inference/process_mode.h"
+
+namespace flexslip {
+
+// The slope of ln p(readings, gaps) in the coefficients of the bending stiffness and of the rig, less what the columns say of it: Observations::pull.
+//
+// A rig that is off moves the size of roughness and its places, too. Columns are those of a smooth curve, since nobody knows that size beforehand; what
+// they leave out would tell nothing if readings were taken anywhere, but a fibre rests where friction is high and jumps over where it is low, the
+// farther the softer the rig. So the merit itself is asked, at two bending stiffnesses beside that of the mode, the rig held as the mode has it and
+// all hyperparameters moved along; of other errors by how much the friction that they add looks like that of the bending stiffness.
+//
+// Domain:     a mode that is settled.
+Coefficients rig_pull(const FrictionProcess& process, const Mode& mode);
+
+}  // namespace flexslip
