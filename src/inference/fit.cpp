@@ -349,12 +349,15 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
       for (auto& draw : wave.draws) draw.sine = -draw.sine;
     fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength));
   }
-  std::stable_sort(fit.waves.begin(), fit.waves.end(),
-                   [](const auto& a, const auto& b) { return a.amplitude.value > b.amplitude.value; });
+  // What is longer may be a trend.
+  const auto repeats = [&](const WaveEstimate& wave) { return wave.wavelength.value < passages.range / 4; };
+  std::stable_sort(fit.waves.begin(), fit.waves.end(), [&](const WaveEstimate& a, const WaveEstimate& b) {
+    return repeats(a) == repeats(b) ? a.amplitude.value > b.amplitude.value : repeats(a);
+  });
   const bool either = !asked.waves;
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
-  fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain &&
-                                                        fit.waves.front().wavelength.value < passages.range / 4));
+  fit.wave_claimed =
+      !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain && repeats(fit.waves.front())));
   fit.shortest_wave = process.min_wavelength();
   fit.explanations = posterior.explanations;
   fit.innovations = posterior.innovations;

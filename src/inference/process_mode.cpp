@@ -495,7 +495,10 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
-    const double h = i < 4 ? 0.02 : 2e-4;
+    // The merit may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
+    const double curvature =
+        i < 4 ? 0 : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
+    const double h = i < 4 ? 0.02 : 1 / std::sqrt(curvature);
     Theta up = mode.theta, down = mode.theta;
     up.values[static_cast<std::size_t>(i)] += h;
     down.values[static_cast<std::size_t>(i)] -= h;
@@ -503,21 +506,17 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
     for (Index j = 0; j < n; ++j)
       if (free(j))
         H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
+    H(i, i) = std::max(H(i, i), 0.5 * curvature);
   }
   H = (0.5 * (H + H.transpose())).eval();
-  // The merit may be flat at its top in ln λ, or dented, and steep beside it: then the curvature is that of where it has fallen by one.
-  for (Index i = 4; i < n; ++i) {
-    const double curvature = curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
-    if (H(i, i) > 0.5 * curvature) continue;
-    H.row(i).setZero();
-    H.col(i).setZero();
-    H(i, i) = curvature;
-  }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
+  // In units of the deviations that each has by itself, since those of ln λ are far smaller.
   constexpr double min_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
-  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(min_curvature);
+  const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit.asDiagonal() * H * unit.asDiagonal());
+  constexpr double least = 0.1;  // together they are known less by no more than three deviations of one
+  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least);
   double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
-  for (Index i = 0; i < n; ++i) log_evidence -= 0.5 * elementary::log(values[i]);
+  for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
   // Of waves, each ln λ is uniform, and which is called the first says nothing.
@@ -526,7 +525,8 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
                     elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
   return {.mode = mode,
           .log_evidence = log_evidence,
-          .spread = eigen.eigenvectors() * values.cwiseInverse().asDiagonal() * eigen.eigenvectors().transpose()};
+          .spread = unit.asDiagonal() * eigen.eigenvectors() * values.cwiseInverse().asDiagonal() *
+                    eigen.eigenvectors().transpose() * unit.asDiagonal()};
 }
 
 bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
@@ -639,6 +639,7 @@ class Search {
     std::vector<double> found;
     const auto add = [&](const std::vector<ScannedWavelength>& in) {
       for (const auto& peak : peaks_of(in, 2)) {
+        if (!is_resolved(peak.wavelength, plain.theta, plain.theta.waves)) continue;
         const bool known = std::any_of(found.begin(), found.end(), [&](double other) {
           return std::abs(elementary::log(peak.wavelength / other)) < 0.5 * peak.wavelength / process_.passages().range;
         });
@@ -654,6 +655,14 @@ class Search {
     raw.theta.values[3] = elementary::log(range / 5);
     add(scan_of(process_, raw));
     return found;
+  }
+
+  // Does the fibre seen tell a wavelength from those that are there? Two that differ by less than a period over it are one whose height varies.
+  bool is_resolved(double wavelength, const Theta& theta, std::size_t waves) const {
+    for (std::size_t wave = 0; wave < waves; ++wave)
+      if (std::abs(1 / wavelength - elementary::exp(-theta.log_wavelength(wave))) * process_.passages().range < 1)
+        return false;
+    return true;
   }
 
   // A mode with one more wave than `theta` has, quickly.
@@ -728,7 +737,7 @@ class Search {
       process_.polish(mode, polished.empty() ? 4 : 2, 8, 0.2);
       if (before.merit > mode.merit) mode = before;
       mend(mode);
-      polished.push_back(mode);
+      if (is_resolved(elementary::exp(mode.theta.log_wavelength(last)), mode.theta, last)) polished.push_back(mode);
     }
     std::stable_sort(polished.begin(), polished.end(), better);
     std::vector<Mode> different;
