@@ -513,7 +513,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   constexpr double min_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
   const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit.asDiagonal() * H * unit.asDiagonal());
-  constexpr double least = 0.1;  // together they are known less by no more than three deviations of one
+  constexpr double least = 0.003;  // two waves stretch together, with the specimen, by twenty deviations of either alone
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least);
   double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
