@@ -181,6 +181,7 @@ HWY_EXPORT(at_coordinates);
 HWY_EXPORT(slopes_at_lengths);
 HWY_EXPORT(slopes_at_coordinates);
 constexpr std::size_t terms = CellLayout::terms;
+static_assert(terms == CellTable::nodes_across);
 using Matrix = std::array<std::array<double, terms>, terms>;
 
 double cosine(double x) { return elementary::sine_and_cosine(x).cosine; }

@@ -30,7 +30,8 @@ class CellTable {
   struct Pair {
     std::vector<double> first, second;
   };
-  // X/x of both quantities at points x[i], q[i]; NaN where there is no state.
+  // X/x of both quantities at points x[i], q[i]; NaN where there is no state. Of a cell, each x stands with so many q, one after the other.
+  static constexpr std::size_t nodes_across = 8;
   using Source = std::function<Pair(std::span<const double> x, std::span<const double> q)>;
 
   // Cells of which the source has not all nodes, nor the far corner at the least q, have nothing.

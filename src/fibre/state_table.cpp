@@ -218,13 +218,18 @@ SupportedTables::Step SupportedTables::step_from(double w, double S, double q, d
 }
 
 SupportedState SupportedTables::state(double w, double q) const {
+  PhaseAndSpan from;
+  return state(w, q, from);
+}
+
+SupportedState SupportedTables::state(double w, double q, PhaseAndSpan& from) const {
   // So far beyond the end of its branch a fibre is led on. Branches end 5 L deeper for one friction more, at most, so that the cells of an eighth of it
   // in which they end have all their nodes.
   constexpr double led_beyond = 0.5;  // [L]
   if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q)) return no_state_on_supports(q);
   const double end = branch_end(q).w;
   if (w > end + led_beyond) return no_state_on_supports(q);
-  const SupportedState led = state_led_on(w, q, supports);
+  const SupportedState led = state_led_on(w, q, supports, from);
   // Leading on may lose a state that is there, of a fibre much bent.
   return led.status == FibreStatus::ok || w > end ? led : state_on_supports(w, q, supports);
 }
@@ -247,7 +252,25 @@ const SupportedTables::CellStates& SupportedTables::cell_states(std::span<const 
                                                                 std::span<const double> q) const {
   const std::scoped_lock lock(solving_);
   CellStates& states = solved_[{w[0], q[0]}];
-  for (std::size_t i = states.size(); i < w.size(); ++i) states.push_back(state(w[i], q[i]));
+  // Each begins where those beside it ended, as if what is left of square roots and proportions were linear in both.
+  constexpr std::size_t row = CellTable::nodes_across;
+  std::vector<PhaseAndSpan> ended(states.empty() ? w.size() : 0);
+  const auto expected = [&](std::size_t i) {
+    const auto linear = [&](double PhaseAndSpan::*of) {
+      const auto at = [&](std::size_t k) { return ended[k].*of / std::sqrt(w[k]); };
+      const bool has_row = i >= row, has_column = i % row > 0;
+      const double next = has_row && has_column ? at(i - row) + at(i - 1) - at(i - row - 1)
+                          : has_row             ? at(i - row)
+                          : has_column          ? at(i - 1)
+                                                : 0;
+      return std::sqrt(w[i]) * next;
+    };
+    return PhaseAndSpan{linear(&PhaseAndSpan::phase), linear(&PhaseAndSpan::half_span)};
+  };
+  for (std::size_t i = states.size(); i < w.size(); ++i) {
+    ended[i] = expected(i);
+    states.push_back(state(w[i], q[i], ended[i]));
+  }
   return states;
 }
 

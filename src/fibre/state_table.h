@@ -105,6 +105,7 @@ class SupportedTables {
   BranchEnd branch_end(double q) const;
   BranchEnd end_at(std::size_t index) const;
   SupportedState state(double w, double q) const;
+  SupportedState state(double w, double q, PhaseAndSpan& from) const;
   // Of all nodes of a cell, for the three tables over deflection and friction alike.
   using CellStates = std::vector<SupportedState>;
   const CellStates& cell_states(std::span<const double> w, std::span<const double> q) const;

@@ -147,10 +147,7 @@ SupportedState state_of(const Half& half, double u, double a, const ForceAngle& 
 
 // Phase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
 // depth; of more, so little that Newton's iteration comes from below.
-struct Guess {
-  double u, a;
-};
-Guess guess_of(double w, double q, const ForceAngle& angle, const Supports& supports) {
+PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Supports& supports) {
   const double R = supports.radius + supports.half_depth, theta0 = 3 * w;
   const double ell = 1 - 2 * R * theta0, lever = 1 - 3 * q * supports.half_depth;
   const double w1 = (w - 0.5 * R * theta0 * theta0) / ell;
@@ -164,11 +161,12 @@ Guess guess_of(double w, double q, const ForceAngle& angle, const Supports& supp
 
 // Phase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
 // of its slopes.
-SupportedState state_nearby(double w, double q, const Supports& supports) {
+SupportedState state_nearby(double w, double q, const Supports& supports, PhaseAndSpan& from) {
   const ForceAngle angle = force_angle(q);
   const double R = supports.radius + supports.half_depth;
-  const Guess guess = guess_of(w, q, angle, supports);
-  double u = guess.u, a = guess.a, last_u = 0, last_a = 0;
+  if (!(from.phase > 0 && from.half_span > 0)) from = guess_of(w, q, angle, supports);
+  auto& [u, a] = from;
+  double last_u = 0, last_a = 0;
   for (int i = 0; i < 40; ++i) {
     const auto half = half_of(u, a, angle, supports);
     if (!half) {  // a step too far
@@ -196,6 +194,7 @@ SupportedState state_nearby(double w, double q, const Supports& supports) {
     last_u = std::clamp(du, -longest * u, longest * u), last_a = std::clamp(da, -longest * a, longest * a);
     u += last_u, a += last_a;
   }
+  from = {};
   return no_state_on_supports(q);
 }
 
@@ -227,7 +226,7 @@ SupportedState state_at_phase(double u, double q, const Supports& supports) {
 
 namespace {
 
-SupportedState solved_state(double w, double q, const Supports& supports, bool led_on) {
+void require_domain(double w, double q, const Supports& supports) {
   const auto& [radius, half_depth] = supports;
   if (!(w > 0 && w <= deepest_on_supports))
     throw std::invalid_argument("no deflection of " + std::to_string(w) + " spans");
@@ -235,10 +234,9 @@ SupportedState solved_state(double w, double q, const Supports& supports, bool l
   if (!(radius >= 0 && half_depth >= 0 && radius + half_depth < widest_supports))
     throw std::invalid_argument("rollers of " + std::to_string(radius) + " spans under a half depth of " +
                                 std::to_string(half_depth) + " leave no span");
-  effort_spent += effort_of_supported_state;
-  const SupportedState found = state_nearby(w, q, supports);
-  if (led_on) return found;
-  if (found.status == FibreStatus::ok) return found.F >= 0 ? found : no_state_on_supports(q);
+}
+
+SupportedState solved_state(double w, double q, const Supports& supports) {
   // The deflection rises with the phase, hardly bent as its square.
   const double s0 = force_angle(q).sine;
   double low = 0, high = infinity;
@@ -273,10 +271,21 @@ SupportedState no_state_on_supports(double q) {
 }
 
 SupportedState state_on_supports(double w, double q, const Supports& supports) {
-  return solved_state(w, q, supports, false);
+  const SupportedState found = state_led_on(w, q, supports);
+  if (found.status == FibreStatus::ok) return found.F >= 0 ? found : no_state_on_supports(q);
+  return solved_state(w, q, supports);
 }
 
-SupportedState state_led_on(double w, double q, const Supports& supports) { return solved_state(w, q, supports, true); }
+SupportedState state_led_on(double w, double q, const Supports& supports, PhaseAndSpan& from) {
+  require_domain(w, q, supports);
+  effort_spent += effort_of_supported_state;
+  return state_nearby(w, q, supports, from);
+}
+
+SupportedState state_led_on(double w, double q, const Supports& supports) {
+  PhaseAndSpan from;
+  return state_led_on(w, q, supports, from);
+}
 
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports) {
   if (!(F >= 0 && std::isfinite(F))) throw std::invalid_argument("no force of " + std::to_string(F));

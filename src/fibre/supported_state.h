@@ -43,7 +43,14 @@ struct SupportedState {
 // Cost:       1 µs; some 50 µs where there is no state, or one much bent that Newton's iteration does not find.
 SupportedState state_on_supports(double w, double q, const Supports& supports);
 
-// The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears.
+// Where Newton's iteration begins, or has ended: the phase of midspan and the half span, in units of the length in which the phase is the arc length.
+struct PhaseAndSpan {
+  double phase = 0, half_span = 0;  // 0: not known
+};
+
+// The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears. Begins at `from`, and leaves
+// there where it has ended.
+SupportedState state_led_on(double w, double q, const Supports& supports, PhaseAndSpan& from);
 SupportedState state_led_on(double w, double q, const Supports& supports);
 
 // What stands where there is none with this friction: beyond_branch.

@@ -268,6 +268,32 @@ double ThetaPrior::slope(const Theta& theta, std::size_t i) const {
   return -(theta.values[i] - mean[i]) / (deviation[i] * deviation[i]);
 }
 
+namespace {
+
+using Series = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_columns + 1, 1>;
+using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns + 1, max_columns + 1>;
+
+// Of each two series, over all observations.
+SeriesMatrix products_of(const Eigen::MatrixXd& white) {
+  const auto series = static_cast<std::size_t>(white.rows());
+  constexpr std::size_t most = max_columns + 1;
+  std::array<double, most * most> sums{};
+  for (Index k = 0; k < white.cols(); ++k) {
+    const double* const at = white.col(k).data();
+    for (std::size_t j = 0; j < series; ++j)
+      for (std::size_t i = 0; i <= j; ++i) sums[j * most + i] += at[i] * at[j];
+  }
+  SeriesMatrix products(white.rows(), white.rows());
+  for (std::size_t j = 0; j < series; ++j)
+    for (std::size_t i = 0; i <= j; ++i) {
+      const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
+      products(row, column) = products(column, row) = sums[j * most + i];
+    }
+  return products;
+}
+
+}  // namespace
+
 Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at)
     : observations_(observations), kernel_(kernel), at_(at) {
   require_domain(observations, kernel, at);
@@ -315,9 +341,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
     steps_ = std::move(steps);
   });
   const auto p = static_cast<Index>(columns);
-  Eigen::MatrixXd products = Eigen::MatrixXd::Zero(white_.rows(), white_.rows());
-  products.selfadjointView<Eigen::Lower>().rankUpdate(white_);
-  products.triangularView<Eigen::StrictlyUpper>() = products.transpose();
+  const SeriesMatrix products = products_of(white_);
   const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
                                variances.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
@@ -500,16 +524,15 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
   const Square<M> limit = limit_of<M>(parameters);
   // -2 ln p(y) = Σ ln s + v' Q v/s + ..., s being the variance of what an observation adds to the series and v what it adds: derivatives by the
   // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
-  Eigen::MatrixXd Q(series, series);
+  SeriesMatrix Q(series, series);
   Q(0, 0) = 1;
   Q.row(0).tail(p) = -beta_.transpose();
   Q.col(0).tail(p) = -beta_;
   Q.bottomRightCorner(p, p) = beta_ * beta_.transpose() + covariance_;
-  const Eigen::MatrixXd weighted = Q * white_;
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, M>;
+  using Columns = Eigen::Matrix<double, Eigen::Dynamic, M, 0, max_columns + 1, M>;
   Columns by_states = Columns::Zero(series, M), carried(series, M), known(series, M);
   Square<M> by_covariance{}, by_limit{};
-  Eigen::VectorXd v(series), by_v(series);
+  Series v(series), by_v(series), weighted(series);
   double by_correlation = 0, by_log_length = 0;
   LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
   for (std::size_t k = n; k-- > 0;) {
@@ -519,7 +542,9 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     if (is_seen(observation)) {
       const double size = std::sqrt(step.innovation);
       v = size * white_.col(column);
-      by_v = 2 / size * weighted.col(column);
+      weighted.setZero();
+      for (Index j = 0; j < series; ++j) weighted += white_(j, column) * Q.col(j);
+      by_v = 2 / size * weighted;
       Few<M> by_gain;
       for (int i = 0; i < M; ++i) {
         const auto at = static_cast<std::size_t>(i);
@@ -537,9 +562,8 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
       }
       // P - K s K', K = P H'/s, s = H P H' + variance
       const Few<M> with_gain = product(by_covariance, step.gain);
-      const double by_variance =
-          (1 - white_.col(column).dot(weighted.col(column)) - dot<M>(by_gain, step.gain)) / step.innovation +
-          dot<M>(step.gain, with_gain);
+      const double by_variance = (1 - white_.col(column).dot(weighted) - dot<M>(by_gain, step.gain)) / step.innovation +
+                                 dot<M>(step.gain, with_gain);
       Few<M> H{};
       if (G > 0) H[0] = 1;
       H[G] = observation.noise_gain;  // of e, which is all there is without a kernel

@@ -496,8 +496,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
     // The merit may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
-    const double curvature =
-        i < 4 ? 0 : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
+    const double curvature = i < 4 ? 0 : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
     const double h = i < 4 ? 0.02 : 1 / std::sqrt(curvature);
     Theta up = mode.theta, down = mode.theta;
     up.values[static_cast<std::size_t>(i)] += h;
@@ -513,7 +512,8 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   constexpr double min_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
   const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit.asDiagonal() * H * unit.asDiagonal());
-  constexpr double least = 0.003;  // two waves stretch together, with the specimen, by twenty deviations of either alone
+  constexpr double least =
+      0.003;  // two waves stretch together, with the specimen, by twenty deviations of either alone
   const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least);
   double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
