@@ -128,7 +128,7 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
   over_noise << over_noise_of(of_friction, slopes.q_F, nugget), over_noise_of(of_place, slopes.S_F, sharpest);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
   constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
-  constexpr Index at_most = max_columns - 3 - 2 * static_cast<Index>(max_waves);
+  constexpr Index at_most = 7;  // what the others tell is far below the errors of these
   const Index count = told.eigenvalues().size();
   Index kept = 0;
   while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;
