@@ -657,7 +657,7 @@ Found hidden_waves(T test) {
   if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || lost_stiffness(*test.judgement))
     return std::nullopt;
   constexpr double lengths_told_apart = 20;
-  const double seen = 0.5 * (fit.along.at(fit.S_end) - fit.along.at(fit.S_begin));
+  const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
   if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
   const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
   return Finding{

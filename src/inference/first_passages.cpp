@@ -116,19 +116,13 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     return at;
   };
 
-  // What they add to friction and, since waves have their places, what they move these by.
-  const auto over_noise_of = [&](const MatrixXd& of, const std::vector<double>& by_force, double least) {
-    const VectorXd gain = at_readings(Eigen::Map<const VectorXd>(by_force.data(), static_cast<Index>(w.size())));
-    MatrixXd over = at_readings(of.rightCols(of.cols() - alone));
-    for (Index i = 0; i < over.rows(); ++i) over.row(i) /= elementary::length(gain[i] * passages.noise, least);
-    return over;
-  };
-  constexpr double sharpest = 1e-4;  // [L] a place is hardly read more exactly
-  MatrixXd over_noise(2 * static_cast<Index>(passages.size()), of_friction.cols() - alone);
-  over_noise << over_noise_of(of_friction, slopes.q_F, nugget), over_noise_of(of_place, slopes.S_F, sharpest);
+  const VectorXd noise_gain = at_readings(Eigen::Map<const VectorXd>(slopes.q_F.data(), static_cast<Index>(w.size())));
+  MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - alone));
+  for (Index i = 0; i < over_noise.rows(); ++i)
+    over_noise.row(i) /= elementary::length(noise_gain[i] * passages.noise, nugget);
   const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
   constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
-  constexpr Index at_most = 7;  // what the others tell is far below the errors of these
+  constexpr Index at_most = 7;         // what the others tell is far below the errors of these
   const Index count = told.eigenvalues().size();
   Index kept = 0;
   while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;

@@ -49,6 +49,12 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   prior_of_theta_ = ThetaPrior::of(range, passages_.noise);
 }
 
+FrictionProcess FrictionProcess::with_pull(const Coefficients& pull) const {
+  FrictionProcess pulled = *this;
+  pulled.pull_ = pull;
+  return pulled;
+}
+
 Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
   Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(mode.theta.waves));
   h[columns_.mean] = 1;
@@ -111,6 +117,10 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
   Observations observations;
   observations.prior = prior_;
   observations.prior.insert(observations.prior.end(), 2 * mode.theta.waves, wave_deviation * wave_deviation);
+  if (pull_.size() > 0) {
+    observations.pull = Coefficients::Zero(static_cast<Index>(observations.prior.size()));
+    observations.pull.head(pull_.size()) = pull_;
+  }
   observations.all.reserve(n + nodes.size());
   observations.values.reserve(n + nodes.size());
   observations.columns.reserve(n + nodes.size());
@@ -153,6 +163,7 @@ Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> pl
   Profile profile;
   auto& observations = profile.observations;
   observations.prior = seen.prior;
+  observations.pull = seen.pull;
   std::size_t next = 0;
   const auto unseen_to = [&](double end) {
     for (; next < places.size() && places[next] < end; ++next) {

@@ -42,6 +42,9 @@ class FrictionProcess {
   // Domain:     at least 20 readings; std::invalid_argument otherwise.
   explicit FrictionProcess(Passages passages);
 
+  // The same with what else is known of its columns but waves (rig_pull.h).
+  FrictionProcess with_pull(const Coefficients& pull) const;
+
   const Passages& passages() const { return passages_; }
   const ColumnPlaces& columns() const { return columns_; }
   const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
@@ -111,6 +114,7 @@ class FrictionProcess {
   Passages passages_;
   ColumnPlaces columns_;
   std::vector<double> prior_;  // of the columns but waves
+  Coefficients pull_;          // on them; of no size: none
   double min_wavelength_;
   ThetaPrior prior_of_theta_{};
 };

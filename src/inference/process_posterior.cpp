@@ -358,7 +358,6 @@ class Posterior {
     result_.S_end = S.back();
     from_ = process.passages().place(result_.S_begin);
     to_ = process.passages().place(result_.S_end);
-    pull_ = rig_pull(process, components.front().mode);
   }
 
   ProcessPosterior result() {
@@ -449,6 +448,7 @@ class Posterior {
     const auto told_by = [&](std::vector<double> read) {
       Observations instead = observations;
       instead.values = std::move(read);
+      instead.pull = {};  // the same whatever is read
       const Chain chain(instead, mode.kernel, hyperparameters_of(mode.theta));
       const auto& white = chain.whitened_columns();
       return Told{
@@ -526,8 +526,7 @@ class Posterior {
       const Mode& mode = point.mode;
       const double share =
           elementary::exp(std::clamp(point.log_weight, -50.0, 3.0)) / static_cast<double>(points.size());
-      Observations observations = process_.observations_of(mode);
-      observations.pull = pull_on(observations);
+      const Observations observations = process_.observations_of(mode);
       const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
       const auto f = mean_over(from_, to_, process_, mode, observations);
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
@@ -653,7 +652,6 @@ class Posterior {
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
       Profile profile = process_.profile_of(mode, places);
-      profile.observations.pull = pull_on(profile.observations);
       const Chain chain(profile.observations, mode.kernel, p);
       const auto smoothed = chain.smoothed();
       for (std::size_t r = 0; r < result_.rig.size(); ++r)
@@ -713,16 +711,8 @@ class Posterior {
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 
-  // A pull of the likeliest mode, for one with its own number of waves.
-  Coefficients pull_on(const Observations& observations) const {
-    Coefficients pull = Coefficients::Zero(static_cast<Index>(observations.prior.size()));
-    pull.head(process_.columns().waves) = pull_.head(process_.columns().waves);
-    return pull;
-  }
-
   const FrictionProcess& process_;
   std::span<const Component> components_;
-  Coefficients pull_;
   double from_, to_;
   std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
   ProcessPosterior result_{};
@@ -732,7 +722,13 @@ class Posterior {
 }  // namespace
 
 ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Component> components) {
-  return Posterior(process, components).result();
+  const Coefficients pull = rig_pull(process, components.front().mode);
+  if (pull.isZero()) return Posterior(process, components).result();
+  const FrictionProcess pulled = process.with_pull(pull);
+  std::vector<Component> all(components.begin(), components.end());
+  for (Component& each : all)
+    if (weight_of(each, components.front()) > elementary::exp(-weighs_nothing)) pulled.burst(each.mode, 8, 0.5);
+  return Posterior(pulled, all).result();
 }
 
 std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {

@@ -28,7 +28,8 @@ Passages of_known_rig(const FrictionProcess& process, const Mode& mode) {
 
 Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const Observations all = process.observations_of(mode);
-  Coefficients pull = Coefficients::Zero(static_cast<Index>(all.prior.size()));
+  const auto& columns = process.columns();
+  Coefficients pull = Coefficients::Zero(columns.waves);
   if (mode.kernel == Kernel::none) return pull;
   const FrictionProcess known(of_known_rig(process, mode));
   Mode middle = mode;
@@ -60,7 +61,6 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   constexpr double most = 100;
   const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
 
-  const auto& columns = process.columns();
   if (columns.stiffness >= 0) pull[columns.stiffness] = besides;
   const std::vector<double> by = process.by_stiffness(mode);
   double squares = 0;

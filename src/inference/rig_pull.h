@@ -5,7 +5,7 @@
 
 namespace flexslip {
 
-// The slope of ln p(readings, gaps) in the coefficients of the bending stiffness and of the rig, less what the columns say of it: Observations::pull.
+// The slope of ln p(readings, gaps) in the coefficients of the bending stiffness and of the rig, less what the columns say of it, for FrictionProcess::with_pull.
 //
 // A rig that is off moves the size of roughness and its places, too. Columns are those of a smooth curve, since nobody knows that size beforehand; what
 // they leave out would tell nothing if readings were taken anywhere, but a fibre rests where friction is high and jumps over where it is low, the

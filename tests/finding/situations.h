@@ -141,6 +141,7 @@ inline std::vector<Situation> situations() {
   });
   add("hidden_waves", Severity::condition, [](FittedTest& test) {
     for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
+    test.analysis.fit.wave_claimed = false;
     test.analysis.fit.shortest_wave = 0.1;
   });
   add("jumps", Severity::note, [](FittedTest& test) {
