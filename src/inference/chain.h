@@ -105,8 +105,7 @@ struct SmoothedObservation {
   double e;         // [EI/L^2] mean of e
 };
 
-namespace chain {
-// One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
+namespace chain {  // One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
 template <int M>
 struct Step {
   std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the observation
