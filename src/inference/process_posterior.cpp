@@ -726,8 +726,16 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
   if (pull.isZero()) return Posterior(process, components).result();
   const FrictionProcess pulled = process.with_pull(pull);
   std::vector<Component> all(components.begin(), components.end());
-  for (Component& each : all)
-    if (weight_of(each, components.front()) > elementary::exp(-weighs_nothing)) pulled.burst(each.mode, 8, 0.5);
+  for (Component& each : all) {
+    if (!(weight_of(each, components.front()) > elementary::exp(-weighs_nothing))) continue;
+    Mode moved = each.mode;
+    pulled.burst(moved, 8, 0.5);
+    // Where the bending stiffness runs away, the mode stays, and its means are moved to first order.
+    constexpr double farthest = 1.5, most_lost = 12;  // of its error beforehand; of the merit
+    const double away = std::abs(moved.at.eta - each.mode.at.eta);
+    if (away <= farthest * process.passages().stiffness_error && moved.merit > each.mode.merit - most_lost)
+      each.mode = std::move(moved);
+  }
   return Posterior(pulled, all).result();
 }
 
