@@ -272,16 +272,20 @@ ShapePoint fibre_shape(const FibreState& state, double s) {
   }
   if (state.u == 0) return {s, 0, 0};
   const Line line = force_line(state.q);
+  const auto turned = [&](const EllipticArc& arc) {
+    return 2 * elementary::angle(0.5 * line.s0 * arc.one_minus_cn, line.m1 + line.m * arc.cn);
+  };
   const double v = 2 * state.u * s;
-  const auto arc = elliptic_arc(v, {line.m, line.m1});
+  const EllipticParameter parameter{line.m, line.m1};
+  const auto arc = elliptic_arc(v, parameter);
   const double p = line.s0 * arc.P;
   const double r = 0.5 * line.s0 * line.s0 * arc.R;
-  const double psi = 2 * elementary::angle(0.5 * line.s0 * arc.one_minus_cn, line.m1 + line.m * arc.cn);
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   const double scale = state.S / (2 * state.u);  // (4.17): arc length per unit of phase
-  return {.x = scale * (cosine * (v - r) + sine * p),
-          .y = scale * (sine * (v - r) - cosine * p),
-          .theta = state.theta0 - psi};
+  return {
+      .x = scale * (cosine * (v - r) + sine * p),
+      .y = scale * (sine * (v - r) - cosine * p),
+      .theta = state.theta0 * (1 - turned(arc) / turned(elliptic_arc(state.u, parameter)))};  // none left at midspan
 }
 
 }  // namespace flexslip
