@@ -635,9 +635,10 @@ void draw_states(const Observations& observations, const Parameters& p, NormalSo
   constexpr int G = M - 1;
   constexpr int size = G > 0 ? G : 1;
   using Matrix = Square<size>;
+  const Square<M> of_all = limit_of<M>(p);
   Matrix limit{};
   for (int i = 0; i < G; ++i)
-    for (int j = 0; j < G; ++j) limit(i, j) = limit_of<M>(p)(i, j);
+    for (int j = 0; j < G; ++j) limit(i, j) = of_all(i, j);
   const auto some = [&](const Matrix& covariance) {
     Few<size> z, out{};
     for (double& value : z) value = normal();

@@ -144,13 +144,9 @@ Check check_friction(const FrictionFit& fit) {
   return {CheckKind::friction, passed_if(!fit.mu0_is_bound), {{"mu0_high", fit.mu0.high, false}}};
 }
 
-double stiffness_errors(const FrictionFit& fit, double error) {
-  return std::abs(elementary::log(fit.bending_stiffness.value)) / error;
-}
-
 Check check_bending_stiffness(const FrictionFit& fit, double error) {
   if (fit.model == ProfileModel::constant) return {CheckKind::stiffness, CheckOutcome::not_possible, {}};  // not fitted
-  const double errors = stiffness_errors(fit, error);
+  const double errors = std::abs(elementary::log(fit.bending_stiffness.value)) / error;
   return {CheckKind::stiffness,
           passed_if(errors <= max_stiffness_errors),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};

@@ -73,9 +73,6 @@ Check check_nesting(const FitProblem& problem, const FrictionFit& fit);
 // Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
 Check check_friction(const FrictionFit& fit);
 
-// By how many of its errors (relative) the bending stiffness of a fit is off that stated.
-double stiffness_errors(const FrictionFit& fit, double error);
-
 // Fails if the bending stiffness of the fit differs from the nominal one by more than twice the relative error of that.
 // Domain:     error > 0.
 // Numbers:    fitted_over_nominal, errors (by how many it differs).

@@ -140,7 +140,7 @@ bool stiffness_is_off(const TestAnalysis& analysis) {
   const double stated = analysis.bending_stiffness_error, told = analysis.fit.bending_stiffness.standard_error;
   constexpr double least = 0.35;  // of p: what tells nothing contradicts nothing
   const double apart = std::max(std::sqrt(std::max(stated * stated - told * told, 0.0)), least * stated);
-  return std::abs(elementary::log(analysis.fit.bending_stiffness.value)) > 2 * apart;
+  return std::abs(elementary::log(analysis.fit.bending_stiffness.value)) > max_stiffness_errors * apart;
 }
 
 bool most_are_impossible(std::size_t impossible, std::size_t drops) {

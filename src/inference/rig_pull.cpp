@@ -39,7 +39,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
     Mode beside = middle;
     beside.at.eta += eta;
     complete(beside.at, known.passages());
-    known.burst(beside, 12, 0.5);
+    known.burst(beside, 12, 0.5);  // its readings first, as they are at this bending stiffness
     known.polish(beside, 3, 6, 0.5);
     return beside.merit;
   };
@@ -58,7 +58,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
   const double step = std::clamp(1 / std::sqrt(information), 0.002, 0.02);
   const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);
-  constexpr double most = 100;
+  constexpr double most = 100;  // moves ln EI by two errors at most, where it is known to 2 %
   const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
 
   if (columns.stiffness >= 0) pull[columns.stiffness] = besides;
