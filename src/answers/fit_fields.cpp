@@ -544,8 +544,7 @@ Fields<Finding> finding_fields() {
       .words("severity", "refusal, suspicion, doubt, note, passed or unjudged",
              [](const Finding& finding) { return name_of(finding.severity); })
       .words("sentence", "what was found, as every door prints it", &Finding::sentence)
-      .words("short_form", "a few words, for a table of many tests; empty where nothing speaks against the test",
-             &Finding::short_form)
+      .words("short_form", "a few words, for a table of many tests or a row of one; may be empty", &Finding::short_form)
       .words("remedy", "what to do; empty where there is nothing to do", &Finding::remedy)
       .list("numbers", "what the sentence rests on", finding_number_fields(), &Finding::numbers);
 }

@@ -648,6 +648,7 @@ Found steady_change(T test) {
                  .sentence =
                      "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
                      "relaxes, or a preload that was tared, reads so.",
+                 .short_form = "it changes steadily along the specimen, as if that softened or relaxed",
                  .remedy = reload_remedy(test)};
 }
 
@@ -660,11 +661,13 @@ Found hidden_waves(T test) {
   const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
   if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
   const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
+  const std::string length = format_roughly(shortest, Print(test).as(kind::length));
   return Finding{
       .severity = Severity::condition,
       .sentence = fmt::format("Friction that varies over less than {} along the specimen does not show on so "
                               "soft a rig: the specimen would rest on its crests, and the mean be lower.",
-                              std::string(format_roughly(shortest, Print(test).as(kind::length)))),
+                              length),
+      .short_form = fmt::format("lower if it varies over less than {}, which would not show", length),
       .remedy = "A stiffer rig, or less noise of the force, shows shorter variation.",
       .numbers = {{"shortest_wave", shortest, kind::length}}};
 }
@@ -962,6 +965,8 @@ std::string friction_in_words(T test) {
                                         Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
+  for (const Found& condition : {steady_change(test), hidden_waves(test)})
+    if (condition) words += "; " + condition->short_form;
   return words;
 }
 

@@ -35,7 +35,7 @@ struct Finding {
   std::string_view code{};  // as the rule has it that finds it
   Severity severity;
   std::string sentence;      // whole sentences, understood when read alone
-  std::string short_form{};  // a few words, for a table of many tests; empty where it says nothing against a test
+  std::string short_form{};  // a few words, for a table of many tests or a row of one; may be empty
   std::string remedy{};      // what to do, a whole sentence; empty where there is nothing to do
   std::vector<FindingNumber> numbers{};
 };

@@ -35,12 +35,14 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   Mode middle = mode;
   middle.at.rig.clear();
   complete(middle.at, known.passages());
+  constexpr int burst_steps = 12, polish_rounds = 3, polish_steps = 6;
+  constexpr double fraction = 0.5;  // of a Gauss-Newton step
   const auto merit_beside = [&](double eta) {
     Mode beside = middle;
     beside.at.eta += eta;
     complete(beside.at, known.passages());
-    known.burst(beside, 12, 0.5);  // its readings first, as they are at this bending stiffness
-    known.polish(beside, 3, 6, 0.5);
+    known.burst(beside, burst_steps, fraction);  // its readings first, as they are at this bending stiffness
+    known.polish(beside, polish_rounds, polish_steps, fraction);
     return beside.merit;
   };
   known.settle(middle);
