@@ -12,6 +12,7 @@
 #include "case/case_keys.h"
 #include "case/mechanics.h"
 #include "data/contact.h"
+#include "data/failure.h"
 #include "data/record.h"
 #include "instruments/export.h"
 #include "io/input_error.h"

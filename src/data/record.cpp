@@ -201,38 +201,6 @@ RecordCheck check_record(const Record& record) {
   return {RecordFault::none, 0};
 }
 
-Failure find_failure(const Record& record) {
-  const auto& stage = record.stage;
-  const auto& force = record.force;
-  const Failure survived{FailureStatus::none, force.size()};
-  if (force.size() < 2) return survived;
-
-  // An unloading stage takes the force to zero as well: only what happens up to the farthest stage counts.
-  const auto farthest = static_cast<std::size_t>(std::max_element(stage.begin(), stage.end()) - stage.begin());
-  const std::size_t loading = farthest + 1;
-  const double most = *std::max_element(force.begin(), force.begin() + static_cast<std::ptrdiff_t>(loading));
-  if (!(most > 0)) return survived;
-
-  std::size_t low = loading;  // the first point from which on the force stays below half its maximum
-  while (low > 0 && force[low - 1] < 0.5 * most) --low;
-  if (low == loading) return survived;
-
-  // Backwards through the 3 % of travel before that: the earliest break, none of whose loss was ever made good.
-  std::size_t last = loading;
-  double highest_after = *std::max_element(force.begin() + static_cast<std::ptrdiff_t>(low),
-                                           force.begin() + static_cast<std::ptrdiff_t>(loading));
-  const double reach = stage[low] - 0.03 * (stage[low] - stage[0]);
-  for (std::size_t i = low; i-- > 0 && (i + 1 == low || stage[i] >= reach);) {
-    if (force[i] - force[i + 1] >= 0.05 * most && force[i] > highest_after) last = i;
-    highest_after = std::max(highest_after, force[i]);
-  }
-  if (last == loading) return survived;
-
-  while (last > 0 && force[last - 1] - force[last] >= 0.01 * most)
-    --last;  // a break seldom begins with its largest step
-  return {FailureStatus::found, last + 1};
-}
-
 std::vector<double> smooth_steps(const Record& record) {
   const std::vector<StepSlope> slopes = step_slopes(record);
   const std::size_t n = slopes.size();

@@ -43,7 +43,7 @@ Record record_from_deflection_and_force(std::span<const double> deflection, std:
 Record record_from_stage_and_deflection(std::span<const double> stage, std::span<const double> deflection,
                                         double stiffness);
 
-// The first points of a record: with find_failure, the part before the specimen broke.
+// The first points of a record: with find_failure (failure.h), the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
 // A record without its first points, its stage and deflection counted from a contact [m].
@@ -67,23 +67,6 @@ struct RecordCheck {
 
 // Is this a loading test that can be evaluated? Everything below takes for granted that lengths agree and values are finite.
 RecordCheck check_record(const Record& record);
-
-enum class FailureStatus {
-  found,
-  none,  // the specimen survived: points = all points
-};
-
-struct Failure {
-  FailureStatus status;
-  std::size_t points;  // before the specimen broke: the last of them is point points - 1
-};
-
-// Where the specimen broke. It has broken when the force, while the stage runs forwards, drops below half its maximum for
-// good, and does so through breaks: steps that lose 5 % of the maximum and are never made good. The failure is the first break
-// within the last 3 % of the stage's travel before that, or the first step of 1 % that leads into it without a rise.
-// Fails:  none, also where the force only declines smoothly, as that of a very flexible fibre does.
-// Method: the three figures are empirical: chosen on 26 tests of spicules, of which docs/validation.md shows the outcome.
-Failure find_failure(const Record& record);
 
 // The force step [N] from each point to the next that a smooth curve would make: size - 1 values. The slope at a step is the
 // median over the 21 steps around it, weighted by their travel and straightened by the bend of that median over 10 steps either

@@ -82,49 +82,6 @@ TEST_CASE("record: each fault is found, with its place (table)") {
   CHECK(check_record(backwards).index == 3);
 }
 
-TEST_CASE("record: failure is the last point before the force is lost for good (truth known)") {
-  Record record = straight_test(300, 0, 0, 1);
-  SUBCASE("at one stroke") {
-    for (std::size_t i = 250; i < 300; ++i) record.force[i] = 1e-4;
-    CHECK(find_failure(record).points == 250);
-  }
-  SUBCASE("beginning with a small step") {
-    record.force[250] = 0.97 * record.force[249];
-    for (std::size_t i = 251; i < 300; ++i) record.force[i] = 1e-4;
-    CHECK(find_failure(record).points == 250);
-  }
-  SUBCASE("in two strokes, the first of them made up by nothing") {
-    for (std::size_t i = 250; i < 300; ++i) record.force[i] *= i < 255 ? 0.8 : 0.05;
-    CHECK(find_failure(record).points == 250);
-  }
-  SUBCASE("after a slip that loading makes up again") {
-    for (std::size_t i = 245; i < 300; ++i) record.force[i] -= 0.06 * record.force[244];
-    for (std::size_t i = 275; i < 300; ++i) record.force[i] = 1e-4;
-    CHECK(find_failure(record).points == 275);
-  }
-}
-
-TEST_CASE("record: what survives has no failure (limit)") {
-  const auto survives = [](const Record& record) {
-    const Failure failure = find_failure(record);
-    return failure.status == FailureStatus::none && failure.points == record.force.size();
-  };
-  CHECK(survives({}));
-  CHECK(survives({{0}, {0}, {0}}));
-  CHECK(survives({{0, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
-  CHECK(survives(straight_test(300, 0, 5e-6, 1)));
-
-  Record arch = straight_test(300, 0, 0, 1);  // the force returns to zero smoothly, as for a very flexible fibre
-  for (std::size_t i = 0; i < 300; ++i) arch.force[i] = std::sin(3.14 * static_cast<double>(i) / 299);
-  CHECK(survives(arch));
-
-  Record unloaded = straight_test(100, 0, 0, 1);  // loaded and taken back at a stroke
-  unloaded.stage.push_back(0);
-  unloaded.deflection.push_back(0);
-  unloaded.force.push_back(0);
-  CHECK(survives(unloaded));
-}
-
 TEST_CASE("record: a parabola is its own smooth course, to its ends (identity)") {
   Record record = straight_test(100, 0, 0, 1);
   for (std::size_t i = 0; i < 100; ++i) record.force[i] = 1e3 * record.stage[i] * (1.5e-4 - record.stage[i]);

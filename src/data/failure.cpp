@@ -1,0 +1,158 @@
+#include "data/failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "numerics/statistics.h"
+
+namespace flexslip {
+namespace {
+
+// From a peak of the force to the next trough.
+struct Fall {
+  std::size_t peak, trough;
+  double at_once;  // [N] the most that it loses within a hundredth of the travel
+};
+
+// A loading up to its farthest stage.
+class Loading {
+ public:
+  explicit Loading(const Record& record) : stage_(record.stage), force_(record.force) {
+    const auto farthest = std::max_element(stage_.begin(), stage_.end()) - stage_.begin();
+    points_ = static_cast<std::size_t>(farthest) + 1;
+    const auto highest = std::max_element(force_.begin(), force_.begin() + farthest + 1);
+    most_ = *highest;
+    travel_ = stage_[static_cast<std::size_t>(highest - force_.begin())] - stage_[0];
+    noise_ = noise();
+    if (most_ > 0) find_falls();
+  }
+
+  // Before the specimen broke; all of the record's if it did not.
+  std::size_t points_before_failure() const {
+    const std::size_t last = last_fall();
+    if (last == falls_.size()) return force_.size();
+    std::size_t first = last;
+    for (std::size_t k = last; k-- > 0;) {
+      if (stage_[falls_[first].peak] - stage_[falls_[k].trough] > reach * travel_) break;
+      if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * most_ || stands_out(k, a_twentieth))) first = k;
+    }
+    return begin_of(falls_[first]);
+  }
+
+ private:
+  static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6;  // [most]
+  static constexpr double window = 0.01, reach = 0.07;                        // [travel]
+
+  double highest_from(std::size_t point) const {
+    return *std::max_element(force_.begin() + static_cast<std::ptrdiff_t>(point),
+                             force_.begin() + static_cast<std::ptrdiff_t>(points_));
+  }
+
+  // Of one reading, by the bends from point to point, most of which are not those of the curve.
+  double noise() const {
+    if (points_ < 3) return 0;
+    std::vector<double> bends;
+    for (std::size_t i = 1; i + 1 < points_; ++i)
+      bends.push_back(std::abs(force_[i + 1] - 2 * force_[i] + force_[i - 1]));
+    return deviation_by_median * median_of(bends) / std::sqrt(6.0);
+  }
+
+  void find_falls() {
+    const double least = std::max(0.003 * most_, 4 * noise_);
+    std::size_t peak = 0, trough = 0;
+    bool falls = false;
+    const auto add = [&] {
+      std::size_t bottom = peak;  // where it has fallen, whatever noise does afterwards
+      while (force_[bottom] > force_[trough] + least) ++bottom;
+      falls_.push_back({peak, bottom, lost_at_once(peak, bottom)});
+    };
+    for (std::size_t i = 1; i < points_; ++i) {
+      if (falls && force_[i] - force_[trough] > least) {
+        add();
+        falls = false;
+        peak = i;
+      } else if (falls) {
+        if (force_[i] < force_[trough]) trough = i;
+      } else if (force_[i] >= force_[peak]) {
+        peak = i;
+      } else if (force_[peak] - force_[i] > least) {
+        falls = true;
+        trough = i;
+      }
+    }
+    if (falls) add();
+  }
+
+  // [N] Within a hundredth of the travel behind a point, to the next one at least.
+  double lost_from(std::size_t point, std::size_t trough) const {
+    double lost = 0;
+    for (std::size_t i = point + 1; i <= trough; ++i) {
+      if (i > point + 1 && stage_[i] - stage_[point] > window * travel_) break;
+      lost = std::max(lost, force_[point] - force_[i]);
+    }
+    return lost;
+  }
+
+  double lost_at_once(std::size_t peak, std::size_t trough) const {
+    double most = 0;
+    for (std::size_t i = peak; i < trough; ++i) most = std::max(most, lost_from(i, trough));
+    return most;
+  }
+
+  bool is_for_good(const Fall& fall) const { return highest_from(fall.trough) < force_[fall.peak]; }
+
+  bool stands_out(std::size_t fall, double least) const {
+    double before = 0;
+    for (std::size_t k = 0; k < fall; ++k) before = std::max(before, falls_[k].at_once);
+    return falls_[fall].at_once >= std::max(least * most_, 4 * before);
+  }
+
+  // The fall from which the force never comes back to half its maximum, or with which the record ends; falls_.size() if it survived.
+  std::size_t last_fall() const {
+    std::size_t low = points_;
+    while (low > 0 && force_[low - 1] < 0.5 * most_) --low;
+    if (low < points_) {
+      const auto through = std::find_if(falls_.begin(), falls_.end(),
+                                        [low](const Fall& fall) { return fall.peak < low && low <= fall.trough; });
+      if (through == falls_.end()) return falls_.size();
+      std::size_t before = low - 1;
+      while (before > through->peak && stage_[low] - stage_[before - 1] <= window * travel_) --before;
+      const bool is_break = lost_from(before, through->trough) >= a_twentieth * most_;
+      return is_break ? static_cast<std::size_t>(through - falls_.begin()) : falls_.size();
+    }
+    constexpr std::size_t next_to_the_end = 3;
+    const bool ends_so = !falls_.empty() && points_ == force_.size() &&
+                         points_ - falls_.back().trough <= next_to_the_end && stands_out(falls_.size() - 1, a_tenth);
+    return ends_so ? falls_.size() - 1 : falls_.size();
+  }
+
+  // Points up to where a fall begins in earnest, on to the last that has hardly lost anything.
+  std::size_t begin_of(const Fall& fall) const {
+    std::size_t begin = fall.peak;
+    while (stage_[fall.trough] - stage_[begin] > reach * travel_ && lost_from(begin, fall.trough) < much * most_)
+      ++begin;
+    while (lost_from(begin, fall.trough) < std::min(a_twentieth * most_, fall.at_once)) ++begin;
+    const double level = force_[begin] - std::max(0.01 * most_, 3 * noise_);
+    std::size_t last = begin;
+    while (last < fall.trough && force_[last + 1] > level) ++last;
+    return last + 1;
+  }
+
+  const std::vector<double>& stage_;
+  const std::vector<double>& force_;
+  std::size_t points_;
+  double travel_, most_, noise_;  // up to the greatest force, that, and of a reading
+  std::vector<Fall> falls_;
+};
+
+}  // namespace
+
+Failure find_failure(const Record& record) {
+  const std::size_t all = record.force.size();
+  if (all < 2) return {FailureStatus::none, all};
+  const std::size_t points = Loading(record).points_before_failure();
+  return {points < all ? FailureStatus::found : FailureStatus::none, points};
+}
+
+}  // namespace flexslip

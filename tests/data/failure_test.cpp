@@ -1,0 +1,132 @@
+#include "data/failure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "tests/data/straight_test.h"
+
+using namespace flexslip;
+
+namespace {
+
+TEST_CASE("failure: it is the last point before the force is lost for good (truth known)") {
+  Record record = straight_test(300, 0, 0, 1);
+  SUBCASE("at one stroke") {
+    for (std::size_t i = 250; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("beginning with a small step") {
+    record.force[250] = 0.97 * record.force[249];
+    for (std::size_t i = 251; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("in two strokes, the first of them made up by nothing") {
+    for (std::size_t i = 250; i < 300; ++i) record.force[i] *= i < 255 ? 0.8 : 0.05;
+    CHECK(find_failure(record).points == 250);
+  }
+  SUBCASE("after a slip that loading makes up again") {
+    for (std::size_t i = 245; i < 300; ++i) record.force[i] -= 0.06 * record.force[244];
+    for (std::size_t i = 275; i < 300; ++i) record.force[i] = 1e-4;
+    CHECK(find_failure(record).points == 275);
+  }
+}
+
+TEST_CASE("failure: what survives has no failure (limit)") {
+  const auto survives = [](const Record& record) {
+    const Failure failure = find_failure(record);
+    return failure.status == FailureStatus::none && failure.points == record.force.size();
+  };
+  CHECK(survives({}));
+  CHECK(survives({{0}, {0}, {0}}));
+  CHECK(survives({{0, 1, 2}, {0, 1, 2}, {0, 0, 0}}));
+  CHECK(survives(straight_test(300, 0, 5e-6, 1)));
+
+  Record arch = straight_test(300, 0, 0, 1);  // the force returns to zero smoothly, as for a very flexible fibre
+  for (std::size_t i = 0; i < 300; ++i) arch.force[i] = std::sin(3.14 * static_cast<double>(i) / 299);
+  CHECK(survives(arch));
+
+  // Cracked on the way, and bent so far that the force declines below half: it has not broken.
+  for (std::size_t i = 0; i < 300; ++i) arch.force[i] -= i > 200 ? 0.06 * arch.force[i] : 0;
+  CHECK(survives(arch));
+
+  Record unloaded = straight_test(100, 0, 0, 1);  // loaded and taken back at a stroke
+  unloaded.stage.push_back(0);
+  unloaded.deflection.push_back(0);
+  unloaded.force.push_back(0);
+  CHECK(survives(unloaded));
+}
+
+// A specimen that slips by a hundredth now and then and breaks where the stage is at 1, in so many equal steps; the force falls over
+// a part of the travel in each. Read so often.
+struct Broken {
+  int readings = 300;
+  double noise = 1e-3;
+  int steps = 1;
+  double width = 1e-3;    // of a step
+  double between = 0.02;  // of steps
+  double after = 0.1;     // travel after the break
+  double left = 0.03;     // of the force
+};
+
+Record broken(const Broken& how, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, how.noise);
+  Record record;
+  const double end = 1 + (how.steps - 1) * how.between + how.after;
+  for (int i = 0; i < how.readings; ++i) {
+    const double stage = end * i / (how.readings - 1);
+    double kept = 1;
+    for (int k = 0; k < how.steps; ++k) {
+      const double fallen = std::clamp((stage - 1 - k * how.between) / how.width, 0.0, 1.0);
+      kept -= fallen * (1 - how.left) / how.steps;
+    }
+    const double slips = 0.01 * std::floor(8 * std::min(stage, 1.0));
+    record.stage.push_back(stage);
+    record.deflection.push_back(stage);
+    record.force.push_back((std::sin(1.4 * std::min(stage, 1.0)) - slips) * kept + normal(engine));
+  }
+  return record;
+}
+
+// How far behind the last stage at which it was whole the failure is found; whole travels for none.
+double found_behind(const Record& record) {
+  const Failure failure = find_failure(record);
+  if (failure.status == FailureStatus::none) return record.stage.back();
+  return record.stage[failure.points - 1] - 1;
+}
+
+TEST_CASE("failure: it is found at any rate of reading, over however many of them it falls (truth known)") {
+  for (const int readings : {120, 300, 1000, 5000, 20000})
+    for (const double width : {1e-4, 3e-3, 0.03})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        CAPTURE(readings);
+        CAPTURE(width);
+        const double off = found_behind(broken({.readings = readings, .width = width}, seed));
+        const double reading = 1.1 / readings;
+        CHECK(off > -2 * reading - 0.002);
+        CHECK(off < 2 * reading + 0.05 * width);
+      }
+}
+
+TEST_CASE("failure: of a break in steps it is the first that is not made good (truth known)") {
+  for (const int steps : {2, 3, 5})
+    for (const int readings : {300, 3000})
+      for (unsigned seed = 1; seed <= 5; ++seed) {
+        CAPTURE(steps);
+        CAPTURE(readings);
+        CHECK(std::abs(found_behind(broken({.readings = readings, .steps = steps}, seed))) < 0.01);
+      }
+}
+
+TEST_CASE("failure: a record that stops at the break ends with it; one that goes on survived (limit)") {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    CHECK(std::abs(found_behind(broken({.after = 0.006, .left = 0.6}, seed))) < 0.01);
+    CHECK(find_failure(broken({.after = 0.3, .left = 0.6}, seed)).status == FailureStatus::none);
+  }
+}
+
+}  // namespace
