@@ -528,7 +528,7 @@ Fields<Verdict> verdict_of_fit_fields() {
 
 Fields<AnswerRow> answer_row_fields() {
   return Fields<AnswerRow>()
-      .words("label", "drops, slip or crack, friction, work, reload, stiffness or assumed", &AnswerRow::label)
+      .words("label", "drops, slip or crack, friction, work, reload, stiffness, hangs on or assumed", &AnswerRow::label)
       .words("words", "what the screen says there", &AnswerRow::words);
 }
 
@@ -541,7 +541,7 @@ Fields<FindingNumber> finding_number_fields() {
 Fields<Finding> finding_fields() {
   return Fields<Finding>()
       .words("code", "a name that stays", &Finding::code)
-      .words("severity", "refusal, suspicion, doubt, note, passed or unjudged",
+      .words("severity", "refusal, suspicion, doubt, condition, note, passed or unjudged",
              [](const Finding& finding) { return name_of(finding.severity); })
       .words("sentence", "what was found, as every door prints it", &Finding::sentence)
       .words("short_form", "a few words, for a table of many tests or a row of one; may be empty", &Finding::short_form)

@@ -46,6 +46,7 @@ Finding checked(T test, const Check& check, std::string passed, std::string fail
                 std::string remedy) {
   Finding finding{.severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
                   .sentence = check.outcome == CheckOutcome::passed ? std::move(passed) : std::move(failed)};
+  finding.is_check = true;
   if (finding.severity == Severity::doubt) {
     finding.short_form = std::move(short_form);
     finding.remedy = std::move(remedy);
@@ -337,9 +338,10 @@ Found softer_reload(T test) {
   const Judgement& judgement = *test.judgement;
   if (!judgement.softer_reload) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.0f} ± {:.0f} % softer.",
+                 .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.1f} ± {:.1f} % softer.",
                                          100 * judgement.loss, 100 * judgement.loss_error),
                  .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * judgement.loss),
+                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
                  .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
 }
 
@@ -477,7 +479,7 @@ Found changed_reload(T test) {
   if (!judgement.changed_reload) return std::nullopt;
   const std::string_view how = judgement.loss > 0 ? "softer" : "stiffer";
   return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Loaded again, the specimen is {:.0f} ± {:.0f} % {} than at first.",
+                 .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
                                          100 * std::abs(judgement.loss), 100 * judgement.loss_error, how),
                  .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
                  .remedy = judgement.loss > 0 ? "" : "See whether the contact or the rig has changed.",
@@ -501,6 +503,9 @@ Found coarse_force(T test) {
 std::string reload_remedy(T test) {
   if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
     return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
+  if (has_reload(test))
+    return fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
+                       100 * test.judgement->loss_error);
   if (test.cycles && test.cycles->stiffness.size() > 1)
     return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
   return fmt::format("{} once more; {}.", test.cycles ? "Load" : "Unload and load", reload_bounds);
@@ -540,16 +545,23 @@ Found below_frictionless(T test) {
                  .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
 }
 
+// "1.5 % above"
+std::string above_or_below(double ratio) {
+  return fmt::format("{:.1f} % {}", 100 * std::abs(ratio - 1), ratio < 1 ? "below" : "above");
+}
+
 Found unexpected_stiffness(T test) {
   const Check* check = check_of(test, CheckKind::stiffness);
   if (!check) return std::nullopt;
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("The bending stiffness is not fitted with a constant friction.");
-  const std::string sentence =
-      fmt::format("The bending stiffness of the fit is {} from that {}, {:.1f} times its error (limit {:g}).",
-                  signed_percent(number_of(*check, "fitted_over_nominal") - 1),
-                  test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
-                  max_stiffness_errors);
+    return unjudged(test.analysis.bending_stiffness_error > 0
+                        ? "The bending stiffness is not fitted with a constant friction."
+                        : "The bending stiffness is stated as exact, and is not fitted.");
+  const std::string sentence = fmt::format(
+      "The bending stiffness of the fit is {} that {}, {:.1f} times the error of the difference (limit {:g}).",
+      above_or_below(number_of(*check, "fitted_over_nominal")),
+      test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
+      max_stiffness_errors);
   return checked(
       test, *check, sentence, sentence,
       fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
@@ -588,8 +600,8 @@ Finding length_not_stated(T test, StatedQuantity quantity, const std::string& ta
   const double more = unstated_length * (*by)[quantity];
   const std::string length =
       format_roughly(test.analysis.scales.physical_length(unstated_length), Print(test).as(kind::length));
-  finding.sentence +=
-      fmt::format(" {} friction reads {}.", fmt::format(with, std::string(length)), signed_number(more));
+  finding.sentence += fmt::format(" {} friction reads {:.2f} {}.", fmt::format(with, std::string(length)),
+                                  std::abs(more), more < 0 ? "lower" : "higher");
   finding.numbers = {{"friction_moves", more}};
   return finding;
 }
@@ -642,21 +654,23 @@ Found thickness_not_stated(T test) {
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
 Found steady_change(T test) {
   const FrictionFit& fit = test.analysis.fit;
-  if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement) || falling_friction(test))
+    return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence =
                      "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
                      "relaxes, or a preload that was tared, reads so.",
-                 .short_form = "it changes steadily along the specimen, as if that softened or relaxed",
+                 .short_form = "it changes steadily, as softening reads",
                  .remedy = reload_remedy(test)};
 }
 
-// Where noise moves the place of a reading by so much, short variation hides: the fibre rests on its crests, and friction reads smooth.
+// Where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and friction reads smooth.
 Found hidden_waves(T test) {
   const FrictionFit& fit = test.analysis.fit;
   if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || lost_stiffness(*test.judgement))
     return std::nullopt;
+  if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
   constexpr double lengths_told_apart = 20;
   const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
   if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
@@ -664,24 +678,24 @@ Found hidden_waves(T test) {
   const std::string length = format_roughly(shortest, Print(test).as(kind::length));
   return Finding{
       .severity = Severity::condition,
-      .sentence = fmt::format("Friction that varies over less than {} along the specimen does not show on so "
-                              "soft a rig: the specimen would rest on its crests, and the mean be lower.",
+      .sentence = fmt::format("Friction that varies over less than {} along the specimen would not show: the "
+                              "specimen would rest on its crests, and the mean be lower.",
                               length),
-      .short_form = fmt::format("lower if it varies over less than {}, which would not show", length),
-      .remedy = "A stiffer rig, or less noise of the force, shows shorter variation.",
+      .short_form = fmt::format("lower if it varies over less than {}", length),
+      .remedy = "A stiffer rig, less noise of the force or more rows show shorter variation.",
       .numbers = {{"shortest_wave", shortest, kind::length}}};
 }
 
 Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
-  if (!std::isfinite(judgement.stiffness_for_all)) return std::nullopt;
+  if (!std::isfinite(judgement.stiffness_for_all) || lost_stiffness(judgement)) return std::nullopt;
   const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
   return Finding{.severity = Severity::note,
                  .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
                                          format_percent(judgement.jumped)),
                  .remedy = fmt::format(
                      "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
-                     Print(test).own(least, kind::stiffness)),
+                     std::string(format_roughly(least, Print(test).as(kind::stiffness)))),
                  .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
 }
 
@@ -775,6 +789,21 @@ std::string work_in_short(T test) {
                      format_percent(share));
 }
 
+// A sentence as a part of another.
+std::string clause_of(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  return sentence;
+}
+
+// "35 drops, 2 of them no slip"
+std::string drops_by_kind(T test) {
+  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
+  const std::string all = format_count(drops, "drop", "drops");
+  if (impossible == 0) return all;
+  return impossible == drops ? fmt::format("{}, none of them a slip", all)
+                             : fmt::format("{}, {} of them no slip", all, impossible);
+}
+
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong : {"wrong_load_train", "wrong_stiffness"})
     if (const Finding* found = finding_in(findings, wrong))
@@ -784,16 +813,11 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
   const Judgement& judgement = *test.judgement;
-  const std::string drops = format_count(drops_of(test), "drop", "drops");
   if (lost_stiffness(judgement)) {
     const Finding* softer = finding_in(findings, "softer_reload");
     if (!softer) softer = finding_in(findings, "changed_reload");
-    if (softer) return {VerdictCode::crack, {softer->sentence, "no friction can be read off"}, softer->code};
-    std::vector<std::string> parts{judgement.impossible == 0 ? drops
-                                   : judgement.impossible == drops_of(test)
-                                       ? fmt::format("{}, none of them a slip", drops)
-                                       : fmt::format("{}, {} of them no slip", drops, judgement.impossible)};
-    parts.push_back(cracks_in_words(test));
+    if (softer) return {VerdictCode::crack, {clause_of(softer->sentence), "no friction can be read off"}, softer->code};
+    std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
       parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
@@ -808,10 +832,10 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
   const bool tells = std::isfinite(judgement.cracks_alone);
   if (drops_of(test) > 0 && (judgement.drops != CrackVerdict::not_by_cracks_alone || judgement.impossible > 0)) {
-    const Finding* undecided = finding_in(findings, "undecided_drops");
+    const Finding* open = finding_in(findings, "undecided_drops");
     Verdict verdict{VerdictCode::undecided,
-                    {friction + " if the drops are slips and no stiffness was lost", drops},
-                    undecided ? undecided->code : std::string_view()};
+                    {friction + " if the drops are slips and no stiffness was lost", drops_by_kind(test)},
+                    open ? open->code : std::string_view()};
     if (has_reload(test)) verdict.parts.front() = friction + " if the drops are slips";
     if (tells) verdict.parts.push_back(cracks_in_words(test));
     return verdict;
@@ -920,10 +944,9 @@ std::string slip_or_crack_in_words(T test) {
                            ? "no probability while the bending stiffness is not that stated: check the load train"
                            : "no probability: such records were not simulated");
   if (std::isfinite(judgement.loss_needed) && !lost_stiffness(judgement))
-    parts.push_back(
-        fmt::format("cracks alone would take {} of the stiffness; by the reload it lost {}{:.1f} ± {:.1f} %",
-                    format_percent(judgement.loss_needed), judgement.loss > 0 ? "" : "none: ", 100 * judgement.loss,
-                    100 * judgement.loss_error));
+    parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
+                                format_percent(judgement.loss_needed), 100 * std::abs(judgement.loss),
+                                100 * judgement.loss_error, judgement.loss > 0 ? "softer" : "stiffer"));
   if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
@@ -1014,7 +1037,7 @@ std::string reload_in_words(T test) {
   if (!test.cycles) return "";
   const CyclicFriction& friction = test.cycles->friction;
   std::vector<std::string> parts;
-  if (friction.status == CyclesStatus::ok) {
+  if (friction.status == CyclesStatus::ok && !lost_stiffness(*test.judgement)) {
     const auto [in, out, rms] = direction_means(friction);
     parts.push_back(fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
                                 is_beyond_friction(friction) ? ", which differ by more than friction can" : ""));

@@ -59,15 +59,14 @@ std::vector<Finding> doubts_of(const Answer& answer) {
 }
 
 std::string checks_in_words(const Answer& answer) {
-  const auto count = [&](Severity severity) {
-    return std::count_if(answer.findings.begin(), answer.findings.end(),
-                         [&](const Finding& finding) { return finding.severity == severity; });
-  };
-  const auto passed = count(Severity::passed), against = count(Severity::doubt) + count(Severity::suspicion);
-  if (passed == 0) return "";
   if (answer.verdict.code == VerdictCode::check_input || answer.verdict.code == VerdictCode::no_answer) return "";
-  return against == 0 ? fmt::format("All {} checks passed.", passed)
-                      : fmt::format("{} other {} passed.", passed, passed == 1 ? "check" : "checks");
+  const auto is_check = [](const Finding& finding) { return finding.is_check; };
+  const auto passed = [](const Finding& finding) { return finding.severity == Severity::passed; };
+  const auto checks = std::count_if(answer.findings.begin(), answer.findings.end(), is_check);
+  const auto good = std::count_if(answer.findings.begin(), answer.findings.end(), passed);
+  if (checks == 0) return "";
+  return good == checks ? fmt::format("All {} checks passed.", checks)
+                        : fmt::format("{} of {} checks passed.", good, checks);
 }
 
 std::string next_in_words(const Answer& answer) {

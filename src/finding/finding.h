@@ -38,6 +38,7 @@ struct Finding {
   std::string short_form{};  // a few words, for a table of many tests or a row of one; may be empty
   std::string remedy{};      // what to do, a whole sentence; empty where there is nothing to do
   std::vector<FindingNumber> numbers{};
+  bool is_check = false;  // of a check that was passed, or was not
 };
 
 // What one drop can be: "slip", "slip or crack", "crack; a slip would need negative friction", "neither slip nor crack".
@@ -77,7 +78,7 @@ struct Answer {
 // doubts.
 std::vector<Finding> doubts_of(const Answer& answer);
 
-// "All 7 checks passed."; beside doubts, how many others did.
+// "All 7 checks passed.", "6 of 7 checks passed."
 std::string checks_in_words(const Answer& answer);
 
 // "Next: unload and load once more."; empty where there is no step.

@@ -346,7 +346,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
                                variances.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
-  beta_ = r.beta;
+  beta_ = by_readings_ = r.beta;
   covariance_ = covariance_of(r);
   if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;
 }
@@ -526,9 +526,9 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
   // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
   SeriesMatrix Q(series, series);
   Q(0, 0) = 1;
-  Q.row(0).tail(p) = -beta_.transpose();
-  Q.col(0).tail(p) = -beta_;
-  Q.bottomRightCorner(p, p) = beta_ * beta_.transpose() + covariance_;
+  Q.row(0).tail(p) = -by_readings_.transpose();
+  Q.col(0).tail(p) = -by_readings_;
+  Q.bottomRightCorner(p, p) = by_readings_ * by_readings_.transpose() + covariance_;
   using Columns = Eigen::Matrix<double, Eigen::Dynamic, M, 0, max_columns + 1, M>;
   Columns by_states = Columns::Zero(series, M), carried(series, M), known(series, M);
   Square<M> by_covariance{}, by_limit{};

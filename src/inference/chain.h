@@ -86,7 +86,7 @@ inline constexpr double max_correlation = 0.95;  // ρ, of the noise of one read
 struct ThetaPrior {
   std::array<double, 4> mean, deviation, least, greatest;
 
-  // Of readings over a range [L] of lengths, whose noise [1] of μ is about that.
+  // Of readings over a range [L] of lengths, whose noise [EI/L^2] of the force is about that.
   static ThetaPrior of(double range, double noise);
 
   Theta usual(std::span<const double> log_wavelengths = {}) const;
@@ -135,7 +135,7 @@ class Chain {
   // Cost:       linear in the observations and in the columns.
   Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
-  double log_likelihood() const { return log_likelihood_; }            // ln p(y)
+  double log_likelihood() const { return log_likelihood_; }            // ln p(y), the pull left out
   double log_determinant() const { return log_determinant_; }          // of the covariance of y
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
@@ -169,9 +169,9 @@ class Chain {
   Kernel kernel_;
   Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
-  Eigen::MatrixXd white_;          // a column for y and each column, C^(-1/2) of it
-  std::vector<double> predicted_;  // of the state at each observation, series by series
-  Coefficients beta_;
+  Eigen::MatrixXd white_;            // a column for y and each column, C^(-1/2) of it
+  std::vector<double> predicted_;    // of the state at each observation, series by series
+  Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
   double log_determinant_ = 0;

@@ -27,7 +27,7 @@ enum class CheckOutcome { passed, failed, not_possible };
 inline constexpr double max_residual =
     0.1;  // of the greatest force; empirical: the authors' sound tests reach 0.03, cracked ones 0.5
 inline constexpr double min_p_of_noise = 1e-4;     // a campaign of a hundred has one false alarm in a hundred
-inline constexpr double max_stiffness_errors = 2;  // of the bending stiffness beforehand
+inline constexpr double max_stiffness_errors = 2;  // of the difference, see stiffness_errors
 
 struct CheckNumber {
   std::string_view name;
@@ -73,9 +73,15 @@ Check check_nesting(const FitProblem& problem, const FrictionFit& fit);
 // Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
 Check check_friction(const FrictionFit& fit);
 
-// Fails if the bending stiffness of the fit differs from the nominal one by more than twice the relative error of that.
-// Domain:     error > 0.
-// Numbers:    fitted_over_nominal, errors (by how many it differs).
+// By how many standard errors what the record says of the bending stiffness lies off what is stated of it, to a relative error: told to s in the end
+// and stated to p, a record that says m more says |ln m|/√(p² - s²). Never over less than 0.35 p: what tells nothing contradicts nothing.
+// Domain:     told over the nominal value; stated > 0.
+double stiffness_errors(const Estimate& told, double stated);
+
+// Fails if the bending stiffness of the fit contradicts the nominal one by more than max_stiffness_errors.
+// Domain:     its relative error >= 0.
+// Numbers:    fitted_over_nominal, errors (stiffness_errors).
+// Fails:      not possible for a constant, and for a stiffness that is exact.
 Check check_bending_stiffness(const FrictionFit& fit, double error);
 
 // Fits once more, every force changed by a relative 1e-9 at random. Passes if mu0 moves by less than a hundredth of its standard

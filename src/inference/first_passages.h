@@ -45,11 +45,11 @@ struct Passages {
   double range;                      // [L] of places on the fibre: half of what has passed
 
   std::size_t size() const { return row.size(); }
-  double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of kernel.h
+  double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of matern.h
   double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + 2 * place); }
 };
 
-// Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_shows_from, to 0.8, that some friction in
+// Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_told_from, to 0.8, that some friction in
 //             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
 Passages passages_of(const FitProblem& problem);
 
@@ -100,7 +100,7 @@ struct GapSite {
   double wave_slope = 0;      // [1/L] dμ/dS of the waves fitted
 };
 
-// The sites of a linearisation at a noise [1] of μ: where the fibre advanced by far more than friction that stays would let it, it jumped.
+// The sites of a linearisation at a noise [EI/L^2] of the force: where the fibre advanced by far more than friction that stays would let it, it jumped.
 // Those that were there before stay as they were.
 std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at, double noise,
                               const std::vector<GapSite>& before);

@@ -136,11 +136,8 @@ std::string_view name_of(Standing standing) {
 }
 
 bool stiffness_is_off(const TestAnalysis& analysis) {
-  // What the record says and what is stated lie this far apart, over the error of that: off by m of what is stated to p and told to s, m/√(p² - s²).
-  const double stated = analysis.bending_stiffness_error, told = analysis.fit.bending_stiffness.standard_error;
-  constexpr double least = 0.35;  // of p: what tells nothing contradicts nothing
-  const double apart = std::max(std::sqrt(std::max(stated * stated - told * told, 0.0)), least * stated);
-  return std::abs(elementary::log(analysis.fit.bending_stiffness.value)) > max_stiffness_errors * apart;
+  const double stated = analysis.bending_stiffness_error;
+  return stated > 0 && stiffness_errors(analysis.fit.bending_stiffness, stated) > max_stiffness_errors;
 }
 
 bool most_are_impossible(std::size_t impossible, std::size_t drops) {

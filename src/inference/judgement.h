@@ -48,8 +48,8 @@ struct Judgement {
   std::vector<FrictionIfLost> if_lost{};
 };
 
-// Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted, by more than two standard errors? A load
-// train stated too stiff makes it do that.
+// Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted (checks.h, stiffness_errors)? A load train
+// stated too stiff makes it do that.
 bool stiffness_is_off(const TestAnalysis& analysis);
 
 // Of three drops or more half or more that cannot be slips: the load train is not as stated, before anything else.

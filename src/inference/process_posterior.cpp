@@ -349,10 +349,13 @@ void temper(std::vector<Point>& points) {
   for (auto& point : points) point.log_weight = std::min(point.log_weight, most);
 }
 
+bool is_rough(const Component& component) { return component.mode.kernel != Kernel::none; }
+
 class Posterior {
  public:
-  Posterior(const FrictionProcess& process, std::span<const Component> components)
-      : process_(process), components_(components) {
+  // What is rough is told by the second process, which knows of its pull.
+  Posterior(const FrictionProcess& process, const FrictionProcess& of_roughness, std::span<const Component> components)
+      : process_(process), of_roughness_(of_roughness), components_(components) {
     const auto& S = components.front().mode.at.S;
     result_.S_begin = S.front();
     result_.S_end = S.back();
@@ -398,7 +401,8 @@ class Posterior {
 
   // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode.
   double log_likelihood_of(const Mode& mode) const {
-    const Observations observations = process_.observations_of(mode);
+    Observations observations = process_for(mode).observations_of(mode);
+    observations.pull = {};
     const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
     double value = process_.evidence(mode) + mode.at.log_jacobian;
     // p(y) = p(y | β) p(β)/p(β | y), at the mean of β.
@@ -414,7 +418,7 @@ class Posterior {
 
   void list_innovations() {
     const Mode& mode = components_.front().mode;
-    const Observations observations = process_.observations_of(mode);
+    const Observations observations = process_for(mode).observations_of(mode);
     const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
     const auto& white = chain.whitened_columns();
     const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
@@ -436,8 +440,8 @@ class Posterior {
   // What is stated larger is taken off what is read, at the hyperparameters of a mode but for the wavelengths: a wave is as long on the specimen as
   // all places say.
   void add_sensitivities(const Mode& mode, double weight) {
-    const Observations observations = process_.observations_of(mode);
-    const auto f = mean_over(from_, to_, process_, mode, observations);
+    const Observations observations = process_for(mode).observations_of(mode);
+    const auto f = mean_over(from_, to_, process_for(mode), mode, observations);
     const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
     const Index stiffness = process_.columns().stiffness;
     struct Told {
@@ -497,7 +501,6 @@ class Posterior {
   }
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }
-  static bool is_rough(const Component& component) { return component.mode.kernel != Kernel::none; }
 
   // The likeliest of a kind; null: there is none.
   template <class Kind>
@@ -519,16 +522,16 @@ class Posterior {
     const double weight = weight_among(component, [](const Component&) { return true; });
     const double of_waves = weight_among(component, has_waves), of_roughness = weight_among(component, is_rough);
     if (weight == 0 && of_waves == 0 && of_roughness == 0) return;
-    auto points = points_of(process_, component);
+    auto points = points_of(process_for(component.mode), component);
     temper(points);
     const auto& columns = process_.columns();
     for (const auto& point : points) {
       const Mode& mode = point.mode;
       const double share =
           elementary::exp(std::clamp(point.log_weight, -50.0, 3.0)) / static_cast<double>(points.size());
-      const Observations observations = process_.observations_of(mode);
+      const Observations observations = process_for(mode).observations_of(mode);
       const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
-      const auto f = mean_over(from_, to_, process_, mode, observations);
+      const auto f = mean_over(from_, to_, process_for(mode), mode, observations);
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
       if (of_waves > 0) draw_waves(component, mode, chain, mean, of_waves * share);
       if (weight == 0) continue;
@@ -651,7 +654,7 @@ class Posterior {
       const double weight = weight_of(component, components_.front()) / total;
       const Mode& mode = component.mode;
       const auto p = hyperparameters_of(mode.theta);
-      Profile profile = process_.profile_of(mode, places);
+      Profile profile = process_for(mode).profile_of(mode, places);
       const Chain chain(profile.observations, mode.kernel, p);
       const auto smoothed = chain.smoothed();
       for (std::size_t r = 0; r < result_.rig.size(); ++r)
@@ -711,7 +714,12 @@ class Posterior {
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 
+  const FrictionProcess& process_for(const Mode& mode) const {
+    return mode.kernel == Kernel::none ? process_ : of_roughness_;
+  }
+
   const FrictionProcess& process_;
+  const FrictionProcess& of_roughness_;
   std::span<const Component> components_;
   double from_, to_;
   std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
@@ -722,13 +730,14 @@ class Posterior {
 }  // namespace
 
 ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Component> components) {
-  const Coefficients pull = rig_pull(process, components.front().mode);
-  if (pull.isZero()) return Posterior(process, components).result();
-  const FrictionProcess pulled = process.with_pull(pull);
+  // Where the likeliest is smooth, the others hardly tell of a pull.
+  if (!is_rough(components.front())) return Posterior(process, process, components).result();
+  const FrictionProcess pulled = process.with_pull(rig_pull(process, components.front().mode));
   std::vector<Component> all(components.begin(), components.end());
   for (Component& each : all) {
-    if (!(weight_of(each, components.front()) > elementary::exp(-weighs_nothing))) continue;
+    if (!is_rough(each) || !(weight_of(each, components.front()) > elementary::exp(-weighs_nothing))) continue;
     Mode moved = each.mode;
+    pulled.settle(each.mode);
     pulled.burst(moved, 8, 0.5);
     // Where the bending stiffness runs away, the mode stays, and its means are moved to first order.
     constexpr double farthest = 1.5, most_lost = 12;  // of its error beforehand; of the merit
@@ -736,7 +745,7 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
     if (away <= farthest * process.passages().stiffness_error && moved.merit > each.mode.merit - most_lost)
       each.mode = std::move(moved);
   }
-  return Posterior(pulled, all).result();
+  return Posterior(process, pulled, all).result();
 }
 
 std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {

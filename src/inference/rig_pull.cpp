@@ -30,7 +30,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const Observations all = process.observations_of(mode);
   const auto& columns = process.columns();
   Coefficients pull = Coefficients::Zero(columns.waves);
-  if (mode.kernel == Kernel::none) return pull;
+  if (mode.kernel == Kernel::none || columns.stiffness < 0) return pull;
   const FrictionProcess known(of_known_rig(process, mode));
   Mode middle = mode;
   middle.at.rig.clear();
@@ -60,10 +60,11 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
   const double step = std::clamp(1 / std::sqrt(information), 0.002, 0.02);
   const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);
-  constexpr double most = 100;  // moves ln EI by two errors at most, where it is known to 2 %
+  if (!std::isfinite(slope)) return pull;
+  const double most = 3 / process.passages().stiffness_error;  // moves ln EI by three of its errors at most
   const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
 
-  if (columns.stiffness >= 0) pull[columns.stiffness] = besides;
+  pull[columns.stiffness] = besides;
   const std::vector<double> by = process.by_stiffness(mode);
   double squares = 0;
   for (std::size_t k = 0; k < by.size(); ++k) {

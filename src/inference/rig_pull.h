@@ -12,8 +12,8 @@ namespace flexslip {
 // farther the softer the rig. So the merit itself is asked, at two bending stiffnesses beside that of the mode, the rig held as the mode has it and
 // all hyperparameters moved along; of other errors by how much the friction that they add looks like that of the bending stiffness.
 //
-// Domain:     a mode that is settled; zero for one without roughness.
-// Accuracy:   that of a difference of two merits that are not settled to the last digit; never beyond 100 for ln EI.
+// Domain:     a mode that is settled; zero for one without roughness, and where the bending stiffness is exact.
+// Accuracy:   that of a difference of two merits that are not settled to the last digit; so much at most as moves ln EI by three of its errors.
 // Cost:       two polishes, a twentieth of a fit.
 Coefficients rig_pull(const FrictionProcess& process, const Mode& mode);
 

@@ -102,7 +102,8 @@ std::vector<Shift> RigShifts::deviations(double w, double F) const {
   for (const StatedQuantity quantity : stated_quantities) {
     if (quantity == StatedQuantity::bending_stiffness) continue;  // which the fit finds besides
     const Shift one = by(quantity, w, F);
-    shifts.push_back({deviations_[quantity] * one.deflection, deviations_[quantity] * one.force});
+    const double by = deviations_[quantity];
+    shifts.push_back({by * one.deflection, by * one.force, by * one.length});
   }
   Eigen::Matrix<double, places, 1> from_places;
   for (std::size_t j = 0; j < places; ++j)

@@ -40,16 +40,22 @@ TEST_CASE("identity: a fit of what the model says passes every check") {
   CHECK(number_of(stability, "mu0_moved") < 0.01);
 }
 
-TEST_CASE("identity: a bending stiffness passes within twice its error, and fails beyond") {
+TEST_CASE("identity: a bending stiffness passes within two errors of what the record says of it, and fails beyond") {
   auto fit = fit_friction(problem_of(rough()));
-  CHECK(check_bending_stiffness(fit, 0.03).outcome == CheckOutcome::passed);
-  for (const double away : {-0.059, 0.059}) {
+  const auto of = [&](double away, double stated) {
     fit.bending_stiffness.value = std::exp(away);
-    CHECK(check_bending_stiffness(fit, 0.03).outcome == CheckOutcome::passed);
-    CHECK(check_bending_stiffness(fit, 0.029).outcome == CheckOutcome::failed);
-    CHECK(number_of(check_bending_stiffness(fit, 0.03), "errors") == doctest::Approx(0.059 / 0.03));
-    CHECK(number_of(check_bending_stiffness(fit, 0.03), "fitted_over_nominal") == std::exp(away));
+    return check_bending_stiffness(fit, stated);
+  };
+  fit.bending_stiffness.standard_error = 0.018;  // stated to 0.03, the record itself lies off by 1/0.024 of it
+  for (const double side : {-1.0, 1.0}) {
+    CHECK(of(0.047 * side, 0.03).outcome == CheckOutcome::passed);
+    CHECK(of(0.049 * side, 0.03).outcome == CheckOutcome::failed);
+    CHECK(number_of(of(0.047 * side, 0.03), "errors") == doctest::Approx(0.047 / 0.024));
+    CHECK(number_of(of(0.047 * side, 0.03), "fitted_over_nominal") == std::exp(0.047 * side));
   }
+  fit.bending_stiffness.standard_error = 0.0299;  // what tells nothing contradicts nothing
+  CHECK(number_of(of(0.02, 0.03), "errors") == doctest::Approx(0.02 / (0.35 * 0.03)));
+  CHECK(of(0.1, 0).outcome == CheckOutcome::not_possible);  // exact
 }
 
 TEST_CASE("identity: a fit that does not belong to its record fails") {
