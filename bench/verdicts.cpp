@@ -1,5 +1,6 @@
 // What the verdict on slips and cracks goes by, on simulated tests and on tests of others: tools/calibrate-verdict fits its probability to this.
-//   verdicts KIND FIRST COUNT   a line of CSV for each simulated test of the kind
+//   verdicts KIND FIRST COUNT            a line of CSV for each simulated test of the kind
+//   verdicts KIND FIRST COUNT rollers    likewise, each on rollers of 0.01 to 0.12 of the span
 //   verdicts                    the kinds
 //   verdicts -                  for each record on standard input: a line NAME CRACKS_ALONE LOAD_TRAIN THICKNESS ROWS, and as many of STAGE FORCE
 #include <algorithm>
@@ -75,6 +76,7 @@ struct SimulatedTest {
   std::vector<Loss> losses;  // in the order of their deflections
   double loss_of_slip = 0;   // [1] of the bending stiffness, at each slip that is seen
   double deepest = 0;        // [L]
+  double radius = 0;         // [L] of the supports
 };
 
 struct TestKind {
@@ -285,7 +287,9 @@ struct RecordedTest {
 // The loading that a laboratory records, with what it does not know: bending stiffness to 5 %, load train to 1 %, contact to .0005 L or, like most
 // published tests, to .004 L, what the force is off by slowly to 0.5 %, noise.
 RecordedTest recorded(const SimulatedTest& test, Random& random) {
-  static const SlidingLadder ladder(1.58, 2e-4);
+  static const SlidingLadder on_edges(1.58, 2e-4);
+  const Fibre fibre(Supports{test.radius, 0});
+  const SlidingLadder ladder = test.radius > 0 ? SlidingLadder(1.58, 2e-4, fibre) : on_edges;
   std::vector<double> mu;
   for (const double S : ladder.lengths()) mu.push_back(test.friction.mu(S));
   const auto curve = ladder.curve(mu);
@@ -297,7 +301,7 @@ RecordedTest recorded(const SimulatedTest& test, Random& random) {
   const double rows = log_between(random, 60, 2000), step = (test.deepest + 9 * stiffening / k) / rows;
   const double noise = log_between(random, 0.003, 0.03);
   const double correlation = random.uniform() < 0.5 ? 0 : random.between(0.3, 0.95);
-  RecordedTest out{.problem = {.record = {}, .rig = {k}, .errors = {}}};
+  RecordedTest out{.problem = {.record = {}, .rig = {k, fibre}, .errors = {}}};
   ReducedRecord& record = out.problem.record;
   double& left = out.left;
   double e = random.normal();
@@ -364,7 +368,7 @@ bool cracks_alone(const RecordedTest& test) {
   return test.by_slips < hardly * test.by_cracks;
 }
 
-int simulate(const std::string& kind, int first, int tests) {
+int simulate(const std::string& kind, int first, int tests, bool on_rollers) {
   const auto of_kind =
       std::find_if(kinds.begin(), kinds.end(), [&](const TestKind& each) { return each.name == kind; });
   if (of_kind == kinds.end()) {
@@ -374,7 +378,8 @@ int simulate(const std::string& kind, int first, int tests) {
   print_title();
   for (int test = first; test < first + tests; ++test) {
     Random random = random_of(kind, test);
-    const SimulatedTest simulated = of_kind->make(random);
+    SimulatedTest simulated = of_kind->make(random);
+    if (on_rollers) simulated.radius = log_between(random, 0.01, 0.12);
     const RecordedTest recorded_test = recorded(simulated, random);
     print(kind, cracks_alone(recorded_test), test, recorded_test.problem, recorded_test.left);
   }
@@ -401,7 +406,9 @@ int read_records() {
 }
 
 int run(int count, char** arguments) {
-  if (count == 4) return simulate(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]));
+  const bool on_rollers = count == 5 && std::string(arguments[4]) == "rollers";
+  if (count == 4 || on_rollers)
+    return simulate(arguments[1], std::atoi(arguments[2]), std::atoi(arguments[3]), on_rollers);
   if (count == 2 && std::string(arguments[1]) == "-") return read_records();
   for (const TestKind& kind : kinds) std::puts(kind.name);
   return 0;
