@@ -657,9 +657,15 @@ Fields<FittedTest> measurement_fields() {
       .count("rows", "rows of the file", of([](M m) { return m.rows; }))
       .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
       .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
-      .words("ends_with", "what ends the evaluated loading: last_row, until, failure or turn", of([](M m) {
-               return name_in_order<MeasurementEnd::turn>(m.end, {"last_row", "until", "failure", "turn"});
-             }));
+      .count("loading", "which loading is evaluated, counted from 1: the first that goes about as far as any",
+             of([](M m) { return m.loading.number; }))
+      .count("loadings", "how many there are", of([](M m) { return m.loading.of; }))
+      .count("drops_elsewhere", "drops of the force in the other loadings", [](T test) { return test.drops_elsewhere; })
+      .words(
+          "ends_with", "what ends the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
+          of([](M m) {
+            return name_in_order<MeasurementEnd::overload>(m.end, {"last_row", "until", "failure", "turn", "overload"});
+          }));
 }
 
 Fields<FittedTest> contact_fields() {

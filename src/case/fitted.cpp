@@ -72,6 +72,18 @@ InputFile input_file(const std::string& name) {
   return {name, digest.sha256};
 }
 
+// Drops of the force in all loadings but that evaluated.
+std::size_t drops_in_other_loadings(const Measurement& measurement) {
+  if (!measurement.cycles) return 0;
+  std::size_t drops = 0, loading = 0;
+  for (const Leg& leg : find_legs(measurement.cycles->stage)) {
+    if (leg.direction != Direction::loading || ++loading == measurement.loading.number) continue;
+    if (leg.last - leg.first >= min_fitted_points)
+      drops += find_drops(points_between(*measurement.cycles, leg.first, leg.last)).drops.size();
+  }
+  return drops;
+}
+
 // The friction of the loops, where they tell the bending stiffness.
 std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, const Scales& scales, const Rig& rig) {
   if (!measurement.cycles) return std::nullopt;
@@ -96,7 +108,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.preparation.steps.push_back(
       {.name = "contact",
        .changed = true,
-       .done = "displacements of the first loading are counted from the contact that the loops determine",
+       .done = "displacements of the loading evaluated are counted from the contact that the loops determine",
        .value = PreparedValue{contact.value, contact.standard_error, kind},
        .rows =
            skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt,
@@ -214,7 +226,9 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
     cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
   }
   std::optional<Judgement> judgement;
-  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis, cycles ? &*cycles : nullptr);
+  if (analysis.status == AnalysisStatus::ok)
+    judgement = judge(analysis, cycles ? &*cycles : nullptr, measurement.loading.number - 1);
+  const std::size_t drops_elsewhere = drops_in_other_loadings(measurement);
   std::optional<ImagedLength> imaged;
   if (analysis.status == AnalysisStatus::ok && !measurement.pulled_in.empty()) {
     std::vector<double> pulled_in;
@@ -247,6 +261,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
           .small_deflection = standard,
           .analysis = std::move(analysis),
           .cycles = std::move(cycles),
+          .drops_elsewhere = drops_elsewhere,
           .imaged = std::move(imaged),
           .judgement = std::move(judgement),
           .surface = surface,

@@ -69,9 +69,10 @@ struct FittedTest {
   std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
   std::optional<Materials> materials;    // in contact, if the case states both
   BeamGeometry geometry;                 // span, and section if the case says what it is
-  SmallDeflection small_deflection;      // of the first loading, as the bending standards have it
-  TestAnalysis analysis;                 // of the first loading
+  SmallDeflection small_deflection;      // of the loading evaluated, as the bending standards have it
+  TestAnalysis analysis;                 // of the loading evaluated
   std::optional<CyclicAnswer> cycles;    // if it was unloaded; in the scales of the analysis
+  std::size_t drops_elsewhere;           // of the force, in its other loadings
   std::optional<ImagedLength> imaged;    // if the record has lengths that were imaged, and the analysis an answer
   std::optional<Judgement> judgement;    // if the analysis has an answer
   std::optional<SurfaceStrain>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "case/mechanics.h"
 #include "data/contact.h"
 #include "data/failure.h"
+#include "data/no_readings.h"
 #include "data/record.h"
 #include "instruments/export.h"
 #include "io/input_error.h"
@@ -326,9 +328,12 @@ void find_sign(SignRule rule, Readings& readings, Preparation& steps) {
                                 : "\"reverse\""});
 }
 
-// The rows of the first rise, up to the greatest force.
+// The rows of the first loading, up to its greatest force.
 Record first_rise(const Record& record) {
-  const auto greatest = std::max_element(record.force.begin(), record.force.end());
+  const std::vector<Leg> legs = find_legs(record.stage);
+  const std::size_t points = legs.empty() ? record.force.size() : legs.front().last;
+  const auto greatest =
+      std::max_element(record.force.begin(), record.force.begin() + static_cast<std::ptrdiff_t>(points));
   return first_points(record, static_cast<std::size_t>(greatest - record.force.begin()) + 1);
 }
 
@@ -349,6 +354,36 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& step
               fmt::format("one row in {} is used, out of {}", sampling.stride,
                           rows - sampling.repeated - sampling.held - sampling.interpolated),
               {});
+}
+
+// Single readings that no specimen can have made, in any loading.
+void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Preparation& steps) {
+  std::vector<std::size_t> spikes;
+  for (const Leg& leg : find_legs(record.stage)) {
+    if (leg.direction != Direction::loading || leg.last - leg.first < least_noise_points) continue;
+    for (const std::size_t point : find_spikes(points_between(record, leg.first, leg.last), stiffness))
+      spikes.push_back(leg.first + point);
+  }
+  if (spikes.empty()) return;
+  std::vector<std::size_t> kept;
+  for (std::size_t point = 0; point < record.force.size(); ++point)
+    if (!std::binary_search(spikes.begin(), spikes.end(), point)) kept.push_back(point);
+  const RowRange range{sampling.rows[spikes.front()] + 1, sampling.rows[spikes.back()] + 1};
+  constexpr std::size_t shown = 3;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < std::min(shown, spikes.size()); ++i) rows.push_back(sampling.rows[spikes[i]] + 1);
+  steps.add(
+      "spikes", true,
+      fmt::format("{} that the force goes to and comes back from faster than the load train allows {} left out: row{} "
+                  "{}{}",
+                  spikes.size() == 1 ? "a reading" : fmt::format("{} readings", spikes.size()),
+                  spikes.size() == 1 ? "is" : "are", spikes.size() == 1 ? "" : "s", fmt::join(rows, ", "),
+                  spikes.size() > shown ? ", …" : ""),
+      {}, {}, range);
+  sampling.spikes = spikes.size();
+  record = picked(record, kept);
+  for (std::size_t& point : kept) point = sampling.rows[point];
+  sampling.rows = std::move(kept);
 }
 
 ForceZero zero_of(const Record& record) {
@@ -440,7 +475,7 @@ void require_stiff_enough(const Test& input, const Record& record, double stiffn
 
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
-void hold_stage(const Test& input, const Table& table, Record& record, const Sampling& sampling, bool turns,
+void hold_stage(const Test& input, const Table& table, Record& record, std::span<const std::size_t> rows, bool turns,
                 Preparation& steps) {
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
@@ -452,13 +487,13 @@ void hold_stage(const Test& input, const Table& table, Record& record, const Sam
     if (farthest - stage[i] > allowed)
       throw InputError(
           {.file = table.source,
-           .line = table.lines[sampling.rows[i]],
+           .line = table.lines[rows[i]],
            .field = "the stage",
            .expected = fmt::format("a position no smaller than in the previous row, {}",
                                    readable_length(input, stage[i - 1] == 0 ? 0 : stage[i - 1])),
            .found = readable_length(input, stage[i]),
            .remedy = i < 30 ? "check the sign of the displacement: write sign = \"keep\" or \"reverse\" into [record]"
-                            : fmt::format("keep only the loading: write until = {} into [record]", sampling.rows[i])});
+                            : fmt::format("keep only the loading: write until = {} into [record]", rows[i])});
     if (stage[i] < farthest) {
       ++held;
       largest = std::max(largest, farthest - stage[i]);
@@ -505,15 +540,32 @@ void require_points(const Table& table, const Record& record, std::size_t min_po
                     .found = std::to_string(record.force.size())});
 }
 
-void require_loading_first(const Table& table, const Record& record, const Leg& first) {
-  if (first.direction == Direction::loading && record.stage[first.last - 1] > record.stage[first.first]) return;
+struct Loading {
+  Leg leg;
+  EvaluatedLoading counted;
+};
+
+// Fails:      InputError where the stage only goes back.
+Loading loading_to_evaluate(const Table& table, const std::vector<double>& stage, const std::vector<Leg>& legs) {
+  constexpr double as_far = 0.95;  // of the way of that which goes farthest
+  const auto [least, farthest] = std::minmax_element(stage.begin(), stage.end());
+  const double far = *least + as_far * (*farthest - *least);
+  Loading evaluated{{0, stage.size(), Direction::loading}, {0, 0}};
+  for (const Leg& leg : legs) {
+    if (leg.direction != Direction::loading) continue;
+    ++evaluated.counted.of;
+    if (evaluated.counted.number > 0 || stage[leg.last - 1] < far) continue;
+    evaluated.leg = leg;
+    evaluated.counted.number = evaluated.counted.of;
+  }
+  if (legs.empty()) return {evaluated.leg, {}};
+  if (evaluated.counted.number > 0) return evaluated;
   throw InputError({.file = table.source,
                     .line = table.lines[0],
                     .field = "the stage",
-                    .expected = "a record that begins by loading",
-                    .found = "one that begins by unloading",
-                    .remedy = "if the stage is counted the other way, reverse it with sign in [record] or --sign; "
-                              "otherwise leave out the rows before the first loading"});
+                    .expected = "a record that has a loading",
+                    .found = "one that only unloads",
+                    .remedy = "if the stage is counted the other way, reverse it with sign in [record] or --sign"});
 }
 
 // How many rows lie before a place, a row or where the stage or the deflection first gets there; and how many up to it, itself among them.
@@ -543,37 +595,77 @@ RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& inp
   return {before, before + (*there == position ? 1 : 0)};
 }
 
-// Ends the record before the failure, or where it is stated to end. What is left, in points.
-std::size_t end_of(const Test& input, const Record& all, const std::vector<Leg>& legs,
-                   const std::optional<std::size_t>& until, Measurement& result, Preparation& steps) {
-  const std::size_t rows = result.rows;
-  std::size_t points = all.force.size();
-  if (until) {
-    const auto& counted = result.sampling.rows;
-    points = std::min(
-        points, static_cast<std::size_t>(std::lower_bound(counted.begin(), counted.end(), *until) - counted.begin()));
-    result.end = MeasurementEnd::until;
-    const bool changed = *until < rows;
-    steps.add("end", changed, fmt::format("the record ends with row {}, as stated", *until),
-              KeyChange{"record", "until", fmt::format("{}", rows)}, {},
-              changed ? std::optional(RowRange{*until + 1, rows}) : std::nullopt);
+// The points before where the record is stated to end.
+std::size_t points_until(std::size_t until, Measurement& result, Preparation& steps) {
+  const auto& counted = result.sampling.rows;
+  const auto end = std::lower_bound(counted.begin(), counted.end(), until);
+  result.end = MeasurementEnd::until;
+  const bool changed = until < result.rows;
+  steps.add("end", changed, fmt::format("the record ends with row {}, as stated", until),
+            KeyChange{"record", "until", fmt::format("{}", result.rows)}, {},
+            changed ? std::optional(RowRange{until + 1, result.rows}) : std::nullopt);
+  return static_cast<std::size_t>(end - counted.begin());
+}
+
+// Ends a loading where the load cell is at its end, or before the failure. What is left, in points of the record.
+std::size_t end_of(const Test& input, const Record& all, const Leg& loading, Measurement& result, Preparation& steps) {
+  const auto ends = [&](MeasurementEnd end, std::string_view step, std::string_view words, std::size_t points,
+                        KeyChange otherwise) {
+    result.end = end;
+    const std::size_t last = rows_of_points(result.sampling, result.rows, points);
+    steps.add(step, true, fmt::format("{} row {}: later rows are left out", words, last), std::move(otherwise), {},
+              RowRange{last + 1, result.rows});
     return points;
-  }
+  };
+  const std::size_t stays = points_before_overload(points_between(all, loading.first, loading.last));
+  if (loading.first + stays < loading.last)
+    return ends(MeasurementEnd::overload, "overload",
+                "the force stays at its greatest value, the end of the load cell, after", loading.first + stays,
+                KeyChange{"record", "until", "…"});
   if (input.record->failure == FailureRule::none) {
     steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
-    return points;
+    return loading.last;
   }
-  const Failure failure = find_failure(all);
-  if (failure.status == FailureStatus::found && (legs.size() < 2 || failure.points <= legs.front().last)) {
-    result.end = MeasurementEnd::failure;
-    const std::size_t last = rows_of_points(result.sampling, rows, failure.points);
-    steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
-              KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, rows});
-    return failure.points;
-  }
+  const Failure failure = find_failure(points_between(all, loading.first, loading.last));
+  if (failure.status == FailureStatus::found)
+    return ends(MeasurementEnd::failure, "end", "the specimen failed after", loading.first + failure.points,
+                KeyChange{"record", "failure", "\"none\""});
   steps.add("end", false, "no failure was found: all rows are kept", KeyChange{"record", "until", "…"});
-  return points;
+  return loading.last;
+}
+
+// The loading that goes farthest, without what follows its end; all loadings, where there are several, are the cycles. Returns its first point and
+// that after its last.
+Leg evaluated_loading(const Test& input, const Table& table, const Record& all, const std::optional<std::size_t>& until,
+                      Measurement& result, Preparation& steps) {
+  std::size_t points = all.force.size();
+  if (until) points = std::min(points, points_until(*until, result, steps));
+  const std::vector<double> stage(all.stage.begin(), all.stage.begin() + static_cast<std::ptrdiff_t>(points));
+  const std::vector<Leg> legs = find_legs(stage);
+  Loading loading = loading_to_evaluate(table, stage, legs);
+  result.loading = loading.counted;
+  const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, result.rows, point); };
+  if (result.loading.of > 1)
+    steps.add("loading", true,
+              fmt::format("of {} loadings the {} that goes farthest is evaluated, rows {} to {}", result.loading.of,
+                          result.loading.number == 1 ? "first" : "one", result.sampling.rows[loading.leg.first] + 1,
+                          row(loading.leg.last)),
+              result.loading.number > 1
+                  ? std::optional(KeyChange{"record", "until", fmt::format("{}", row(legs.front().last))})
+                  : std::nullopt,
+              {}, RowRange{result.sampling.rows[loading.leg.first] + 1, row(loading.leg.last)});
+  else if (legs.size() > 1)
+    steps.add("loading", true,
+              fmt::format("the stage turns back after row {}, where the loading ends", row(loading.leg.last)), {}, {},
+              RowRange{row(loading.leg.last) + 1, result.rows});
+  if (loading.leg.last < points) result.end = MeasurementEnd::turn;
+  std::size_t last = loading.leg.last;
+  if (!until) last = end_of(input, all, loading.leg, result, steps);
+  const bool is_whole = last == loading.leg.last;
+  if (legs.size() > 1 && (is_whole || loading.leg.first > 0))
+    result.cycles = first_points(all, is_whole ? points : last);
+  return {loading.leg.first, last, Direction::loading};
 }
 
 // What the contact is taken off at, and how certainly.
@@ -604,9 +696,10 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
     steps.add("contact", true, "displacements are counted from where the record itself begins",
               KeyChange{"record", "contact", "\"first row\""},
               value_in(input, contact.offset.value, contact.offset.standard_error, kind::length),
-              contact.points_before > 0
-                  ? std::optional(RowRange{1, rows_of_points(result.sampling, result.rows, contact.points_before)})
-                  : std::nullopt);
+              contact.points_before > 0 ? std::optional(RowRange{result.sampling.rows[result.first] + 1,
+                                                                 rows_of_points(result.sampling, result.rows,
+                                                                                result.first + contact.points_before)})
+                                        : std::nullopt);
     return;
   }
   const auto* stated = rule ? std::get_if<Known>(&*rule) : nullptr;
@@ -674,6 +767,7 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   for (std::size_t& row : result.sampling.rows) row += first;
   note_sampling(result.sampling, result.rows - first, steps);
   every = picked(every, result.sampling.rows);
+  leave_out_spikes(every, stiffness, result.sampling, steps);
   const Record rise = first_rise(every);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);
@@ -682,33 +776,23 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
                             result.baseline, steps);
   note_compliance(input, readings, stiffness, steps);
 
-  const std::vector<Leg> legs = find_legs(all.stage);
-  std::size_t points = end_of(input, all, legs, until, result, steps);
-  if (legs.size() > 1 && legs.front().last < points) {
-    require_loading_first(table, all, legs.front());
-    result.cycles = first_points(all, points);
-    points = legs.front().last;
-    result.end = MeasurementEnd::turn;
-    steps.add("turn", true,
-              fmt::format("the stage turns back after row {}, where the first loading ends; later rows belong "
-                          "to {} further loadings and unloadings",
-                          rows_of_points(result.sampling, result.rows, points), legs.size() - 1),
-              KeyChange{"record", "until", fmt::format("{}", rows_of_points(result.sampling, result.rows, points))});
-  }
-  Record whole = first_points(all, points);
+  const Leg loading = evaluated_loading(input, table, all, until, result, steps);
+  result.first = loading.first;
+  Record whole = points_between(all, loading.first, loading.last);
   require_points(table, whole, min_points);
   if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
-  hold_stage(input, table, whole, result.sampling, result.cycles.has_value(), steps);
+  hold_stage(input, table, whole, std::span(result.sampling.rows).subspan(loading.first), result.cycles.has_value(),
+             steps);
   result.force_noise = force_noise(whole);
   find_zero_displacement(input, whole, stiffness, result, steps);
 
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
   const std::size_t skipped =
       result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - whole.stage.begin());
-  result.first = skipped;
-  if (points - skipped < min_points)
+  result.first += skipped;
+  if (whole.force.size() - skipped < min_points)
     throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", min_points),
-                      std::to_string(points - skipped));
+                      std::to_string(whole.force.size() - skipped));
   result.record = counted_from(result.contact_offset, std::move(whole), skipped);
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
   return result;

@@ -45,7 +45,7 @@ struct PreparationStep {
   std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
 };
 
-// In the order in which they are done: columns, metadata, sign, thinning, zero, compliance, end, turn, stage, contact.
+// In the order in which they are done: columns, metadata, sign, thinning, spikes, zero, compliance, loading, overload, end, stage, contact.
 struct Preparation {
   std::vector<PreparationStep> steps;
 
@@ -58,11 +58,16 @@ inline constexpr std::size_t max_record_points = 2000;
 inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is unloaded
 
 // What ends the loading that is evaluated.
-enum class MeasurementEnd { last_row, until, failure, turn };
+enum class MeasurementEnd { last_row, until, failure, turn, overload };
 enum class ContactSource {
   stated,       // by the case
   found,        // where the record itself begins, see find_contact
   first_point,  // the record begins at the contact: nothing is taken off
+};
+
+// Of the loadings of a test, counted from 1, that which goes farthest; of those that go about as far, the first.
+struct EvaluatedLoading {
+  std::size_t number = 1, of = 1;
 };
 
 // The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
@@ -71,14 +76,14 @@ struct Measurement {
   Test test;                // completed with what the file says, see Readings
   Preparation preparation;  // how the file became the record
   std::string file;
-  std::size_t rows;                 // of the file
-  Sampling sampling{};              // which of them are points, from the first row of the file on
+  std::size_t rows;     // of the file
+  Sampling sampling{};  // which of them are points, from the first row of the file on
+  EvaluatedLoading loading{};
   std::size_t first = 0;            // of these the first that is a point of the record
   Record record{};                  // stage and deflection counted from the contact
   std::vector<double> pulled_in{};  // [m] of each row of the file, as imaged; empty where it was not
   std::optional<Record>
-      cycles{};  // from the first row of the file, if the stage turns back before the failure; contact
-                 // taken off as well
+      cycles{};  // all loadings, from the first row of the file, if there are several; contact taken off as well
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
   ContactSource contact = ContactSource::first_point;
   bool begins_free = false;   // with rows before the contact, so that no preload hides in its zero
@@ -99,7 +104,7 @@ std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 
 // Reads the record of a case and prepares it, in the order of Preparation.
 // Domain:     at least min_points points, 11 or more; std::invalid_argument otherwise.
-// Fails:      InputError, besides what read_readings throws, for too few points, a record that begins by unloading, an `until`
+// Fails:      InputError, besides what read_readings throws, for too few points, a record without a loading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
 //             where the force does not rise straight.
 Measurement read_measurement(const Test& asked, std::size_t min_points);

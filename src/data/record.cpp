@@ -171,6 +171,10 @@ Record first_points(const Record& record, std::size_t points) {
   return {head(record.stage), head(record.deflection), head(record.force)};
 }
 
+Record points_between(const Record& record, std::size_t first, std::size_t last) {
+  return counted_from(0, first_points(record, last), first);
+}
+
 Record counted_from(double contact, Record record, std::size_t skipped) {
   for (auto* column : {&record.stage, &record.deflection, &record.force})
     column->erase(column->begin(), column->begin() + static_cast<std::ptrdiff_t>(skipped));

@@ -46,6 +46,9 @@ Record record_from_stage_and_deflection(std::span<const double> stage, std::span
 // The first points of a record: with find_failure (failure.h), the part before the specimen broke.
 Record first_points(const Record& record, std::size_t points);
 
+// Points [first, last) of a record.
+Record points_between(const Record& record, std::size_t first, std::size_t last);
+
 // A record without its first points, its stage and deflection counted from a contact [m].
 Record counted_from(double contact, Record record, std::size_t skipped = 0);
 
@@ -129,6 +132,7 @@ struct Sampling {
   std::size_t held;               // rows whose force is that of the row before, while the displacement has moved on
   std::size_t interpolated;       // rows between readings
   std::size_t stride;             // of the rest one in so many counts
+  std::size_t spikes = 0;         // readings that are none (no_readings.h), left out by whoever looked for them
 };
 
 // Domain:     columns of one length; most >= 1: no more rows count.

@@ -175,6 +175,59 @@ Found too_deep(T test) {
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
+// Were drops looked for? Where the specimen is bent too little to tell friction they are, and held against what a slip can do.
+bool seeks_drops(T test) { return std::isfinite(test.analysis.force_noise); }
+
+double greatest_of(const std::vector<double>& values) {
+  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
+}
+
+std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
+
+// Drops that are deeper than any slip, of a test without friction.
+std::size_t beyond_slips(T test) {
+  const auto& analysis = test.analysis;
+  constexpr double surely = 4;  // of the noise of a reading
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < analysis.most_by_slips.size(); ++i) {
+    const double fall = analysis.scales.reduced_force(analysis.drops.drops[i].force_fall);
+    beyond += fall > analysis.most_by_slips[i] + surely * analysis.force_noise ? 1 : 0;
+  }
+  return beyond;
+}
+
+// "at 3.1 mm a slip can make at most 80 mN"
+std::string most_by_slip_in_words(T test) {
+  const auto& most = test.analysis.most_by_slips;
+  const auto greatest = std::max_element(most.begin(), most.end());
+  const std::size_t before = test.analysis.drops.drops[static_cast<std::size_t>(greatest - most.begin())].before;
+  const Print print(test);
+  return std::isinf(*greatest)
+             ? "a slip can make any drop here"
+             : fmt::format(
+                   "at {} a slip can make at most {}", print.length(test.analysis.reduced.deflection[before]),
+                   std::string(format_roughly(test.analysis.scales.physical_force(*greatest), print.as(kind::force))));
+}
+
+Found gave_way(T test) {
+  const std::size_t beyond = beyond_slips(test);
+  if (is_fitted(test) || beyond == 0) return std::nullopt;
+  const Drop& drop = *std::max_element(test.analysis.drops.drops.begin(), test.analysis.drops.drops.end(),
+                                       [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("{} of {} deeper than a slip: {}. The specimen gave way.", beyond,
+                              drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test)),
+                              most_by_slip_in_words(test)),
+      .short_form = "gave way",
+      .remedy = fmt::format("flexslip modulus gives stiffness and strength; until = {} under [record] ends the "
+                            "record before the deepest drop.",
+                            file_row(test, drop.before)),
+      .numbers = {{"beyond_slips", static_cast<double>(beyond)},
+                  {"most_by_slip", test.analysis.scales.physical_force(greatest_of(test.analysis.most_by_slips)),
+                   kind::force}}};
+}
+
 constexpr std::size_t min_rows = 30;
 
 Found too_few_rows(T test) {
@@ -506,9 +559,11 @@ std::string reload_remedy(T test) {
   if (has_reload(test))
     return fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
                        100 * test.judgement->loss_error);
-  if (test.cycles && test.cycles->stiffness.size() > 1)
+  const auto& [loading, of] = test.measurement.loading;
+  if (loading < of)
     return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
-  return fmt::format("{} once more; {}.", test.cycles ? "Load" : "Unload and load", reload_bounds);
+  const bool is_unloaded = test.measurement.end == MeasurementEnd::turn;
+  return fmt::format("{} once more; {}.", is_unloaded ? "Load" : "Unload and load", reload_bounds);
 }
 
 Found undecided_drops(T test) {
@@ -724,6 +779,7 @@ constexpr std::array rules{
     Rule{"no_initial_slope", no_initial_slope, false},
     Rule{"too_deep", too_deep, false},
     Rule{"too_few_rows", too_few_rows, false},
+    Rule{"gave_way", gave_way, false},
     Rule{"too_few_points", too_few_points, false},
     Rule{"wrong_load_train", wrong_load_train, false},
     Rule{"wrong_stiffness", wrong_stiffness, false},
@@ -764,8 +820,6 @@ const Finding* finding_in(const std::vector<Finding>& findings, std::string_view
   return found == findings.end() ? nullptr : &*found;
 }
 
-std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
-
 bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone; }
 
 // [1] Of the bending stiffness, what the rises say is lost; NaN where they are not judged.
@@ -804,11 +858,43 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
+// "2 drops (650 mN and 1.25 N)"
+std::string drops_with_sizes(T test) {
+  constexpr std::size_t shown = 3;
+  const auto& drops = test.analysis.drops.drops;
+  const std::string all = format_count(drops.size(), "drop", "drops");
+  if (drops.size() > shown)
+    return fmt::format("{}, the largest {}", all, Print(test).own(largest_drop(test.analysis), kind::force));
+  std::string sizes;
+  for (std::size_t i = 0; i < drops.size(); ++i)
+    sizes += fmt::format("{}{}",
+                         i == 0                  ? ""
+                         : i + 1 == drops.size() ? " and "
+                                                 : ", ",
+                         Print(test).own(drops[i].force_fall, kind::force));
+  return fmt::format("{} ({})", all, sizes);
+}
+
+// Of a specimen that is bent too little to tell friction: what its drops are can still be told.
+Verdict verdict_without_friction(T test, const Finding& shallow, const Finding* gave_way) {
+  const std::string no_friction = "friction cannot be told at so small a deflection";
+  if (drops_of(test) == 0) return {VerdictCode::no_drops, {no_friction}, shallow.code};
+  const std::string most = most_by_slip_in_words(test);
+  if (gave_way)
+    return {
+        VerdictCode::crack, {drops_with_sizes(test), most + ": the specimen gave way", no_friction}, gave_way->code};
+  return {VerdictCode::undecided,
+          {drops_with_sizes(test), most + ", so that they can be slips", no_friction},
+          shallow.code};
+}
+
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong : {"wrong_load_train", "wrong_stiffness"})
     if (const Finding* found = finding_in(findings, wrong))
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
+    const Finding* shallow = finding_in(findings, "too_few_points");
+    if (shallow && seeks_drops(test)) return verdict_without_friction(test, *shallow, finding_in(findings, "gave_way"));
     const Finding& reason = findings.front();
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
@@ -880,14 +966,20 @@ std::string rows_in_words(T test) {
   std::string words = fmt::format("rows {}–{}", file_row(test, 0), last);
   if (last < measurement.rows) words += fmt::format(" of {}", measurement.rows);
   const Sampling& sampling = measurement.sampling;
+  std::vector<std::string> left_out;
   if (const std::size_t out = sampling.repeated + sampling.held + sampling.interpolated; out > 0)
-    words += fmt::format(" ({} repeated or held left out)", out);
+    left_out.push_back(fmt::format("{} repeated or held", out));
+  if (sampling.spikes > 0) left_out.push_back(format_count(sampling.spikes, "spike", "spikes"));
+  if (!left_out.empty()) words += fmt::format(" ({} left out)", fmt::join(left_out, ", "));
   if (sampling.stride > 1) words += fmt::format(", one in {}", sampling.stride);
+  if (const auto& [number, of] = measurement.loading; of > 1) words += fmt::format(", loading {} of {}", number, of);
   switch (measurement.end) {
     case MeasurementEnd::failure:
       return words + fmt::format("; it broke after row {}", last);
     case MeasurementEnd::until:
       return words + " (until, as stated)";
+    case MeasurementEnd::overload:
+      return words + fmt::format("; the load cell is at its end after row {}", last);
     case MeasurementEnd::turn:
       return words + "; then the stage turns back";
     case MeasurementEnd::last_row:
@@ -899,10 +991,12 @@ std::string rows_in_words(T test) {
 std::string drops_in_words(T test) {
   const TestAnalysis& analysis = test.analysis;
   const std::string rows = rows_in_words(test);
-  const bool was_sought = is_fitted(test) || analysis.status == AnalysisStatus::not_explained;
-  if (!was_sought) return fmt::format("not looked for in {}", rows);
+  if (!seeks_drops(test)) return fmt::format("not looked for in {}", rows);
   const std::size_t semicolon = std::min(rows.find(';'), rows.size());
-  const std::string used = rows.substr(0, semicolon), end = rows.substr(semicolon);
+  const std::string used = rows.substr(0, semicolon);
+  const std::string end =
+      rows.substr(semicolon) +
+      (test.drops_elsewhere > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere) : "");
   if (drops_of(test) == 0)
     return fmt::format("none in {}; one of {} would have been seen{}", used,
                        Print(test).own(analysis.drops.smallest_fall, kind::force), end);
@@ -1079,6 +1173,10 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
     if (!lost_stiffness(*test.judgement) && tells_work(test)) rows.push_back({"work", work_in_words(test)});
     if (const std::string reload = reload_in_words(test); !reload.empty()) rows.push_back({"reload", reload});
   }
+  if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
+    rows.push_back({"slip or crack",
+                    fmt::format("{}; {} of {} deeper", most_by_slip_in_words(test), beyond_slips(test),
+                                drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test)))});
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)

@@ -14,6 +14,7 @@
 #include "inference/beginning.h"
 #include "inference/profile.h"
 #include "inference/rig_shifts.h"
+#include "inference/slip_limit.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -299,8 +300,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
-    analysis.status = analysis.fit.status == FrictionFitStatus::too_few_points ? AnalysisStatus::too_few_points
-                                                                               : AnalysisStatus::not_explained;
+    const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
+    analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::too_few_points;
+    if (!is_bent)
+      analysis.most_by_slips = most_by_slips(analysis.reduced, analysis.drops.drops, description.fibre.supports());
     return analysis;
   }
   analysis.profile_at_fit = profile_at_fit(analysis);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include "bending_test/design.h"
@@ -20,11 +21,24 @@ bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible &
 
 constexpr double one_sided_95 = 1.645;
 
-const LoadingStiffness* last_reload(const CyclicAnswer* cycles) {
-  if (!cycles) return nullptr;
-  for (std::size_t i = cycles->stiffness.size(); i-- > 1;)
-    if (cycles->stiffness[i].status == LoadingStatus::ok) return &cycles->stiffness[i];
-  return nullptr;
+// What a later loading tells of the stiffness lost since one.
+struct Reload {
+  double loss, error;  // [1]
+};
+
+std::optional<Reload> last_reload(const CyclicAnswer* cycles, std::size_t evaluated) {
+  if (!cycles || evaluated >= cycles->stiffness.size()) return std::nullopt;
+  const LoadingStiffness& before = cycles->stiffness[evaluated];
+  if (before.status != LoadingStatus::ok) return std::nullopt;
+  for (std::size_t i = cycles->stiffness.size(); i-- > evaluated + 1;) {
+    const LoadingStiffness& after = cycles->stiffness[i];
+    if (after.status != LoadingStatus::ok) continue;
+    const double ratio = after.ratio.value / before.ratio.value;
+    const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
+    const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
+    return Reload{1 - ratio, elementary::length(scatter, systematic) / before.ratio.value};
+  }
+  return std::nullopt;
 }
 
 std::size_t impossible_drops(const TestAnalysis& analysis) {
@@ -149,9 +163,9 @@ bool lost_stiffness(const Judgement& judgement) {
   return judgement.softer_reload || judgement.drops_are_cracks || (judgement.changed_reload && judgement.loss > 0);
 }
 
-Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
+Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  const LoadingStiffness* const reload = last_reload(cycles);
+  const std::optional<Reload> reload = last_reload(cycles, evaluated);
   const bool has_drops = !analysis.drops.drops.empty();
   const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
@@ -161,9 +175,9 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles) {
                       .jumped = has_drops ? jumped_part(analysis) : 0};
   if (reload) {
     judgement.loss_needed = 1 - left_by_cracks(analysis);
-    judgement.loss = 1 - reload->ratio.value;
-    judgement.loss_error = elementary::length(reload->ratio.standard_error, reload->ratio_systematic);
-    judgement.softer_reload = reload->verdict == DamageVerdict::damaged;
+    judgement.loss = reload->loss;
+    judgement.loss_error = reload->error;
+    judgement.softer_reload = judgement.loss - one_sided_95 * judgement.loss_error > relevant_loss;
     constexpr double relevant = 0.05;
     judgement.changed_reload =
         !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided_95 * judgement.loss_error);

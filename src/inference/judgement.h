@@ -61,7 +61,8 @@ bool lost_stiffness(const Judgement& judgement);
 // A reload that is softer says cracks. One that lost less than cracks alone would need to make the drops makes these less probable; where the rises
 // tell nothing, by more than its error at 95 %, it says that they were not cracks alone. Where half of three drops or more cannot be slips, or the
 // bending stiffness is off (stiffness_is_off), there is no probability, unless it is one of cracks. Drops are not asked about where there are none.
-// Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once.
-Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles);
+// Domain:     analysis.status is ok; std::invalid_argument otherwise. cycles null: it was loaded once. evaluated: which of their loadings, counted from 0,
+//             was analysed; what it lost is seen by those after it.
+Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated = 0);
 
 }  // namespace flexslip

@@ -397,7 +397,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
           trusted ? snaps_chapter(test) : Chapter{},
           trusted ? teeth_chapter(test) : Chapter{},
           test.cycles ? cycles_chapter(test) : Chapter{},
-          trusted ? Chapter{test.cycles ? "Where the work of the first loading went" : "Where the work went",
+          trusted ? Chapter{test.cycles ? "Where the work of this loading went" : "Where the work went",
                             {caution_of(test, answer), open_numbers(test, "energy")}}
                   : Chapter{},
           small_deflection_chapter(test),
@@ -412,6 +412,8 @@ std::string fit_text(const FittedTest& test) {
 std::string why_no_answer(const FittedTest& test) {
   if (is_fitted(test)) return "";
   const Answer answer = answer_of(test);
+  const bool tells = answer.verdict.code != VerdictCode::no_answer && answer.verdict.code != VerdictCode::check_input;
+  if (tells) return "";
   return fmt::format("{}: {} {}", test.measurement.file, answer.findings.front().sentence, answer.next);
 }
 

@@ -67,12 +67,16 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
     const VerdictCode expected =
         code == "wrong_load_train" || code == "wrong_stiffness" || code == "most_drops_impossible"
             ? VerdictCode::check_input
-        : code == "softer_reload" || code == "cracks"             ? VerdictCode::crack
-        : severity == Severity::refusal                           ? VerdictCode::no_answer
-        : code == "undecided_drops" || code == "impossible_drops" ? VerdictCode::undecided
-                                                                  : VerdictCode::slip;
+        : code == "softer_reload" || code == "cracks" || code == "gave_way"                   ? VerdictCode::crack
+        : code == "undecided_drops" || code == "impossible_drops" || code == "too_few_points" ? VerdictCode::undecided
+        : severity == Severity::refusal                                                       ? VerdictCode::no_answer
+                                                                                              : VerdictCode::slip;
     CHECK(verdict(test) == expected);
   }
+  CHECK(verdict(changed([](FittedTest& test) {  // bent too little to tell friction, without a drop
+          test.analysis.status = AnalysisStatus::too_few_points;
+          test.analysis.drops.drops.clear();
+        })) == VerdictCode::no_drops);
   CHECK(verdict(changed([](FittedTest& test) {
           test.analysis.drops.drops.clear();
           test.analysis.slips.clear();
@@ -92,6 +96,35 @@ TEST_CASE("verdict: no friction is told of a specimen that lost stiffness, nor w
                                        [](const AnswerRow& row) { return row.label == "friction"; });
     CHECK((friction != answer.rows.end() && has(friction->words, "±")) == (tells && code != "only_a_limit"));
   }
+}
+
+TEST_CASE("verdict: a part is no sentence of its own") {
+  for (const Situation& each : situations()) {
+    const std::string told = sentence_of(answer_of(each.test).verdict);
+    INFO(told);
+    CHECK(told.ends_with('.'));
+    CHECK(!has(told, ".;"));
+    CHECK(!has(told, "nan"));
+  }
+}
+
+TEST_CASE("answer: a bending stiffness that is exact has no check that could fail") {
+  const FittedTest exact = changed([](FittedTest& test) {
+    test.analysis.bending_stiffness_error = 0;
+    Check& check = check_of(test, CheckKind::stiffness);
+    check = check_bending_stiffness(test.analysis.fit, 0);
+  });
+  const Finding* finding = found(answer_of(exact), "unexpected_stiffness");
+  REQUIRE(finding);
+  CHECK(finding->severity == Severity::unjudged);
+  CHECK(has(finding->sentence, "exact"));
+}
+
+TEST_CASE("checks: those that failed are counted, whatever became of them") {
+  CHECK(checks_in_words(answer_of(slipping())).starts_with("All "));
+  const Answer one_failed =
+      answer_of(changed([](FittedTest& test) { check_of(test, CheckKind::whiteness).outcome = CheckOutcome::failed; }));
+  CHECK(has(checks_in_words(one_failed), " of "));
 }
 
 TEST_CASE("answer: rows have one order for every test, and the next step is that of the verdict") {

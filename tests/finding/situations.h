@@ -67,8 +67,14 @@ inline std::vector<Situation> situations() {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.record.force.resize(12);
   });
-  add("too_few_points", Severity::refusal,
-      [](FittedTest& test) { test.analysis.status = AnalysisStatus::too_few_points; });
+  add("gave_way", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 0.001);
+  });
+  add("too_few_points", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 100);
+  });
   add("wrong_load_train", Severity::refusal, [](FittedTest& test) {
     test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();
     test.analysis.stiffness_implausible = true;

@@ -1,0 +1,101 @@
+#include "data/no_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "numerics/statistics.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t longest = 3;  // points of one spike
+constexpr double errors = 6;
+
+class Spikes {
+ public:
+  Spikes(const Record& record, double stiffness) : stage_(record.stage), force_(record.force) {
+    const std::vector<double> smooth = smooth_steps(record);
+    std::vector<double> beside, rises;
+    double steepest = 0;
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+      const double travel = stage_[i + 1] - stage_[i];
+      beside.push_back(std::abs(force_[i + 1] - force_[i] - smooth[i]));
+      if (travel > 0) steepest = std::max(steepest, smooth[i] / travel);
+    }
+    noise_ = errors * std::max(step_noise(record, smooth, 1), deviation_by_median * median_of(beside));
+    constexpr double of_steepest = 3;
+    stiffness_ = std::isfinite(stiffness) ? stiffness : of_steepest * steepest;
+  }
+
+  std::vector<std::size_t> found() const {
+    std::vector<std::size_t> spikes;
+    for (std::size_t i = 1; i < force_.size(); ++i) {
+      if (can_follow(i - 1, i)) continue;
+      std::size_t first = i, last = end_of_peak(i);
+      if (last == i) {
+        first = begin_of_dip(i);
+        last = i;
+      }
+      for (std::size_t k = first; k < last; ++k) spikes.push_back(k);
+      i = std::max(i, last);
+    }
+    std::sort(spikes.begin(), spikes.end());
+    spikes.erase(std::unique(spikes.begin(), spikes.end()), spikes.end());
+    constexpr std::size_t of_points = 20;
+    if (of_points * spikes.size() > force_.size()) spikes.clear();
+    return spikes;
+  }
+
+ private:
+  // Does the force rise from one point to a later one by no more than the load train makes it?
+  bool can_follow(std::size_t before, std::size_t after) const {
+    const double travel = std::max(stage_[after] - stage_[before], 0.0);
+    return force_[after] - force_[before] <= stiffness_ * travel + noise_;
+  }
+
+  // The point that can follow that before the rise again; the rise itself if none does soon.
+  std::size_t end_of_peak(std::size_t rise) const {
+    for (std::size_t end = rise + 1; end < force_.size() && end - rise <= longest; ++end)
+      if (can_follow(rise - 1, end) && force_[end - 1] - force_[end] > noise_) return end;
+    return rise;
+  }
+
+  // The first of the points before a rise that lie below what it comes back to; the rise itself if there are none.
+  std::size_t begin_of_dip(std::size_t rise) const {
+    for (std::size_t begin = rise - 1; begin > 0 && rise - begin <= longest; --begin)
+      if (can_follow(begin - 1, rise) && force_[begin - 1] - force_[begin] > noise_) return begin;
+    return rise;
+  }
+
+  const std::vector<double>& stage_;
+  const std::vector<double>& force_;
+  double noise_, stiffness_;  // [N] that a step may differ by; [N/m]
+};
+
+}  // namespace
+
+std::vector<std::size_t> find_spikes(const Record& record, double stiffness) {
+  return Spikes(record, stiffness).found();
+}
+
+std::size_t points_before_overload(const Record& record) {
+  const auto& [stage, deflection, force] = record;
+  constexpr std::size_t at_least = 5;  // points at the end; and before it, to know how the force rises
+  const auto greatest = std::max_element(force.begin(), force.end());
+  const auto first = static_cast<std::size_t>(greatest - force.begin());
+  std::size_t last = first;
+  while (last + 1 < force.size() && force[last + 1] == *greatest) ++last;
+  if (greatest == force.end() || first < at_least || last + 1 - first < at_least) return force.size();
+  const double travel = stage[first] - stage[first - at_least];
+  const double slope = (force[first] - force[first - at_least]) / travel;
+  double resolution = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i <= first; ++i)
+    if (force[i] != force[i - 1]) resolution = std::min(resolution, std::abs(force[i] - force[i - 1]));
+  constexpr double by_far = 5;
+  const double least = std::max(by_far * resolution, 0.01 * *greatest);
+  return travel > 0 && slope * (stage[last] - stage[first]) > least ? first + 1 : force.size();
+}
+
+}  // namespace flexslip

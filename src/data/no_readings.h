@@ -1,0 +1,24 @@
+// Rows of a record that no specimen can have made: spikes, dropouts, lost packets, and what lies beyond the end of the load cell.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "data/record.h"
+
+namespace flexslip {
+
+// Points whose force is none of the specimen's: it rises by more than the load train could make it rise while the stage moved so far, and comes back
+// within three points; or comes back so, after it fell.
+// Domain:     at least 11 points, in loading; stiffness > 0 [N/m], of the load train, infinite if it is none: then three times the steepest rise of the smooth
+//             curve stands for it.
+// Fails:      none where it would be more than a twentieth of the points: such a force shakes, and its readings are what they are.
+// Method:     beyond six standard deviations of a step, by the noise where the record is quiet and by what half of all steps exceed.
+std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
+
+// How many points a load cell shows before it is at its end: where the force rises and then stays, to the last bit, at its greatest value, for five
+// points or more in which it would have risen by far more than its resolution. All points if it never does.
+// Domain:     columns of one length.
+std::size_t points_before_overload(const Record& record);
+
+}  // namespace flexslip

@@ -1,0 +1,81 @@
+#include "data/no_readings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+using namespace flexslip;
+
+namespace {
+
+constexpr double stiffness = 90, step = 2e-6, noise = 1e-5;
+
+// A curve that flattens, with slips of 30 steps each if asked.
+Record curve(double slip, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, noise);
+  Record record;
+  double fallen = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double stage = step * i;
+    if (i % 30 == 29) fallen = slip;
+    fallen = std::max(0.0, fallen - 0.3 * stiffness * step);
+    record.stage.push_back(stage);
+    record.force.push_back(0.012 * std::sin(stage / 4e-4) - fallen + normal(engine));
+    record.deflection.push_back(stage - record.force.back() / stiffness);
+  }
+  return record;
+}
+
+TEST_CASE("spikes: readings that the load train cannot have made are found, and no others (truth known)") {
+  for (const double by : {0.4e-3, -0.4e-3, 5e-3, -0.02})
+    for (const std::size_t length : {1u, 2u, 3u})
+      for (unsigned seed = 1; seed <= 4; ++seed)
+        for (const double train : {stiffness, std::numeric_limits<double>::infinity()}) {
+          CAPTURE(by);
+          CAPTURE(length);
+          CAPTURE(train);
+          Record record = curve(0, seed);
+          std::vector<std::size_t> made;
+          for (const std::size_t at : {60u, 130u, 131u + 40u, 250u})
+            for (std::size_t k = 0; k < length; ++k) {
+              record.force[at + k] += by;
+              made.push_back(at + k);
+            }
+          CHECK(find_spikes(record, train) == made);
+        }
+}
+
+TEST_CASE("spikes: slips are none, however deep (limit)") {
+  for (const double slip : {0.0, 0.2e-3, 2e-3, 6e-3})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      CAPTURE(slip);
+      CHECK(find_spikes(curve(slip, seed), stiffness).empty());
+      CHECK(find_spikes(curve(slip, seed), std::numeric_limits<double>::infinity()).empty());
+    }
+}
+
+TEST_CASE("spikes: a force that shakes all the time has none (limit)") {
+  Record record = curve(0, 1);
+  for (std::size_t i = 0; i < record.force.size(); i += 7) record.force[i] += 1e-3;
+  CHECK(find_spikes(record, stiffness).empty());
+}
+
+TEST_CASE("overload: a force that stays at its greatest value is the end of the load cell, a flat top is not") {
+  Record record = curve(0, 1);
+  CHECK(points_before_overload(record) == 300);
+  for (double& force : record.force) force = std::min(force, 0.008);
+  const auto first =
+      static_cast<std::size_t>(std::find(record.force.begin(), record.force.end(), 0.008) - record.force.begin());
+  CHECK(points_before_overload(record) == first + 1);
+
+  Record coarse = curve(0, 1);  // its top is flat within the steps of the converter
+  for (double& force : coarse.force) force = 2e-4 * std::round(force / 2e-4);
+  CHECK(points_before_overload(coarse) == 300);
+}
+
+}  // namespace
