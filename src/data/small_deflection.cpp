@@ -22,7 +22,7 @@ constexpr double max_correlation = 0.95;  // beyond it the stretch is too short 
 constexpr double least_rise = 0.25;       // [greatest force] of a stretch that is looked for
 constexpr double errors_off = 3;          // of a slope, by which the steepest of many is steep by chance
 constexpr double alike = 1e-6;            // [slope] of stretches that differ by less the longest counts
-constexpr double levels = 100;            // of the force, between which stretches begin and end
+constexpr double levels = 50;             // of the force, between which stretches begin and end
 constexpr double largest_error = 0.5;     // [stiffness] beyond it a record tells none
 constexpr double max_deflection = 0.1;    // [span] beyond it a deflection is not small, where the span is known
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
@@ -148,20 +148,23 @@ std::optional<Straight> steepest(const Record& record, std::size_t points, doubl
                                  double load_train_error) {
   const Stretches stretches(record, points, noise);
   const auto& force = record.force;
-  // The points at which the force gets to a level, and the end. Noise may have lifted them, so that a stretch begins behind one and ends before one.
-  std::vector<std::size_t> reached;
+  // Stretches begin and end at the points at which the force gets to a level, and at their neighbours: one row alone may lie between two levels.
+  std::vector<std::size_t> ends{0};
+  const auto add = [&](std::size_t point) {
+    if (point > ends.back()) ends.push_back(point);
+  };
   double level = std::floor(levels * force.front() / most);
-  for (std::size_t i = 0; i < points; ++i)
+  for (std::size_t i = 1; i < points; ++i)
     if (const double at = std::floor(levels * force[i] / most); at > level) {
-      reached.push_back(i);
+      for (const std::size_t point : {i - 1, i, i + 1}) add(point);
       level = at;
     }
-  reached.push_back(points);
+  add(points);
   std::optional<PointRange> best;
   double steepness = 0;
-  for (std::size_t i = 0; i < reached.size(); ++i)
-    for (std::size_t j = reached.size(); j-- > i;) {
-      const std::size_t first = i == 0 ? 0 : reached[i - 1] + 1, last = reached[j];
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = ends.size(); j-- > i;) {
+      const std::size_t first = ends[i], last = ends[j];
       if (last < first + min_points || force[last - 1] - force[first] < least_rise * most) continue;
       const auto slope = stretches.least_slope(first, last);
       if (!slope || *slope <= steepness * (1 + alike)) continue;

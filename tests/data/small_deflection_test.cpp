@@ -137,6 +137,17 @@ TEST_CASE("small_deflection: few rows on the straight part cost error, not the a
   CHECK(errors.back() > 2 * errors.front());
 }
 
+TEST_CASE("small_deflection: few rows behind a contact, which lies anywhere between two of them (truth)") {
+  for (const double contact : {1.05e-3, 1.2e-3, 1.35e-3}) {
+    CAPTURE(contact);
+    const auto later = [&](double w) { return yielding(std::max(w - contact, 0.0)); };
+    const auto found = small_deflection(in_steps(0.3e-3, 12e-3, 0.2, 5, later), {100e-3, bar});
+    REQUIRE(found.status == SmallDeflectionStatus::ok);
+    CHECK(std::abs(found.stiffness.value - k) < 4 * found.stiffness.standard_error);
+    CHECK(found.origin == to(0.03, contact));
+  }
+}
+
 TEST_CASE("small_deflection: the straight part of a curve that rounds off is where it is steepest (truth)") {
   const auto rounding = [](double w) {
     const double u = std::max(w - 1e-3, 0.0);
