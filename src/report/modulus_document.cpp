@@ -139,7 +139,7 @@ std::string friction_in_words(const StandardTest& test, const FrictionGain& gain
                        percent_range(gain.modulus), percent_range(gain.strength));
   words += fmt::format(", and takes {} of the work up to the greatest force.", percent_range(gain.work));
   if (gain.turns) words += " The rollers turn on their pins before it gets so high, which is taken into account.";
-  if (!gain.is_stated) words += " State yours: modulus --friction.";
+  if (!gain.is_stated) words += " Another friction: modulus --friction.";
   return words;
 }
 
