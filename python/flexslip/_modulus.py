@@ -16,7 +16,7 @@ class Modulus(ModulusFields):
     Attributes
     ----------
     success : bool
-        Has the record a straight rising part? If not, `message` says why.
+        Does the record tell a stiffness? If not, `message` says why.
     remarks : tuple of str
         Where the numbers come from, what they assume, and where that does not hold.
     case : Case
@@ -48,9 +48,18 @@ def _window(given: Any) -> list[str]:
     return [quantity_in_words("window", share, "", "a share of the greatest force") for share in given]
 
 
+def _friction(given: Any) -> list[str]:
+    if given is None:
+        return []
+    both = given if isinstance(given, (tuple, list)) else (given,)
+    if len(both) not in {1, 2}:
+        raise wrong("friction_range", "a friction, or the least and the greatest, (0.1, 0.5)", given)
+    return [quantity_in_words("friction_range", each, "", "a friction") for each in both]
+
+
 @with_keywords
-def modulus(file: Any = None, *, window: Sequence[Any] | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
-            **keywords: Any) -> Modulus:
+def modulus(file: Any = None, *, window: Sequence[Any] | None = None, friction_range: Any = None,
+            set: Mapping[str, Any] | None = None, **keywords: Any) -> Modulus:  # noqa: A002
     """Stiffness and flexural modulus as the bending standards have them: small deflections, no friction, no shear.
 
     Parameters
@@ -59,14 +68,17 @@ def modulus(file: Any = None, *, window: Sequence[Any] | None = None, set: Mappi
         A case file, the data of a test, which the keywords describe, or a :class:`Case`. Without a span there is only a stiffness, without a section no
         modulus.
     window : (from, to), optional
-        The straight part, in shares of the greatest force at deflections below a tenth of the span; the steepest quarter.
+        The straight part, in shares of the greatest force at deflections below a tenth of the span; the steepest stretch that the
+        noise allows, of a quarter or more.
+    friction_range : float or (least, greatest), optional
+        At the supports, whose part in modulus, strength and work is told; that of the case, or 0.1 to 0.5.
     set, **keywords
         As of :class:`Case`.
 
     Returns
     -------
     Modulus
-        Where there is no straight rising part, its `success` is False and its `message` says why.
+        Where the record tells no stiffness, its `success` is False and its `message` says why.
 
     Raises
     ------
@@ -81,5 +93,5 @@ def modulus(file: Any = None, *, window: Sequence[Any] | None = None, set: Mappi
     (True, True, 'Pa')
     """
     case = case_of(file, set, keywords)
-    found = _flexslip.modulus(case._case, _window(window))
+    found = _flexslip.modulus(case._case, _window(window), _friction(friction_range))
     return Modulus(found["told"], case, tuple(found["words"]))

@@ -16,9 +16,9 @@ namespace {
 
 namespace py = pybind11;
 
-py::dict modulus(const Test& input, const std::vector<std::string>& window) {
-  const ModulusStudy study =
-      interruptible([&](const std::atomic<bool>&) { return study_modulus(input, window_of(window)); });
+py::dict modulus(const Test& input, const std::vector<std::string>& window, const std::vector<std::string>& friction) {
+  const ModulusStudy study = interruptible(
+      [&](const std::atomic<bool>&) { return study_modulus(input, window_of(window), friction_range_of(friction)); });
   const StandardTest test = standard_test(study);
   return py::dict(py::arg("told") = plain(modulus_fields()(test, frame_of(test)), modulus_fields().descriptions()),
                   py::arg("words") = small_deflection_in_words(test));

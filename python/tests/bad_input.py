@@ -268,7 +268,7 @@ PLANNED = "examples/design.toml"
 OPTIONS = {  # of functions that compute for a moment at most, whatever they are given
     "equilibrium": (lambda given: flexslip.equilibrium(PLANNED, points=9, **given), ("longest",)),
     "equilibrium_region": (lambda given: flexslip.equilibrium_region(PLANNED, **{"points": 3, "levels": 3, **given}), ("longest", "span", "roller_radius")),
-    "modulus": (lambda given: flexslip.modulus(CASE, **given), ("window", "span", "diameter", "set")),
+    "modulus": (lambda given: flexslip.modulus(CASE, **given), ("window", "friction_range", "span", "diameter", "set")),
     "surface": (lambda given: flexslip.surface(TRACE, **given), ("level", "cutoff", "edge_radius", "friction", "wavelength", "amplitude", "pixel", "noise", "shortest",
                 "longest", "tapers", "position", "height", "position_unit", "height_unit", "step", "sheet", "encoding", "separator", "decimal", "thousands")),
     "sweep": (lambda given: flexslip.sweep(PLANNED, **{"axes": {"mu0": [0.3]}, **given}), ("axes", "seed", "threads", "keep_parts", "stiffness")),
@@ -303,7 +303,8 @@ class Options(unittest.TestCase):
     def test_outside_options_that_are_wrong_name_themselves(self):
         for call, name in ((lambda: flexslip.equilibrium(PLANNED, points=1), "points"), (lambda: flexslip.equilibrium(PLANNED, longest="1 N"), "longest"),
                            (lambda: flexslip.equilibrium(PLANNED, longest="1 um"), "longest"), (lambda: flexslip.equilibrium_region(PLANNED, levels=1), "levels"),
-                           (lambda: flexslip.modulus(CASE, window=(0.5, 0.1)), "window"), (lambda: flexslip.modulus(CASE, window=0.5), "window"),
+                           (lambda: flexslip.modulus(CASE, window=(0.5, 0.1)), "window"), (lambda: flexslip.modulus(CASE, window=0.5), "window"), (lambda: flexslip.modulus(CASE, friction_range=(0.5, 0.1)), "friction"),
+                           (lambda: flexslip.modulus(CASE, friction_range="spam"), "friction"), (lambda: flexslip.modulus(CASE, friction_range=(1, 2, 3)), "friction_range"),
                            (lambda: flexslip.surface(TRACE, level=10), "level"), (lambda: flexslip.surface(TRACE, cutoff="1 N"), "cutoff"),
                            (lambda: flexslip.surface(TRACE, tapers=1), "tapers"), (lambda: flexslip.surface(TRACE, wavelength=["1 um", None]), "wavelength"),
                            (lambda: flexslip.surface(TRACE, position=1, step="1 um"), "step"), (lambda: flexslip.surface("nothing.csv"), "nothing.csv"),

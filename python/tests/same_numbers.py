@@ -93,6 +93,8 @@ class Json(unittest.TestCase):
     def test_outside_modulus(self):
         for name in EXAMPLES:
             self.same(flexslip.modulus(case(name)), "modulus", case(name))
+        self.same(flexslip.modulus(case("simulated"), friction_range=(0.2, 0.4)), "modulus", case("simulated"), "--friction", "0.2", "0.4")
+        self.same(flexslip.modulus(case("simulated"), friction_range=0.3), "modulus", case("simulated"), "--friction", "0.3")
         self.same(flexslip.modulus(case("simulated"), window=(0.1, "40 %")), "modulus", case("simulated"), "--window", "0.1", "40 %")
         other = flexslip.modulus(case("simulated"), window=(0.999, 1))
         self.assertFalse(other.success)

@@ -74,6 +74,32 @@ Fields<TestSummary> number_fields() {
           &TestSummary::friction_share);
 }
 
+// What the bending standards read off, and what friction at the supports adds.
+Fields<StandardSummary> standard_columns() {
+  const auto of = [](ShareRange FrictionGain::*range, double ShareRange::*end) {
+    return [range, end](const StandardSummary& standard) {
+      return standard.friction ? std::optional((*standard.friction).*range.*end) : std::nullopt;
+    };
+  };
+  constexpr auto least = &ShareRange::least, most = &ShareRange::most;
+  return Fields<StandardSummary>()
+      .own_estimate("modulus", kind::pressure,
+                    "flexural modulus of the bending standards, of the chord or else of the straight part",
+                    &StandardSummary::modulus)
+      .own("strength", kind::pressure, "flexural stress at the greatest force", &StandardSummary::strength)
+      .number("friction_least", "least friction at the supports whose part in modulus and strength is told",
+              of(&FrictionGain::friction, least))
+      .number("friction_most", "greatest friction whose part is told", of(&FrictionGain::friction, most))
+      .number("modulus_gain_least", "least share that such friction adds to the modulus",
+              of(&FrictionGain::modulus, least))
+      .number("modulus_gain_most", "greatest share that such friction adds to the modulus",
+              of(&FrictionGain::modulus, most))
+      .number("strength_gain_least", "least share that such friction adds to the strength",
+              of(&FrictionGain::strength, least))
+      .number("strength_gain_most", "greatest share that such friction adds to the strength",
+              of(&FrictionGain::strength, most));
+}
+
 Fields<CampaignTest> remark_fields() {
   return Fields<CampaignTest>()
       .words("reason", "reason why the status is not ok",
@@ -106,6 +132,8 @@ Fields<CampaignTest> test_fields() {
               }),
           &CampaignTest::summary)
       .all_of(number_fields(), &CampaignTest::summary)
+      .group("standard", "what the bending standards read off; null without a section", standard_columns(),
+             &CampaignTest::standard)
       .all_of(remark_fields());
 }
 
@@ -315,6 +343,7 @@ Fields<CampaignTest> test_columns() {
                           }),
               &CampaignTest::summary)
       .all_of(number_fields(), &CampaignTest::summary)
+      .all_of(standard_columns(), &CampaignTest::standard)
       .all_of(remark_fields());
 }
 

@@ -50,29 +50,66 @@ std::string si_unit(const Kind& kind) {
   return "1";
 }
 
-StandardTest standard_test(const Measurement& measurement, const BeamGeometry& geometry,
-                           const SmallDeflection& numbers) {
-  const bool ok = numbers.status == SmallDeflectionStatus::ok;
-  return {measurement, geometry, numbers, ok ? supports_share(measurement, numbers) : std::nullopt,
-          measurement.test.reduced};
+Fields<LoadReached> reached_fields() {
+  return Fields<LoadReached>()
+      .own_quantity("force", kind::force, "force", &LoadReached::force)
+      .own_quantity("deflection", kind::length, "deflection, from the origin", &LoadReached::deflection)
+      .own_quantity("stress", kind::pressure, "flexural stress, F L depth/(8 I)", &LoadReached::stress)
+      .own_quantity("strain", kind::number, "flexural strain, 6 δ depth/L²", &LoadReached::strain);
+}
+
+auto ends(ShareRange FrictionGain::*range) {
+  return [range](const FrictionGain& gain) { return std::vector{(gain.*range).least, (gain.*range).most}; };
+}
+
+Fields<FrictionGain> friction_gain_fields() {
+  return Fields<FrictionGain>()
+      .own_numbers("mu", kind::number, "least and greatest friction", ends(&FrictionGain::friction))
+      .yes_no("stated", "the call or the case states it; otherwise it is the usual one", &FrictionGain::is_stated)
+      .yes_no("turns", "rollers turn on their pins before friction gets to the greatest, which limits it",
+              &FrictionGain::turns)
+      .own_numbers("modulus_share", kind::number,
+                   "least and greatest share that friction between them adds to the modulus",
+                   ends(&FrictionGain::modulus))
+      .own_numbers("strength_share", kind::number, "likewise to the stress at the greatest force",
+                   ends(&FrictionGain::strength))
+      .own_numbers("work_share", kind::number,
+                   "least and greatest share of the work up to the greatest force that goes into it",
+                   ends(&FrictionGain::work));
 }
 
 }  // namespace
 
 StandardTest standard_test(const FittedTest& test) {
-  return standard_test(test.measurement, test.geometry, test.small_deflection);
+  const bool ok = test.small_deflection.status == SmallDeflectionStatus::ok;
+  return {test.measurement, test.geometry, test.small_deflection,
+          ok ? supports_gain(test.measurement, test.small_deflection) : SupportsGain{}, test.reduced};
 }
 
 StandardTest standard_test(const ModulusStudy& study) {
-  return standard_test(study.measurement, study.geometry, study.numbers);
+  return {study.measurement, study.geometry, study.numbers, study.supports, study.measurement.test.reduced};
+}
+
+bool is_broken(const StandardTest& test) { return test.measurement.end == MeasurementEnd::failure; }
+
+std::string_view name_of(SmallDeflectionStatus status) {
+  switch (status) {
+    case SmallDeflectionStatus::ok:
+      return "ok";
+    case SmallDeflectionStatus::no_straight_part:
+      return "no_straight_part";
+    case SmallDeflectionStatus::uncertain:
+      return "uncertain";
+    case SmallDeflectionStatus::too_stiff:
+      break;
+  }
+  return "too_stiff";
 }
 
 std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
-  const auto& chord = test.numbers.chord;
-  const auto told = chord ? with_error_of_slope(chord->modulus, chord->stiffness)
-                          : with_error_of_slope(test.numbers.modulus, test.numbers.stiffness);
-  if (!told || !test.supports_share) return std::nullopt;
-  const double factor = 1 + *test.supports_share;
+  const auto told = standard_modulus(test.numbers);
+  if (!told || !test.supports.alone) return std::nullopt;
+  const double factor = 1 + *test.supports.alone;
   return normal_estimate(told->value / factor, told->standard_error / factor);
 }
 
@@ -89,8 +126,14 @@ std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
 Fields<StandardTest> modulus_fields() {
   const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
-      .words("status", "whether there are numbers: ok, or no_straight_part",
-             [ok](const StandardTest& t) { return ok(t) ? "ok" : "no_straight_part"; })
+      .words("status",
+             "whether there are numbers: ok, no_straight_part, uncertain (the error is more than half of the "
+             "stiffness), or too_stiff (no material has such a modulus)",
+             [](const StandardTest& t) { return name_of(t.numbers.status); })
+      .number("load_train_share",
+              "share of the stage's travel that the load train takes, over the straight part or else up to the "
+              "greatest force",
+              [](const StandardTest& t) { return t.numbers.load_train_share; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
                     [](const StandardTest& t) { return t.numbers.stiffness; })
@@ -99,28 +142,37 @@ Fields<StandardTest> modulus_fields() {
           [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
                     [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
-      .group("chord", "chord of ISO 178; null if the record does not cover both strains", chord_fields(),
-             [](const StandardTest& t) { return t.numbers.chord; })
+      .group("chord", "chord of ISO 178; null if the record does not cover both strains, or covers them in the toe",
+             chord_fields(), [](const StandardTest& t) { return t.numbers.chord; })
+      .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, and so tells no modulus",
+              [](const StandardTest& t) { return t.numbers.chord_in_toe; })
       .group("window", "straight part of the curve", window_fields())
-      .own_quantity("origin", kind::length, "deflection at which the straight part would meet zero force",
+      .own_quantity("origin", kind::length,
+                    "deflection at which the straight part would meet zero force, not before the record begins; "
+                    "deflections and strains count from it",
                     [](const StandardTest& t) { return t.numbers.origin; })
       .own_quantity("greatest_force", kind::force, "greatest force",
-                    [](const StandardTest& t) { return t.numbers.greatest_force; })
+                    [](const StandardTest& t) { return t.numbers.greatest.force; })
       .own_quantity("deflection", kind::length, "deflection at the greatest force, from the origin",
-                    [](const StandardTest& t) { return t.numbers.deflection; })
+                    [](const StandardTest& t) { return t.numbers.greatest.deflection; })
       .own_quantity("stress", kind::pressure, "flexural stress at the greatest force, F L depth/(8 I)",
-                    [](const StandardTest& t) { return t.numbers.stress; })
+                    [](const StandardTest& t) { return t.numbers.greatest.stress; })
       .own_quantity("strain", kind::number, "flexural strain at the greatest force, 6 δ depth/L²",
-                    [](const StandardTest& t) { return t.numbers.strain; })
+                    [](const StandardTest& t) { return t.numbers.greatest.strain; })
+      .group("at_break", "the same where the specimen broke; null where the record does not show it break",
+             reached_fields(),
+             [](const StandardTest& t) { return is_broken(t) ? std::optional(t.numbers.end) : std::nullopt; })
       .yes_no("deflection_large",
               "the deflection exceeds a tenth of the span, so stress and strain of the standards do not hold",
               [](const StandardTest& t) { return t.numbers.deflection_large; })
       .number("supports_share",
               "share that rollers and thickness, which are neglected, add to the stiffness between the deflections of "
               "chord or straight part, without friction",
-              &StandardTest::supports_share)
+              [](const StandardTest& t) { return t.supports.alone; })
       .own_estimate("modulus_less_supports", kind::pressure,
                     "modulus of the chord, or else of the straight part, without that share", modulus_less_supports)
+      .group("friction", "what friction at the supports can have done; null without a section", friction_gain_fields(),
+             [](const StandardTest& t) { return t.supports.friction; })
       .number("shear_share", "share that shear, which is neglected, adds to a small deflection",
               [](const StandardTest& t) { return t.numbers.shear_share; })
       .anywhere()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "case/fitted.h"
 #include "case/studies.h"
@@ -14,13 +15,18 @@ struct StandardTest {
   const Measurement& measurement;
   const BeamGeometry& geometry;
   const SmallDeflection& numbers;
-  std::optional<double> supports_share;  // [1] (case/studies.h)
+  SupportsGain supports;
   bool reduced;
 };
 
-// The modulus that a standard would publish, that of its chord or else of the straight part, less what the supports add. None where they add nothing,
-// and without a section.
+// The modulus that a standard would publish, less what the supports add. None where they add nothing, and without a section.
 std::optional<Estimate> modulus_less_supports(const StandardTest& test);
+
+// Did the specimen break at the last point of the record?
+bool is_broken(const StandardTest& test);
+
+// "ok", "no_straight_part", "uncertain", "too_stiff".
+std::string_view name_of(SmallDeflectionStatus status);
 
 StandardTest standard_test(const FittedTest& test);
 StandardTest standard_test(const ModulusStudy& study);

@@ -46,6 +46,14 @@ std::vector<std::string> remarks_of(const Answer& answer) {
   return remarks;
 }
 
+std::optional<StandardSummary> standard_of(const FittedTest& test) {
+  const auto modulus = standard_modulus(test.small_deflection);
+  if (!modulus) return std::nullopt;
+  return StandardSummary{.modulus = *modulus,
+                         .strength = *test.small_deflection.greatest.stress,
+                         .friction = supports_gain(test.measurement, test.small_deflection).friction};
+}
+
 }  // namespace
 
 std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, double bending_stiffness) {
@@ -73,7 +81,8 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .curves = {},
                     .remarks = remarks_of(answer),
                     .section_moment = test.section_moment,
-                    .materials = test.materials};
+                    .materials = test.materials,
+                    .standard = standard_of(test)};
   if (!is_fitted(test)) {
     kept.reason = fmt::format("{} {}", answer.findings.front().sentence, answer.next);
     return kept;
@@ -93,7 +102,8 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
           .curves = {},
           .remarks = {},
           .section_moment = {},
-          .materials = {}};
+          .materials = {},
+          .standard = {}};
 }
 
 namespace {

@@ -29,17 +29,25 @@ struct CampaignCurves {
   std::vector<std::size_t> drops;  // rows of the measured columns before a drop
 };
 
+// What a bending standard reads off a record, and what friction at the supports can have done to it.
+struct StandardSummary {
+  Estimate modulus;                      // [Pa] of the chord, or else of the straight part
+  double strength;                       // [Pa] stress at the greatest force
+  std::optional<FrictionGain> friction;  // as SupportsGain has it
+};
+
 struct CampaignTest {
   std::string name;
-  std::string status;                    // as status_of, or "failed": then only name, file and reason are valid
-  std::string reason;                    // why the status is not "ok"; empty if it is
-  std::string file;                      // case, data file or line of a table that describes the test
-  std::string verdict;                   // in one word: "SLIP"
-  std::optional<TestSummary> summary;    // where the analysis came to a fit
-  std::optional<CampaignCurves> curves;  // likewise
-  std::vector<std::string> remarks;      // what a reader of the table should know of it
-  std::optional<double> section_moment;  // [m^4] I, if the case says what section the specimen has
-  std::optional<Materials> materials{};  // in contact, if its case states both
+  std::string status;                         // as status_of, or "failed": then only name, file and reason are valid
+  std::string reason;                         // why the status is not "ok"; empty if it is
+  std::string file;                           // case, data file or line of a table that describes the test
+  std::string verdict;                        // in one word: "SLIP"
+  std::optional<TestSummary> summary;         // where the analysis came to a fit
+  std::optional<CampaignCurves> curves;       // likewise
+  std::vector<std::string> remarks;           // what a reader of the table should know of it
+  std::optional<double> section_moment;       // [m^4] I, if the case says what section the specimen has
+  std::optional<Materials> materials{};       // in contact, if its case states both
+  std::optional<StandardSummary> standard{};  // where span and section are known, and the record tells a modulus
 };
 
 // The curve without friction of a specimen of some bending stiffness [N m^2] on the supports of the test, from the straight specimen to its greatest

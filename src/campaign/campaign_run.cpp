@@ -108,6 +108,17 @@ constexpr std::tuple parts_of<CampaignCurves>{Part{"span", &CampaignCurves::span
 template <>
 constexpr std::tuple parts_of<Materials>{Part{"specimen", &Materials::specimen}, Part{"support", &Materials::support}};
 template <>
+constexpr std::tuple parts_of<ShareRange>{Part{"least", &ShareRange::least}, Part{"most", &ShareRange::most}};
+template <>
+constexpr std::tuple parts_of<FrictionGain>{
+    Part{"friction", &FrictionGain::friction},   Part{"modulus", &FrictionGain::modulus},
+    Part{"strength", &FrictionGain::strength},   Part{"work", &FrictionGain::work},
+    Part{"is_stated", &FrictionGain::is_stated}, Part{"turns", &FrictionGain::turns}};
+template <>
+constexpr std::tuple parts_of<StandardSummary>{Part{"modulus", &StandardSummary::modulus},
+                                               Part{"strength", &StandardSummary::strength},
+                                               Part{"friction", &StandardSummary::friction}};
+template <>
 constexpr std::tuple parts_of<CampaignTest>{Part{"name", &CampaignTest::name},
                                             Part{"status", &CampaignTest::status},
                                             Part{"reason", &CampaignTest::reason},
@@ -117,7 +128,8 @@ constexpr std::tuple parts_of<CampaignTest>{Part{"name", &CampaignTest::name},
                                             Part{"curves", &CampaignTest::curves},
                                             Part{"remarks", &CampaignTest::remarks},
                                             Part{"section_moment", &CampaignTest::section_moment},
-                                            Part{"materials", &CampaignTest::materials}};
+                                            Part{"materials", &CampaignTest::materials},
+                                            Part{"standard", &CampaignTest::standard}};
 
 template <class T>
 constexpr bool is_optional = false;

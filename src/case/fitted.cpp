@@ -178,8 +178,6 @@ std::string name_of_test(const std::string& file) {
   return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
 }
 
-BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
-
 namespace {
 
 FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
@@ -217,7 +215,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
     }
   }
   const BeamGeometry geometry = geometry_of(input);
-  const SmallDeflection standard = small_deflection(measurement.record, geometry);
+  const SmallDeflection standard = small_deflection_of(measurement);
   TestAnalysis analysis = analyse(measurement.record, description, options);
   std::optional<CyclicAnswer> cycles;
   if (measurement.cycles) {

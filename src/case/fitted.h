@@ -9,10 +9,10 @@
 
 #include "case/case_file.h"
 #include "case/mechanics.h"
+#include "case/standards.h"
 #include "case/surface_study.h"
 #include "data/literature_friction.h"
 #include "data/section.h"
-#include "data/small_deflection.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
 #include "inference/implied_surface.h"
@@ -93,9 +93,6 @@ void hold_against(FittedTest& test, const std::string& trace, const TraceOptions
 
 // The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
 std::string name_of_test(const std::string& file);
-
-// What a case says of its specimen as a beam.
-BeamGeometry geometry_of(const Test& input);
 
 // Reads the record of a case and analyses it.
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.

@@ -775,6 +775,7 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   const Record all = zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.rows,
                             result.baseline, steps);
   note_compliance(input, readings, stiffness, steps);
+  result.is_derived = readings.has(Reading::stage) && !readings.has(Reading::deflection);
 
   const Leg loading = evaluated_loading(input, table, all, until, result, steps);
   result.first = loading.first;

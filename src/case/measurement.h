@@ -86,6 +86,7 @@ struct Measurement {
       cycles{};  // all loadings, from the first row of the file, if there are several; contact taken off as well
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
   ContactSource contact = ContactSource::first_point;
+  bool is_derived = false;    // the deflection is what the load train leaves of the stage
   bool begins_free = false;   // with rows before the contact, so that no preload hides in its zero
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact

@@ -50,16 +50,6 @@ std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffn
   return {};
 }
 
-struct Deflections {
-  double from, to;  // [m] from the contact, as the record counts them
-};
-
-Deflections told_between(const Record& record, const SmallDeflection& numbers) {
-  if (const auto& chord = numbers.chord)
-    return {numbers.origin + chord->deflection_from, numbers.origin + chord->deflection_to};
-  return {record.deflection[numbers.first], record.deflection[numbers.last - 1]};
-}
-
 }  // namespace
 
 EquilibriumStudy study_equilibria(const Test& input, const EquilibriumChoice& choice) {
@@ -121,27 +111,15 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
                     .found = fmt::format("{} and {}", words[0], words[1])});
 }
 
-ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window) {
+ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,
+                           const std::optional<ShareRange>& friction) {
   constexpr std::size_t min_points_of_line = 11;  // they tell the noise
   Measurement measurement = read_measurement(input, min_points_of_line);
   const BeamGeometry geometry = geometry_of(measurement.test);
-  const SmallDeflection numbers = small_deflection(measurement.record, geometry, {.window = window});
-  return {std::move(measurement), geometry, numbers};
-}
-
-std::optional<double> supports_share(const Measurement& measurement, const SmallDeflection& numbers) {
-  const Test& test = measurement.test;
-  if (!test.rig || !test.rig->span) return std::nullopt;
-  const Scales scales(*test.rig->span, 1);
-  const Supports supports = supports_of(test, scales);
-  if (supports.radius == 0 && supports.half_depth == 0) return std::nullopt;
-  const auto [from, to] = told_between(measurement.record, numbers);
-  const double w_from = scales.reduced_length(from), w_to = scales.reduced_length(to);
-  if (!(w_from > 0 && w_to > w_from && w_to <= deepest_on_supports)) return std::nullopt;
-  const SupportedState low = state_on_supports(w_from, 0, supports), high = state_on_supports(w_to, 0, supports);
-  if (low.status != FibreStatus::ok || high.status != FibreStatus::ok) return std::nullopt;
-  constexpr double euler_bernoulli = 48;
-  return (high.F - low.F) / (euler_bernoulli * (w_to - w_from)) - 1;
+  const SmallDeflection numbers = small_deflection_of(measurement, window);
+  const SupportsGain supports =
+      numbers.status == SmallDeflectionStatus::ok ? supports_gain(measurement, numbers, friction) : SupportsGain{};
+  return {std::move(measurement), geometry, numbers, supports};
 }
 
 }  // namespace flexslip

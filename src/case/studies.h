@@ -10,9 +10,9 @@
 #include "case/case_file.h"
 #include "case/measurement.h"
 #include "case/mechanics.h"
+#include "case/standards.h"
 #include "contact/friction.h"
 #include "data/scales.h"
-#include "data/small_deflection.h"
 #include "fibre/fibre.h"
 #include "fibre/supported_state.h"
 #include "inference/profile.h"
@@ -67,6 +67,7 @@ struct ModulusStudy {
   Measurement measurement;
   BeamGeometry geometry;
   SmallDeflection numbers;
+  SupportsGain supports;
 };
 
 // The straight part as two words say it, "0.1" and "30 %"; none of none.
@@ -75,13 +76,7 @@ struct ModulusStudy {
 std::optional<ForceWindow> window_of(const std::vector<std::string>& words);
 
 // Fails:      InputError as read_measurement, and for a record of fewer points than tell the noise.
-ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window);
-
-// [1] Of a specimen without friction, between the deflections from which the modulus is told: those of the chord, or of the straight part.
-// Friction adds to it, 2.4 μ of the deflection in spans where it slides in.
-// Domain:     numbers of the record of the measurement, with status ok.
-// Fails:      none without a span, or where the supports of the case have neither radius nor thickness; InputError as supports_of.
-// Max error:  1e-9, that of the difference of two forces.
-std::optional<double> supports_share(const Measurement& measurement, const SmallDeflection& numbers);
+ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,
+                           const std::optional<ShareRange>& friction);
 
 }  // namespace flexslip

@@ -15,12 +15,15 @@ namespace {
 struct ModulusRequest {
   TestRequest test;
   std::vector<std::string> window;
+  std::vector<std::string> friction;
   Output output;
 };
 
 void run_modulus(const ModulusRequest& request) {
   const auto window = window_of(request.window);
-  const ModulusStudy study = with_test(request.test, [&](const Test& input) { return study_modulus(input, window); });
+  const auto friction = friction_range_of(request.friction);
+  const ModulusStudy study =
+      with_test(request.test, [&](const Test& input) { return study_modulus(input, window, friction); });
   const StandardTest test = standard_test(study);
   write_words(
       request.output, [&] { return modulus_fields()(test, frame_of(test)); },
@@ -37,8 +40,13 @@ void add_modulus_command(CLI::App& app) {
   add_test(command, request.test);
   add_option(command, "--window SHARE", request.window,
              "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
-             "without it, the steepest quarter")
+             "without it, the steepest stretch that the noise allows, of a quarter or more")
       ->expected(2);
+  add_option(
+      command, "--friction NUMBER", request.friction,
+      "Friction at the supports, or its least and its greatest, whose part in modulus, strength and work is told; "
+      "without it, that of the case, or 0.1 to 0.5")
+      ->expected(1, 2);
   add_output_options(command, request.output);
   command.footer(
       "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume "
@@ -46,7 +54,7 @@ void add_modulus_command(CLI::App& app) {
       "deflections, no friction and no shear. A modulus needs a span and a section; without a span there is only a\n"
       "stiffness. Crosshead displacement is corrected for the stiffness of the load train. Modulus and stress have\n"
       "three significant digits, as ISO 178 asks; --json has all. The exit code is 1 if the record has no straight\n"
-      "rising part.\n\n"
+      "rising part, or cannot tell a modulus.\n\n"
       "Examples:\n"
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"

@@ -1,22 +1,32 @@
 #include "data/small_deflection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_points = 5;                          // of a line that is to tell its own error
-constexpr double max_correlation = 0.95;                       // beyond it the stretch is too short to tell
-constexpr double step = 0.05, width = 0.25, last_up_to = 0.9;  // [greatest force] of the windows tried
-constexpr double max_deflection = 0.1;  // [span] beyond it a deflection is not small, where the span is known
+constexpr std::size_t min_points = 3;     // of a line that shows whether it is one
+constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
+constexpr double least_rise = 0.25;       // [greatest force] of a stretch that is looked for
+constexpr double errors_off = 3;          // of a slope, by which the steepest of many is steep by chance
+constexpr double alike = 1e-6;            // [slope] of stretches that differ by less the longest counts
+constexpr double levels = 50;             // of the force, between which stretches begin and end
+constexpr double largest_error = 0.5;     // [stiffness] beyond it a record tells none
+constexpr double max_deflection = 0.1;    // [span] beyond it a deflection is not small, where the span is known
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
+constexpr double clearly = 3;                               // errors
 
 void require(bool holds, const char* what, double value) {
   if (holds) return;
@@ -27,41 +37,144 @@ void require(bool holds, const char* what, double value) {
 
 std::ptrdiff_t as_difference(std::size_t points) { return static_cast<std::ptrdiff_t>(points); }
 
+struct PointRange {
+  std::size_t first, last;  // [first, last)
+};
+
 struct Straight {
   ForceWindow window;
   std::size_t first, last;
   Estimate slope;
   double origin;
+  double load_train_share;
 };
 
-std::optional<Straight> straight_in(const Record& record, std::size_t points, double most, ForceWindow window) {
+// [N] Error of a force reading, by its neighbours: few rows on a curve tell it, which force_noise takes for straight. Of a force that often repeats itself
+// they tell none.
+double noise_of(const Record& record) {
+  constexpr std::size_t least_of_force_noise = 11;
+  const double told = noise_of_second_differences(second_differences(record.force));
+  return told > 0 || record.force.size() < least_of_force_noise ? told : force_noise(record);
+}
+
+// The line through points [first, last).
+std::optional<Straight> line_of(const Record& record, std::size_t first, std::size_t last, double noise,
+                                double load_train_error) {
+  const std::size_t n = last - first;
+  const auto F = std::span(record.force).subspan(first, n);
+  const auto w = std::span(record.deflection).subspan(first, n);
+  const CommonLine line = common_line(std::span(record.stage).subspan(first, n), F, w);
+  if (std::isnan(line.slope)) return std::nullopt;
+  // Where a load train turns errors of the force into such of the deflection, both are off the line.
+  const double least = noise / (line.z.slope * line.z.slope * std::sqrt(line.y.sum_xx));
+  const double scatter = std::max(slope_error(line, correlation_lost_to_line(line.residuals), max_correlation), least);
+  const double share = 1 - line.z.slope;
+  const double of_load_train = line.slope * share / line.z.slope * load_train_error;
+  return Straight{{},
+                  first,
+                  last,
+                  normal_estimate(line.slope, elementary::length(scatter, of_load_train)),
+                  line.z.mean_y - line.y.mean_y / line.slope,
+                  share};
+}
+
+std::optional<Straight> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
+                                    double noise, double load_train_error) {
   const auto force = std::span(record.force).first(points);
   std::size_t last = 0;
   while (last < points && force[last] <= window.up_to * most) ++last;
   std::size_t first = last;
   while (first > 0 && force[first - 1] >= window.from * most) --first;
-  const std::size_t n = last - first;
   // A window that the record does not leave above is not covered; the one up to the greatest force is left by none.
-  if (n < min_points || (last == points && window.up_to < 1)) return std::nullopt;
-
-  const auto F = force.subspan(first, n);
-  const auto w = std::span(record.deflection).subspan(first, n);
-  const auto stage = std::span(record.stage).subspan(first, n);
-  const CommonLine line = common_line(stage, F, w);
-  if (std::isnan(line.slope)) return std::nullopt;
-  const double error = slope_error(line, correlation_lost_to_line(line.residuals), max_correlation);
-  return Straight{window, first, last, normal_estimate(line.slope, error), line.z.mean_y - line.y.mean_y / line.slope};
+  if (last - first < min_points || (last == points && window.up_to < 1)) return std::nullopt;
+  auto straight = line_of(record, first, last, noise, load_train_error);
+  if (straight) straight->window = window;
+  return straight;
 }
 
-std::optional<Straight> steepest(const Record& record, std::size_t points, double most,
-                                 const SmallDeflectionOptions& options) {
-  if (options.window) return straight_in(record, points, most, *options.window);
-  std::optional<Straight> best;
-  for (int i = 1; i * step + width <= last_up_to + 0.5 * step; ++i) {
-    const auto tried = straight_in(record, points, most, {i * step, i * step + width});
-    if (tried && (!best || tried->slope.value > best->slope.value)) best = tried;
+// Sums over the first points of a record, of which those of any stretch are differences.
+class Stretches {
+ public:
+  Stretches(const Record& record, std::size_t points, double noise) : noise_(noise) {
+    const auto stage = std::span(record.stage).first(points), force = std::span(record.force).first(points),
+               deflection = std::span(record.deflection).first(points);
+    const std::array middle{mean_of(stage), mean_of(force), mean_of(deflection)};
+    sums_.push_back({});
+    for (std::size_t i = 0; i < points; ++i) {
+      const Point at{stage[i] - middle[0], force[i] - middle[1], deflection[i] - middle[2]};
+      const auto& [x, y, z] = at;
+      const auto& [x0, y0, z0] = points_.empty() ? Point{} : points_.back();
+      const Sums added{x, y, z, x * x, x * y, x * z, y * y, y * z, z * z, y * y0, y * z0 + z * y0, z * z0};
+      Sums next = sums_.back();
+      for (std::size_t k = 0; k < next.size(); ++k) next[k] += added[k];
+      sums_.push_back(next);
+      points_.push_back(at);
+    }
   }
-  return best;
+
+  // The slope of points [first, last) less what may be chance, by the errors of line_of; none where force or deflection do not rise.
+  std::optional<double> least_slope(std::size_t first, std::size_t last) const {
+    const auto n = static_cast<double>(last - first);
+    Sums of = sums_[last];
+    for (std::size_t k = 0; k < of.size(); ++k) of[k] -= sums_[first][k];
+    const auto& [x, y, z, xx, xy, xz, yy, yz, zz, yy1, yz1, zz1] = of;
+    const double sum_xx = xx - x * x / n;
+    const double force = (xy - x * y / n) / sum_xx, deflection = (xz - x * z / n) / sum_xx;
+    if (!(sum_xx > 0 && force > 0 && deflection > 0)) return std::nullopt;
+    const double slope = force / deflection, offset = (y - slope * z) / n;
+    const double squares = yy - 2 * slope * yz + slope * slope * zz - n * offset * offset;
+    // Products of neighbours; that of the first point with the one before it is not among them.
+    const auto lies = [&](std::size_t i) { return points_[i].y - slope * points_[i].z; };
+    const double before = first > 0 ? lies(first) * lies(first - 1) : 0;
+    const double lagged =
+        yy1 - slope * yz1 + slope * slope * zz1 - before - offset * ((n + 1) * offset - lies(first) - lies(last - 1));
+    const double shown = squares > 0 ? lagged / squares : 0;
+    const double rho = std::clamp(shown + (2 + 4 * shown) / n, 0.0, max_correlation);
+    const double scatter = std::sqrt(std::max(squares, 0.0) / (n - 2) * (1 + rho) / (1 - rho));
+    return slope - errors_off * std::max(scatter, noise_ / deflection) / (deflection * std::sqrt(sum_xx));
+  }
+
+ private:
+  struct Point {
+    double x, y, z;  // [m], [N], [m] from the middles
+  };
+  using Sums = std::array<double, 12>;
+  std::vector<Point> points_;
+  std::vector<Sums> sums_;
+  double noise_;
+};
+
+std::optional<Straight> steepest(const Record& record, std::size_t points, double most, double noise,
+                                 double load_train_error) {
+  const Stretches stretches(record, points, noise);
+  const auto& force = record.force;
+  // Stretches begin and end at the points at which the force gets to a level, and at their neighbours: one row alone may lie between two levels.
+  std::vector<std::size_t> ends{0};
+  const auto add = [&](std::size_t point) {
+    if (point > ends.back()) ends.push_back(point);
+  };
+  double level = std::floor(levels * force.front() / most);
+  for (std::size_t i = 1; i < points; ++i)
+    if (const double at = std::floor(levels * force[i] / most); at > level) {
+      for (const std::size_t point : {i - 1, i, i + 1}) add(point);
+      level = at;
+    }
+  add(points);
+  std::optional<PointRange> best;
+  double steepness = 0;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = ends.size(); j-- > i;) {
+      const std::size_t first = ends[i], last = ends[j];
+      if (last < first + min_points || force[last - 1] - force[first] < least_rise * most) continue;
+      const auto slope = stretches.least_slope(first, last);
+      if (!slope || *slope <= steepness * (1 + alike)) continue;
+      best = PointRange{first, last};
+      steepness = *slope;
+    }
+  if (!best) return std::nullopt;
+  auto straight = line_of(record, best->first, best->last, noise, load_train_error);
+  if (straight) straight->window = {std::max(force[best->first] / most, 0.0), force[best->last - 1] / most};
+  return straight;
 }
 
 // The force where the deflection first reaches a value.
@@ -75,17 +188,34 @@ std::optional<double> force_at(const Record& record, std::size_t points, double 
   return std::nullopt;
 }
 
-std::optional<Chord> chord_of(const Record& record, std::size_t points, const Straight& straight, double span,
-                              const Section& section) {
+std::optional<Chord> chord_of(const Record& record, std::size_t points, double origin, double load_train_share,
+                              double load_train_error, double noise, double span, const Section& section) {
   const double deflection_per_strain = span * span / (6 * depth(section));
   const double from = strain_from * deflection_per_strain;
   const double to = strain_to * deflection_per_strain;
-  const auto low = force_at(record, points, straight.origin + from);
-  const auto high = force_at(record, points, straight.origin + to);
+  const auto low = force_at(record, points, origin + from);
+  const auto high = force_at(record, points, origin + to);
   if (!low || !high || !(*high > *low)) return std::nullopt;
-  const double noise = force_noise(record);
-  const Estimate slope = normal_estimate((*high - *low) / (to - from), std::numbers::sqrt2 * noise / (to - from));
-  return Chord{slope, from, to, slope.value * span * span * span / (48 * second_moment(section))};
+  const double slope = (*high - *low) / (to - from);
+  const double error = elementary::length(std::numbers::sqrt2 * noise / (to - from) / (1 - load_train_share),
+                                          slope * load_train_share / (1 - load_train_share) * load_train_error);
+  return Chord{normal_estimate(slope, error), from, to, slope * span * span * span / (48 * second_moment(section))};
+}
+
+// Is the straight part, at a deflection, so much steeper than the chord that this lies in the toe? Friction of 1 makes a specimen steeper by
+// 4.8 w/L, and fixed supports by 27 R w/L², of the usual radius and half the thickness together (theory.md, "Rollers and thickness").
+bool lies_in_toe(const Chord& chord, const Estimate& slope, double deflection, const BeamGeometry& geometry) {
+  const double span = *geometry.span;
+  const double R = usual_roller_radius(geometry).value_or(0) + 0.5 * depth(*geometry.section);
+  const double steeper = (4.8 + 27 * R / span) * deflection / span;
+  const double error = elementary::length(chord.stiffness.standard_error, slope.standard_error);
+  return slope.value - clearly * error > (1 + steeper) * chord.stiffness.value;
+}
+
+// [1] Of the travel of the stage up to a point.
+double load_train_share(const Record& record, std::size_t point) {
+  const double travel = record.stage[point] - record.stage.front();
+  return travel > 0 ? 1 - (record.deflection[point] - record.deflection.front()) / travel : 0;
 }
 
 }  // namespace
@@ -123,10 +253,31 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
                                      [=](double w) { return w > limit; });
     small = static_cast<std::size_t>(beyond - record.deflection.begin());
   }
-  if (small < min_points) return result;
-  const double reference = *std::max_element(record.force.begin(), record.force.begin() + as_difference(small));
-  const auto straight = steepest(record, small, reference, options);
+  result.load_train_share = load_train_share(record, greatest);
+  const double reference =
+      small > 0 ? *std::max_element(record.force.begin(), record.force.begin() + as_difference(small)) : 0;
+  const double noise = noise_of(record);
+  const double load_train_error = options.load_train_error;
+  std::optional<Straight> straight;
+  if (small >= min_points)
+    straight = options.window ? straight_in(record, small, reference, *options.window, noise, load_train_error)
+                              : steepest(record, small, reference, noise, load_train_error);
+  if (straight) result.load_train_share = straight->load_train_share;
+  const double share = result.load_train_share;
+  if (share * load_train_error > largest_error * (1 - share) ||
+      (straight && straight->slope.standard_error > largest_error * straight->slope.value)) {
+    result.status = SmallDeflectionStatus::uncertain;
+    return result;
+  }
   if (!straight) return result;
+  const auto& section = geometry.section;
+  const double L = geometry.span.value_or(0);
+  const double stiffness = straight->slope.value;
+  if (geometry.span && section) result.modulus = stiffness * L * L * L / (48 * second_moment(*section));
+  if (result.modulus && *result.modulus > options.greatest_modulus) {
+    result.status = SmallDeflectionStatus::too_stiff;
+    return result;
+  }
 
   result.status = SmallDeflectionStatus::ok;
   result.window = straight->window;
@@ -134,22 +285,36 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   result.first = straight->first;
   result.last = straight->last;
   result.stiffness = straight->slope;
-  result.origin = straight->origin;
-  result.greatest_force = most;
-  result.deflection = record.deflection[greatest] - straight->origin;
+  result.origin = std::max(straight->origin, record.deflection.front());
+  result.before_beginning = result.origin - straight->origin;
+  const auto reached = [&](std::size_t point) {
+    LoadReached at{record.force[point], record.deflection[point] - result.origin, {}, {}};
+    if (!geometry.span || !section) return at;
+    at.stress = at.force * L * depth(*section) / (8 * second_moment(*section));
+    at.strain = 6 * at.deflection * depth(*section) / (L * L);
+    return at;
+  };
+  result.greatest = reached(greatest);
+  result.end = reached(record.force.size() - 1);
   if (!geometry.span) return result;
-  const double L = *geometry.span;
-  result.deflection_large = result.deflection > max_deflection * L;
-  result.bending_stiffness = straight->slope.value * L * L * L / 48;
-  if (!geometry.section) return result;
-  const double I = second_moment(*geometry.section);
-  const double h = depth(*geometry.section);
-  result.shear_share = shear_share(*geometry.section, L);
-  result.modulus = *result.bending_stiffness / I;
-  result.stress = most * L * h / (8 * I);
-  result.strain = 6 * result.deflection * h / (L * L);
-  result.chord = chord_of(record, points, *straight, L, *geometry.section);
+  result.deflection_large = result.greatest.deflection > max_deflection * L;
+  result.bending_stiffness = stiffness * L * L * L / 48;
+  if (!section) return result;
+  result.shear_share = shear_share(*section, L);
+  // A record that begins under a force that bends the specimen further than the chord's lower strain does not cover it.
+  if (result.before_beginning < strain_from * L * L / (6 * depth(*section)))
+    result.chord = chord_of(record, points, result.origin, share, load_train_error, noise, L, *section);
+  const double middle = std::midpoint(record.deflection[straight->first], record.deflection[straight->last - 1]);
+  result.chord_in_toe = result.chord && lies_in_toe(*result.chord, result.stiffness, middle - result.origin, geometry);
+  if (result.chord_in_toe) result.chord.reset();
   return result;
+}
+
+std::optional<Estimate> standard_modulus(const SmallDeflection& numbers) {
+  if (numbers.status != SmallDeflectionStatus::ok || !numbers.modulus) return std::nullopt;
+  const auto& [stiffness, modulus] = numbers.chord ? std::pair(numbers.chord->stiffness, numbers.chord->modulus)
+                                                   : std::pair(numbers.stiffness, *numbers.modulus);
+  return normal_estimate(modulus, modulus * (stiffness.standard_error / stiffness.value));
 }
 
 }  // namespace flexslip

@@ -18,9 +18,15 @@ struct ForceWindow {
   double from, up_to;  // [1]
 };
 
+// Beyond that of diamond no material is as stiff.
+inline constexpr double stiffest_material = 1200e9;  // [Pa]
+
 struct SmallDeflectionOptions {
-  // Not given: the steepest of width 0.25 from 0.05 on in steps of 0.05, up to 0.9.
+  // Not given: the steepest stretch that the noise allows.
   std::optional<ForceWindow> window{};
+  // [1] Of the stiffness of the load train, standard deviation, where the deflection is what that leaves of the stage; 0 of one that was measured.
+  double load_train_error = 0;
+  double greatest_modulus = stiffest_material;  // [Pa]; infinite in reduced units
 };
 
 // What is known of a test besides its record; what is not known stays out of the result.
@@ -34,42 +40,61 @@ std::optional<double> usual_roller_radius(const BeamGeometry& geometry);
 
 // The chord of ISO 178, between the flexural strains 0.05 % and 0.25 %.
 struct Chord {
-  Estimate stiffness;                     // [N/m] from scatter
+  Estimate stiffness;                     // [N/m]
   double deflection_from, deflection_to;  // [m] from the origin of the straight part
   double modulus;                         // [Pa]
 };
 
 enum class SmallDeflectionStatus {
   ok,
-  no_straight_part,  // fewer than 5 points in every window, or the force does not rise: nothing else is valid
+  no_straight_part,  // fewer than 3 points in every window, or the force does not rise
+  uncertain,         // the error of the stiffness is more than half of it
+  too_stiff,         // the modulus is that of no material
+};
+
+// A point of a loading.
+struct LoadReached {
+  double force;                  // [N]
+  double deflection;             // [m] from the origin
+  std::optional<double> stress;  // [Pa] F L depth/(8 I)
+  std::optional<double> strain;  // [1] 6 deflection depth/L^2
 };
 
 struct SmallDeflection {
-  SmallDeflectionStatus status;
-  ForceWindow window;       // of the straight part
-  double window_force;      // [N] that the window is in shares of
-  std::size_t first, last;  // points [first, last) it was drawn through
-  Estimate stiffness;       // [N/m] dF/dw0, from scatter
-  double origin;  // [m] the deflection at which the straight part meets zero force: the toe, where strain counts from
-  double greatest_force;                    // [N]
-  double deflection;                        // [m] at the greatest force, from the origin
+  SmallDeflectionStatus status;   // unless ok, nothing else is valid but the next two
+  double load_train_share;        // [1] of the stage's travel over the straight part, or else up to the greatest force
+  std::optional<double> modulus;  // [Pa] E_f = slope L^3/(48 I); of what is too stiff, too
+  ForceWindow window;             // of the straight part
+  double window_force;            // [N] that the window is in shares of
+  std::size_t first, last;        // points [first, last) it was drawn through
+  Estimate stiffness;             // [N/m] dF/dw0
+  double
+      origin;  // [m] the deflection at which the straight part meets zero force, the end of the toe, where strain counts from; not before
+               // the record begins
+  double before_beginning;                  // [m] by how much it would be
+  LoadReached greatest;                     // at the greatest force
+  LoadReached end;                          // at the last point: of a record whose failure was taken off, at break
   std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
-  std::optional<double> modulus;            // [Pa] E_f = slope L^3/(48 I)
-  std::optional<double> stress;             // [Pa] at the greatest force, F L depth/(8 I)
-  std::optional<double> strain;             // [1] there, 6 deflection depth/L^2
-  std::optional<Chord> chord;               // where span and section are known and the record covers both strains
-  bool deflection_large;                    // the greatest force is reached beyond a tenth of the span
-  std::optional<double> shear_share;        // [1] what shear adds to a deflection (section.h)
+  std::optional<Chord>
+      chord;              // where span and section are known, the record covers both strains, and it is not in the toe
+  bool chord_in_toe;      // the record bends up between the two strains more than a specimen does
+  bool deflection_large;  // the greatest force is reached beyond a tenth of the span
+  std::optional<double> shear_share;  // [1] what shear adds to a deflection (section.h)
 };
 
 // Domain: a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1;
 //         std::invalid_argument otherwise.
-// Max error: the error is that of the scatter about the line, correlated scatter allowed for (AR(1)); it knows nothing of the
-//         dimensions of the specimen. Of windows tried, the steepest is up to 2 errors too steep where all are alike.
-// Method: force and deflection are both regressed on the stage, as in initial_line; the slope is the ratio. The chord is drawn
-//         between the points where the record first reaches the two strains, by linear interpolation; its error is that of two
-//         readings.
+// Max error:  the error is that of the scatter about the line, correlated scatter allowed for (AR(1)), at least that of the readings' noise, and of the
+//         load train; it knows nothing of the dimensions of the specimen. The steepest stretch is up to 2 errors too steep where all are alike.
+// Method: force and deflection are both regressed on the stage, as in initial_line; the slope is the ratio. Of all stretches of three points or more over
+//         a quarter of the greatest force the one counts whose slope less three errors is greatest: the steepest one that is not steep by
+//         chance. One half as long is as likely to be the sticking of a sawtooth. The chord is drawn between the points where the record first reaches the
+//         two strains, by linear interpolation; its error is that of two readings. It lies in the toe where the straight part is steeper beyond
+//         the errors than friction of 1 or wide supports explain.
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options = {});
+
+// [Pa] The modulus that a standard would publish: that of its chord, or else of the straight part. None unless the status is ok, and without a section.
+std::optional<Estimate> standard_modulus(const SmallDeflection& numbers);
 
 }  // namespace flexslip

@@ -32,21 +32,23 @@ TableUnit print_unit(double value, const std::string& si_unit) {
 }
 
 struct CampaignUnits {
-  TableUnit length, bending_stiffness, force, energy;
+  TableUnit length, bending_stiffness, force, energy, modulus, strength;
 };
 
 CampaignUnits units_of(const Campaign& campaign) {
-  std::vector<double> wavelengths, stiffnesses, residuals, works;
+  std::vector<double> wavelengths, stiffnesses, residuals, works, moduli, strengths;
   for (const auto& test : campaign.tests) {
+    if (test.standard) moduli.push_back(test.standard->modulus.value), strengths.push_back(test.standard->strength);
     if (!test.summary) continue;
     if (test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
     stiffnesses.push_back(test.summary->bending_stiffness.value);
     residuals.push_back(test.summary->residual_rms);
     works.push_back(test.summary->work_of_fracture);
   }
-  return {best_unit_of(std::move(wavelengths), kind::length),
-          best_unit_of(std::move(stiffnesses), kind::bending_stiffness),
-          best_unit_of(std::move(residuals), kind::force), best_unit_of(std::move(works), kind::energy)};
+  return {
+      best_unit_of(std::move(wavelengths), kind::length), best_unit_of(std::move(stiffnesses), kind::bending_stiffness),
+      best_unit_of(std::move(residuals), kind::force),    best_unit_of(std::move(works), kind::energy),
+      best_unit_of(std::move(moduli), kind::pressure),    best_unit_of(std::move(strengths), kind::pressure)};
 }
 
 std::string titled(std::string_view symbol, const TableUnit& unit) {
@@ -171,16 +173,42 @@ std::string friction_in_words(const Campaign& campaign) {
                      limits.empty() ? "" : "; " + limits, work_in_words(campaign));
 }
 
+// "0.8 to 3.9, 0.6 to 2.7".
+std::string friction_in_standard(const CampaignTest& test) {
+  if (!test.standard || !test.standard->friction) return "";
+  const auto of = [](const ShareRange& share) {
+    return fmt::format("{} to {}", format_significant(100 * share.least, 2), format_significant(100 * share.most, 2));
+  };
+  return fmt::format("{}, {}", of(test.standard->friction->modulus), of(test.standard->friction->strength));
+}
+
 // ---- Tables
 
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   const double per_length = units.length.factor;
   PrintedTable table{
-      .head = {"Test", "Verdict", "Sawtooth", "Standing", "Friction", titled("Spacing", units.length), "σ",
-               titled("ℓ", units.length), "A", titled("λ", units.length), titled("Height", units.length), "Slope",
-               titled("EI", units.bending_stiffness), titled("Residual", units.force), "Drops",
-               titled("Work", units.energy), "Work (%)", "Doubts"},
+      .head = {"Test",
+               "Verdict",
+               "Sawtooth",
+               "Standing",
+               "Friction",
+               titled("Spacing", units.length),
+               "σ",
+               titled("ℓ", units.length),
+               "A",
+               titled("λ", units.length),
+               titled("Height", units.length),
+               "Slope",
+               titled("EI", units.bending_stiffness),
+               titled("Residual", units.force),
+               "Drops",
+               titled("Work", units.energy),
+               "Work (%)",
+               titled("E_f", units.modulus),
+               titled("σ_f", units.strength),
+               "Friction in E_f, σ_f (%)",
+               "Doubts"},
       .rows = {},
       .folding = Folding::never,
       .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
@@ -218,20 +246,29 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     const double share = summary.friction_share;
-    table.rows.push_back(
-        {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
-         !tells                 ? ""
-         : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
-                                : written(summary.mu0, 1),
-         format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
-         is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
-         of_wave(summary.wavelength, per_length), of_wave(summary.surface_height, per_length),
-         summary.surface_slope ? written(*summary.surface_slope, 1) : "",
-         written(summary.bending_stiffness, units.bending_stiffness.factor),
-         format_significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
-         format_significant(units.energy.factor * summary.work_of_fracture, 3),
-         std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
-         fmt::format("{}", fmt::join(remarks, "; "))});
+    table.rows.push_back({test.name,
+                          test.verdict,
+                          std::string(name_of(summary.category)),
+                          std::string(name_of(summary.standing)),
+                          !tells                 ? ""
+                          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
+                                                 : written(summary.mu0, 1),
+                          format_significant(per_length * summary.spacing, 2),
+                          is_rough ? written(summary.roughness, 1) : "",
+                          is_rough ? written(summary.correlation_length, per_length) : "",
+                          of_wave(summary.amplitude, 1),
+                          of_wave(summary.wavelength, per_length),
+                          of_wave(summary.surface_height, per_length),
+                          summary.surface_slope ? written(*summary.surface_slope, 1) : "",
+                          written(summary.bending_stiffness, units.bending_stiffness.factor),
+                          format_significant(units.force.factor * summary.residual_rms, 3),
+                          fmt::format("{}", summary.drops),
+                          format_significant(units.energy.factor * summary.work_of_fracture, 3),
+                          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
+                          test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
+                          test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
+                          friction_in_standard(test),
+                          fmt::format("{}", fmt::join(remarks, "; "))});
   }
   return table;
 }
@@ -376,6 +413,10 @@ Rows column_rows(const Campaign& campaign) {
            "would show how friction varies"},
           {"Work (%)",
            "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
+          {"E_f, σ_f",
+           "modulus of the chord, or else of the straight part, and stress at the greatest force, as the bending "
+           "standards have them; and by how much friction at the supports makes each greater, of 0.1 to 0.5 where the "
+           "case states none"},
           {"Typical", specimen_rows(campaign).rows.empty()
                           ? ""
                           : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; "

@@ -5,12 +5,14 @@
 #include <fmt/format.h>
 
 #include "finding/answer.h"
+#include "finding/printed.h"
 #include "report/answer_documents.h"
 
 namespace flexslip {
 namespace {
 
-constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001;
+constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001, load_train_worth_a_word = 0.01;
+constexpr double beginning_worth_a_word = 0.01;  // of the greatest deflection
 
 // To three significant digits, trailing zeros among them.
 std::string three_digits(double value, const Kind& kind) {
@@ -24,12 +26,36 @@ std::string three_digits(double value, const Kind& kind) {
 }
 
 bool supports_count(const StandardTest& test) {
-  return test.supports_share && *test.supports_share > supports_worth_a_word;
+  return test.supports.alone && *test.supports.alone > supports_worth_a_word;
+}
+
+// Where the deflection is what it leaves.
+bool load_train_counts(const StandardTest& test) {
+  return test.measurement.is_derived && test.numbers.load_train_share > load_train_worth_a_word;
 }
 
 double relative_error(const Estimate& estimate) { return estimate.standard_error / estimate.value; }
 
 std::string percent_to_two_digits(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+std::string with_minus(const std::string& number) { return number.front() == '-' ? "−" + number.substr(1) : number; }
+
+// "0.9 to 4.9 %", "3 %".
+std::string percent_range(const ShareRange& share) {
+  const std::string from = with_minus(fmt::format("{:.2g}", 100 * share.least));
+  const std::string to = with_minus(fmt::format("{:.2g}", 100 * share.most));
+  return from == to ? to + " %" : fmt::format("{} to {} %", from, to);
+}
+
+// Force, deflection, stress and strain of a point of the loading.
+void add_reached(Rows& rows, const Test& test, const LoadReached& at, std::string_view force, std::string_view stress,
+                 std::string_view where) {
+  const auto as = [&](const Kind& kind) { return kind_in(test, kind); };
+  rows.push_back({std::string(force), readable(at.force, as(kind::force))});
+  rows.push_back({fmt::format("deflection {}", where), readable(at.deflection, as(kind::length))});
+  if (at.stress) rows.push_back({std::string(stress), three_digits(*at.stress, as(kind::pressure))});
+  if (at.strain) rows.push_back({fmt::format("flexural strain {}", where), percent_to_two_digits(*at.strain)});
+}
 
 // The numbers, each with what it is.
 Rows number_rows(const StandardTest& test) {
@@ -55,19 +81,66 @@ Rows number_rows(const StandardTest& test) {
                      percent_to_two_digits(relative))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
     rows.push_back({fmt::format("flexural modulus E_f without the {} that the supports add",
-                                percent_to_two_digits(*test.supports_share)),
+                                percent_to_two_digits(*test.supports.alone)),
                     three_digits(modulus->value, as(kind::pressure))});
-  rows.push_back({"greatest force", readable(numbers.greatest_force, as(kind::force))});
-  rows.push_back({"deflection at the greatest force", readable(numbers.deflection, as(kind::length))});
-  if (numbers.stress)
-    rows.push_back({"flexural stress at the greatest force", three_digits(*numbers.stress, as(kind::pressure))});
-  if (numbers.strain) rows.push_back({"flexural strain at the greatest force", percent_to_two_digits(*numbers.strain)});
+  add_reached(rows, measurement.test, numbers.greatest, "greatest force", "flexural strength σ_fM",
+              "at the greatest force");
+  if (is_broken(test))
+    add_reached(rows, measurement.test, numbers.end, "force at break", "flexural stress at break σ_fB", "at break");
   rows.push_back({"straight part",
                   fmt::format("rows {} to {}, from {:.0f} % to {:.0f} % of {}", file_row(measurement, numbers.first),
                               last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
                               100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)))});
   rows.push_back({"toe, where deflection and strain count from", readable(numbers.origin, as(kind::length))});
+  if (load_train_counts(test))
+    rows.push_back(
+        {"share of the displacement that the load train takes", percent_to_two_digits(numbers.load_train_share)});
   return rows;
+}
+
+// Why there are no numbers, and what to do.
+std::string why_no_numbers(const StandardTest& test) {
+  const SmallDeflection& numbers = test.numbers;
+  const bool load_train = load_train_counts(test);
+  const std::string taken =
+      fmt::format("load train takes {} of the displacement", format_percent(numbers.load_train_share));
+  constexpr std::string_view check = "Check the units of force and displacement (flexslip read FILE shows them)";
+  if (numbers.status == SmallDeflectionStatus::no_straight_part)
+    return "The record has no straight rising part of three points or more over a quarter of its greatest force, so no "
+           "stiffness can be read off; --window names another part.";
+  if (numbers.status == SmallDeflectionStatus::too_stiff)
+    return fmt::format("The modulus would be {}, and no material exceeds {}{}. {}, span and section{}.",
+                       three_digits(*numbers.modulus, kind_in(test.measurement.test, kind::pressure)),
+                       three_digits(stiffest_material, kind_in(test.measurement.test, kind::pressure)),
+                       load_train ? "; the " + taken : "", check,
+                       load_train ? ", and the stiffness of the load train" : "");
+  if (!load_train)
+    return fmt::format(
+        "The error of the slope is more than half of it, so the record cannot tell a modulus. {}, and "
+        "name the straight part with --window.",
+        check);
+  return fmt::format(
+      "The {}, and what it leaves is uncertain by more than half: the record cannot tell a modulus. {} and "
+      "the stiffness of the load train; a deflection measured at the specimen needs none.",
+      taken, check);
+}
+
+// What friction can have done.
+std::string friction_in_words(const StandardTest& test, const FrictionGain& gain) {
+  const auto [least, most] = gain.friction;
+  std::string words =
+      least == most ? fmt::format("Friction of {:g}", least) : fmt::format("Friction of {:g} to {:g}", least, most);
+  const auto& rig = test.measurement.test.rig;
+  const bool are_edges_assumed = !rig->supports && !rig->roller_radius;
+  words += fmt::format(" at these supports{} ", are_edges_assumed ? " (knife edges, as none are stated)" : "");
+  const bool adds = gain.modulus.least >= 0 && gain.strength.least >= 0;
+  words += fmt::format(fmt::runtime(adds ? "adds {} to the modulus and {} to the strength"
+                                         : "changes the modulus by {} and the strength by {}"),
+                       percent_range(gain.modulus), percent_range(gain.strength));
+  words += fmt::format(", and takes {} of the work up to the greatest force.", percent_range(gain.work));
+  if (gain.turns) words += " The rollers turn on their pins before it gets so high, which is taken into account.";
+  if (!gain.is_stated) words += " Another friction: modulus --friction.";
+  return words;
 }
 
 std::vector<Block> paragraphs(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
@@ -76,12 +149,11 @@ std::vector<Block> paragraphs(const std::vector<std::string>& words) { return {w
 
 std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
-  if (numbers.status != SmallDeflectionStatus::ok)
-    return {"The record has no straight rising part of five points or more, so no stiffness can be read off."};
+  if (numbers.status != SmallDeflectionStatus::ok) return {why_no_numbers(test)};
   std::vector<std::string> list;
   list.emplace_back(
       "These numbers assume small deflections, no shear and no friction at the supports. The errors are standard "
-      "errors of the slope; they do not include errors of the dimensions.");
+      "errors of the slope, with that of the load train; they do not include errors of the dimensions.");
   if (!test.geometry.span)
     list.emplace_back("The span is not stated: state it to get a bending stiffness.");
   else if (!test.geometry.section)
@@ -89,8 +161,18 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   if (supports_count(test))
     list.push_back(
         fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
-                    "stiffness given here. Friction adds to it as well.",
-                    percent_to_two_digits(*test.supports_share)));
+                    "stiffness given here.",
+                    percent_to_two_digits(*test.supports.alone)));
+  if (test.supports.friction) list.push_back(friction_in_words(test, *test.supports.friction));
+  if (numbers.before_beginning > beginning_worth_a_word * numbers.greatest.deflection)
+    list.push_back(
+        fmt::format("The straight part would meet zero force {} before the record begins, so deflection and strain "
+                    "count from its beginning.",
+                    readable(numbers.before_beginning, kind_in(test.measurement.test, kind::length))));
+  if (numbers.chord_in_toe)
+    list.emplace_back(
+        "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: use the "
+        "modulus of the straight part.");
   if (numbers.chord && numbers.modulus) {
     constexpr double clearly = 3;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
@@ -105,7 +187,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     list.push_back(
         fmt::format("The greatest force is reached at a deflection of {:.0f} % of the span. Beyond 10 %, the "
                     "standards' formulas for stress and strain do not hold.",
-                    100 * numbers.deflection / *test.geometry.span));
+                    100 * numbers.greatest.deflection / *test.geometry.span));
   if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word) {
     constexpr double asked_for = 16;
     const double slenderness = *test.geometry.span / depth(*test.geometry.section);

@@ -1,5 +1,6 @@
 #include "data/small_deflection.h"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
@@ -35,6 +36,26 @@ Record bending(double toe, double noise, double load_train, unsigned seed) {
 
 BeamGeometry known() { return {L, bar}; }
 
+// A force [N] over deflections [m] in steps, up to the last, with noise.
+template <class Force>
+Record in_steps(double step, double last, double noise, unsigned seed, Force force_at, double load_train = 1e7) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> unit(0, 1);
+  std::vector<double> deflection, force;
+  for (int i = 0; i * step <= last * (1 + 1e-12); ++i) {
+    const double w = i * step;
+    deflection.push_back(w);
+    force.push_back(force_at(w) + noise * unit(random));
+  }
+  return record_from_deflection_and_force(deflection, force, load_train);
+}
+
+// Straight up to a knee, and a fifteenth as steep beyond: a metal that yields.
+double yielding(double w) {
+  constexpr double knee = 1.5e-3;
+  return k * (std::min(w, knee) + std::max(w - knee, 0.0) / 15);
+}
+
 }  // namespace
 
 TEST_CASE("small_deflection: modulus, stress and strain of a straight record against the formulas (table)") {
@@ -46,10 +67,10 @@ TEST_CASE("small_deflection: modulus, stress and strain of a straight record aga
   CHECK(*found.modulus == to(roundings, E));
   CHECK(found.origin == to(1e-6, 0.25e-3));  // the toe's: the slope is 1e-9 right, and the lever ten times the origin
   const double w = 8e-6 * 499;
-  CHECK(found.deflection == to(1e-6, w - 0.25e-3));
-  CHECK(found.greatest_force == to(roundings, k * (w - 0.25e-3)));
-  CHECK(*found.stress == to(roundings, 3 * found.greatest_force * L / (2 * 10e-3 * 4e-3 * 4e-3)));
-  CHECK(*found.strain == to(1e-6, 6 * (w - 0.25e-3) * 4e-3 / (L * L)));
+  CHECK(found.greatest.deflection == to(1e-6, w - 0.25e-3));
+  CHECK(found.greatest.force == to(roundings, k * (w - 0.25e-3)));
+  CHECK(*found.greatest.stress == to(roundings, 3 * found.greatest.force * L / (2 * 10e-3 * 4e-3 * 4e-3)));
+  CHECK(*found.greatest.strain == to(1e-6, 6 * (w - 0.25e-3) * 4e-3 / (L * L)));
   REQUIRE(found.chord);
   CHECK(found.chord->deflection_from == to(1e-12, 0.0005 * L * L / (6 * 4e-3)));
   CHECK(found.chord->deflection_to == to(1e-12, 0.0025 * L * L / (6 * 4e-3)));
@@ -95,6 +116,130 @@ TEST_CASE("small_deflection: a softer load train moves the stage, not the answer
   CHECK(soft.stiffness.value == to(1e-9, stiff.stiffness.value));
 }
 
+TEST_CASE("small_deflection: few rows on the straight part cost error, not the answer (truth)") {
+  constexpr double noise = 0.2;  // [N]
+  std::vector<double> errors;
+  // 150, 15, 8, 5 and 4 rows below the knee.
+  for (const double step : {0.01e-3, 0.1e-3, 0.2e-3, 0.35e-3, 0.45e-3}) {
+    double error = 0;
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      CAPTURE(step);
+      CAPTURE(seed);
+      const auto found = small_deflection(in_steps(step, 12e-3, noise, seed, yielding), {100e-3, bar});
+      REQUIRE(found.status == SmallDeflectionStatus::ok);
+      CHECK(std::abs(found.stiffness.value - k) < 4 * found.stiffness.standard_error + 0.003 * k);
+      CHECK(found.origin >= 0);
+      CHECK(found.origin < 4 * (noise + found.stiffness.standard_error * 0.75e-3) / k);  // at the lever of a middle
+      error += found.stiffness.standard_error / 20;
+    }
+    errors.push_back(error);
+  }
+  CHECK(errors.back() > 2 * errors.front());
+}
+
+TEST_CASE("small_deflection: few rows behind a contact, which lies anywhere between two of them (truth)") {
+  for (const double contact : {1.05e-3, 1.2e-3, 1.35e-3}) {
+    CAPTURE(contact);
+    const auto later = [&](double w) { return yielding(std::max(w - contact, 0.0)); };
+    const auto found = small_deflection(in_steps(0.3e-3, 12e-3, 0.2, 5, later), {100e-3, bar});
+    REQUIRE(found.status == SmallDeflectionStatus::ok);
+    CHECK(std::abs(found.stiffness.value - k) < 4 * found.stiffness.standard_error);
+    CHECK(found.origin == to(0.03, contact));
+  }
+}
+
+TEST_CASE("small_deflection: the straight part of a curve that rounds off is where it is steepest (truth)") {
+  const auto rounding = [](double w) {
+    const double u = std::max(w - 1e-3, 0.0);
+    return k * (std::min(w, 1e-3) + u - 60 * u * u);
+  };
+  for (const double step : {0.02e-3, 0.1e-3, 0.4e-3}) {
+    CAPTURE(step);
+    const auto found = small_deflection(in_steps(step, 7e-3, 0, 1, rounding), {100e-3, bar});
+    REQUIRE(found.status == SmallDeflectionStatus::ok);
+    CHECK(found.stiffness.value == to(0.03, k));
+    CHECK(found.window.from < 0.05);
+  }
+}
+
+TEST_CASE("small_deflection: the toe does not lie before the record begins (limit)") {
+  // Begun under a preload; and bent down from the first row on.
+  const auto preloaded = [](double w) { return k * (w + 1e-3); };
+  const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0.1, 1, preloaded), known());
+  CHECK(found.stiffness.value == to(0.01, k));
+  CHECK(found.origin == 0);
+  CHECK(found.before_beginning == to(0.02, 1e-3));
+  CHECK(found.greatest.deflection == to(1e-12, 4e-3));
+  const auto bent_down = [](double w) { return k * (w - 100 * w * w); };
+  CHECK(small_deflection(in_steps(0.01e-3, 4e-3, 0.1, 1, bent_down), known()).origin >= 0);
+}
+
+TEST_CASE("small_deflection: a chord in the toe is none; one of a specimen that friction steepens is (truth)") {
+  constexpr double toe = 1e-3;  // a contact that settles: the force rises as the square of the deflection
+  const auto settling = [](double w) { return k * (w < toe ? w * w / (2 * toe) : w - 0.5 * toe); };
+  const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0.02, 1, settling), known());
+  REQUIRE(found.status == SmallDeflectionStatus::ok);
+  CHECK(found.chord_in_toe);
+  CHECK_FALSE(found.chord.has_value());
+  CHECK(*found.modulus == to(0.01, E));
+
+  const auto pulled_in = [](double w) { return k * w * (1 + 2.4 * w / L); };  // friction of 1
+  const auto steepened = small_deflection(in_steps(0.01e-3, 6e-3, 0.02, 1, pulled_in), known());
+  REQUIRE(steepened.chord.has_value());
+  CHECK_FALSE(steepened.chord_in_toe);
+  CHECK(*steepened.modulus > 1.1 * steepened.chord->modulus);
+}
+
+TEST_CASE("small_deflection: the error of the load train counts, until the record tells no modulus (truth)") {
+  const auto share_of = [](double share) { return k * (1 - share) / share; };  // a load train that takes such a share
+  for (const double share : {0.1, 0.5, 0.9, 0.97}) {
+    CAPTURE(share);
+    const auto found = small_deflection(in_steps(
+                                            0.01e-3, 4e-3, 0, 1, [](double w) { return k * w; }, share_of(share)),
+                                        known(), {.load_train_error = 0.01});
+    REQUIRE(found.status == SmallDeflectionStatus::ok);
+    CHECK(found.load_train_share == to(1e-9, share));
+    CHECK(found.stiffness.standard_error == to(1e-6, 0.01 * share / (1 - share) * k));
+  }
+  const auto lost = small_deflection(in_steps(
+                                         0.01e-3, 4e-3, 0, 1, [](double w) { return k * w; }, share_of(0.985)),
+                                     known(), {.load_train_error = 0.01});
+  CHECK(lost.status == SmallDeflectionStatus::uncertain);
+  CHECK(lost.load_train_share == to(1e-9, 0.985));
+  CHECK_FALSE(lost.modulus.has_value());
+  CHECK_FALSE(standard_modulus(lost).has_value());
+  // A load train that gives way by as much as the stage moves, and noise in its place.
+  std::vector<double> stage, force;
+  for (int i = 0; i < 120; ++i) stage.push_back(0.2e-6 * i), force.push_back(2 * i + 0.3 * (i % 3));
+  CHECK(small_deflection(record_from_stage_and_force(stage, force, 1e7), known(), {.load_train_error = 0.01}).status ==
+        SmallDeflectionStatus::uncertain);
+}
+
+TEST_CASE("small_deflection: a modulus beyond that of any material is none (limit)") {
+  const auto force = [](double w) { return 500 * k * w; };  // 1350 GPa
+  const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0, 1, force), known());
+  CHECK(found.status == SmallDeflectionStatus::too_stiff);
+  CHECK(*found.modulus == to(1e-9, 500 * E));
+  CHECK(small_deflection(in_steps(0.01e-3, 4e-3, 0, 1, [](double w) { return 440 * k * w; }), known()).status ==
+        SmallDeflectionStatus::ok);
+}
+
+TEST_CASE("small_deflection: noise beyond half of the slope tells none (limit)") {
+  const auto found = small_deflection(in_steps(0.2e-3, 4e-3, 1e3, 3, [](double w) { return 10 * k * w; }), known());
+  CHECK((found.status == SmallDeflectionStatus::uncertain || found.status == SmallDeflectionStatus::no_straight_part));
+}
+
+TEST_CASE("small_deflection: greatest and last point, each with stress and strain (table)") {
+  const auto softens = [](double w) { return k * (w < 3e-3 ? w : 3e-3 - 0.5 * (w - 3e-3)); };
+  const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0, 1, softens), known());
+  CHECK(found.greatest.force == to(1e-9, k * 3e-3));
+  CHECK(found.greatest.deflection == to(1e-9, 3e-3));
+  CHECK(found.end.force == to(1e-9, k * 2.5e-3));
+  CHECK(found.end.deflection == to(1e-9, 4e-3));
+  CHECK(*found.end.stress == to(1e-9, 3 * found.end.force * L / (2 * 10e-3 * 4e-3 * 4e-3)));
+  CHECK(*found.end.strain == to(1e-9, 6 * 4e-3 * 4e-3 / (L * L)));
+}
+
 TEST_CASE("small_deflection: what is not known stays out (limit)") {
   const auto bare = small_deflection(bending(0.5e-3, 0, 1e6, 1), {});
   CHECK(bare.stiffness.value == to(1e-9, k));
@@ -103,7 +248,7 @@ TEST_CASE("small_deflection: what is not known stays out (limit)") {
   CHECK_FALSE(bare.chord.has_value());
   const auto with_span = small_deflection(bending(0.5e-3, 0, 1e6, 1), {L, {}});
   CHECK(*with_span.bending_stiffness == to(1e-9, E * I));
-  CHECK_FALSE(with_span.stress.has_value());
+  CHECK_FALSE(with_span.greatest.stress.has_value());
 }
 
 TEST_CASE("small_deflection: flags of large deflection and of thick specimens (limit)") {

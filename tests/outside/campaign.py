@@ -71,6 +71,29 @@ step = "2 um"
         self.assertGreater(len(lines), 10)
         self.assertLessEqual(max(map(len, lines)), 100)
 
+    def test_modulus_and_strength_are_those_of_modulus_with_the_part_of_friction(self):
+        folder = self.simulated(2)
+        for i in range(2):
+            case = folder / f"t{i:02}.toml"
+            case.write_text(case.read_text().replace('bending_stiffness = "1e-9 N m^2"', f'diameter = "{30 + 4 * i} um"\nmodulus = "25 GPa"'))
+        report = self.folder / "report"
+        self.succeeds("campaign", folder, "--report", report, "--quiet")
+        answer = json.loads((report / "campaign.json").read_text())
+        rows = list(csv.DictReader((report / "tests.csv").read_text(encoding="utf-8").splitlines()))
+        page = (report / "report.html").read_text(encoding="utf-8")
+        for test, row in zip(answer["tests"], rows):
+            alone = self.json("modulus", folder / f"{test['name']}.toml")
+            standard = test["standard"]
+            self.assertEqual(standard["modulus"]["value"], (alone["chord"] or alone)["modulus"]["value"])
+            self.assertEqual(standard["strength"], alone["stress"]["value"])
+            self.assertEqual([standard["friction_least"], standard["friction_most"]], alone["friction"]["mu"])
+            self.assertEqual([standard["modulus_gain_least"], standard["modulus_gain_most"]], alone["friction"]["modulus_share"])
+            self.assertEqual([standard["strength_gain_least"], standard["strength_gain_most"]], alone["friction"]["strength_share"])
+            self.assertEqual(float(row["modulus [Pa]"]), standard["modulus"]["value"])
+            self.assertEqual(float(row["strength [Pa]"]), standard["strength"])
+            self.assertEqual(float(row["modulus_gain_most"]), standard["modulus_gain_most"])
+        self.assertIn("Friction in E_f, σ_f (%)", page)
+
     def test_fit_all_is_fit_one(self):
         folder = self.simulated(2)
         self.succeeds("campaign", folder, "--report", self.folder / "report", "--no-figures", "--quiet")

@@ -274,6 +274,32 @@ program = ["0 um", "900 um"]
             self.assertAlmostEqual(answer["chord"]["modulus"]["value"], (1 + share) * answer["modulus_less_supports"]["value"], delta=10)
             self.assertEqual("which adds" in self.succeeds("modulus", record), share > 0.001)
 
+    def test_oracle_what_friction_is_said_to_do_is_what_a_simulated_friction_does(self):
+        stage = '[stage]\nprogram = ["0 mm", "3 mm"]\nstep = "0.01 mm"'
+        record = '[record]\nfile = "bar_test.csv"\nstage = "w_s [m]"\nforce = "F [N]"\ncontact = "0 m"\nfailure = "none"'
+        beginning = ["--window", "0", "0.1"]  # an elastic bar becomes steeper and has no toe
+        chords = {}
+        for mu in 0, 0.2, 0.5:
+            self.succeeds("simulate", "--quiet", self.bar("truth.toml", f"mu0 = {mu}\n{stage}"), "--output", self.folder / "bar_test.csv")
+            chords[mu] = self.json("modulus", self.bar("read.toml", record), *beginning)["chord"]["modulus"]["value"]
+        usual = self.json("modulus", self.bar("read.toml", record))["friction"]
+        self.assertEqual((usual["mu"], usual["stated"], usual["turns"]), ([0.1, 0.5], False, False))
+        for flags, least, most in ((["0.2", "0.5"], 0.2, 0.5), (["0.5"], 0.5, 0.5)):
+            told = self.json("modulus", self.bar("read.toml", record), *beginning, "--friction", *flags)["friction"]
+            self.assertEqual((told["mu"], told["stated"]), ([least, most], True))
+            for share, mu in zip(told["modulus_share"], (least, most)):
+                self.assertAlmostEqual(share, chords[mu] / chords[0] - 1, delta=1e-4)  # of a chord between readings
+        by_case = self.json("modulus", self.bar("read.toml", "mu0 = 0.2\n" + record))["friction"]
+        self.assertEqual((by_case["mu"], by_case["stated"]), ([0.2, 0.2], True))
+        words = " ".join(self.succeeds("modulus", self.bar("read.toml", record), *beginning).split())
+        self.assertRegex(words, r"Friction of 0.1 to 0.5 at these supports adds 0.7\d to 3.9 % to the modulus and .* to the strength, and takes .* of the work")
+        turning = 'roller_radius = "5 mm"\nrollers = "pinned"\npin_radius = "1 mm"\npin_friction = 0.2'
+        pinned = self.json("modulus", self.bar("read.toml", record, rig=turning), *beginning)["friction"]
+        self.assertTrue(pinned["turns"])
+        self.assertLess(pinned["modulus_share"][1], 0.1 * told["modulus_share"][1])
+        for wrong in ["0.5", "0.1"], ["3"], ["-0.1"], ["spam"]:
+            self.refused("modulus", self.bar("read.toml", record), "--friction", *wrong, says=["--friction"])
+
     def test_loose_rollers_of_earlier_versions_are_refused_by_a_sentence_that_says_so(self):
         case = self.bar("loose.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "12 mm"]', rig='roller_radius = "5 mm"\nrollers = "loose"')
         for command in "simulate", "design", "equilibrium":

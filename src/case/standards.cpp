@@ -1,0 +1,107 @@
+#include "case/standards.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bending_test/standard_reading.h"
+#include "case/mechanics.h"
+#include "fibre/supported_state.h"
+#include "io/input_error.h"
+#include "io/quantity.h"
+#include "numerics/elementary.h"
+
+namespace flexslip {
+namespace {
+
+// [L] As the record counts them, from the contact.
+std::optional<LoadingRead> loading_read(const Measurement& measurement, const SmallDeflection& numbers,
+                                        const Scales& scales) {
+  const auto& deflection = measurement.record.deflection;
+  const double from = numbers.chord ? numbers.origin + numbers.chord->deflection_from : deflection[numbers.first];
+  const double to = numbers.chord ? numbers.origin + numbers.chord->deflection_to : deflection[numbers.last - 1];
+  const LoadingRead read{.from = std::max(scales.reduced_length(from), 0.0),
+                         .to = scales.reduced_length(to),
+                         .greatest = scales.reduced_length(std::max(to, numbers.origin + numbers.greatest.deflection))};
+  if (!(read.to > std::max(read.from, min_stage) && read.to <= deepest_on_supports)) return std::nullopt;
+  return read;
+}
+
+// Of both supports, as the case states it to simulate with.
+std::optional<ShareRange> stated_friction(const Test& test) {
+  if (!test.friction || !test.friction->mu0) return std::nullopt;
+  const double mu = *test.friction->mu0;
+  const double other = test.other ? test.other->mu0.value_or(mu) : mu;
+  return ShareRange{std::min(mu, other), std::max(mu, other)};
+}
+
+constexpr ShareRange none_yet{infinity, -infinity};
+void widen(ShareRange& range, double share) { range = {std::min(range.least, share), std::max(range.most, share)}; }
+
+}  // namespace
+
+BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
+
+SmallDeflection small_deflection_of(const Measurement& measurement, const std::optional<ForceWindow>& window) {
+  const Test& test = measurement.test;
+  SmallDeflectionOptions options{.window = window};
+  if (measurement.is_derived) options.load_train_error = rig_errors_of(measurement).load_train;
+  if (test.reduced) options.greatest_modulus = infinity;
+  return small_deflection(measurement.record, geometry_of(test), options);
+}
+
+std::optional<ShareRange> friction_range_of(const std::vector<std::string>& words) {
+  if (words.empty()) return std::nullopt;
+  const auto friction = [](const std::string& text) {
+    return quantity_of_flag("--friction", text, kind::number, Range::non_negative);
+  };
+  const ShareRange range{friction(words.front()), friction(words.back())};
+  if (range.least <= range.most && range.most <= largest_q_on_supports) return range;
+  throw InputError({.field = "--friction",
+                    .expected = fmt::format("one friction, or two that rise, from 0 to {:g}", largest_q_on_supports),
+                    .found = fmt::format("{}", fmt::join(words, " and "))});
+}
+
+SupportsGain supports_gain(const Measurement& measurement, const SmallDeflection& numbers,
+                           const std::optional<ShareRange>& stated) {
+  const Test& test = measurement.test;
+  SupportsGain gain;
+  if (!test.rig || !test.rig->span) return gain;
+  const Scales scales(*test.rig->span, 1);
+  const auto read = loading_read(measurement, numbers, scales);
+  const Supports supports = supports_of(test, scales);
+  const bool is_supported = supports.radius > 0 || supports.half_depth > 0;
+  const bool is_known = section_of(test).has_value();
+  if (!read || !(is_supported || is_known)) return gain;
+  const Fibre fibre = is_supported ? Fibre(supports) : Fibre();
+  const auto without = standard_reading(fibre, 0, *read);
+  if (!without) return gain;
+  if (is_supported) gain.alone = without->modulus - 1;
+  if (!is_known) return gain;
+
+  const auto said = stated ? stated : stated_friction(test);
+  const ShareRange range = said.value_or(usual_friction);
+  const double pins = pin_limit_of(test).value_or(infinity);
+  FrictionGain gained{.friction = range,
+                      .modulus = none_yet,
+                      .strength = none_yet,
+                      .work = none_yet,
+                      .is_stated = said.has_value(),
+                      .turns = pins < range.most};
+  // Not only its ends: a specimen that friction holds, before its surface slides back in, is the less strong the more there is of it.
+  constexpr int frictions = 3;
+  for (int i = 0; i < frictions; ++i) {
+    const double friction = std::lerp(range.least, range.most, i / (frictions - 1.0));
+    const auto with = standard_reading(fibre, std::min(friction, pins), *read);
+    if (!with) return gain;
+    widen(gained.modulus, with->modulus / without->modulus - 1);
+    widen(gained.strength, with->stress / without->stress - 1);
+    widen(gained.work, with->work);
+  }
+  gain.friction = gained;
+  return gain;
+}
+
+}  // namespace flexslip
