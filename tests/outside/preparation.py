@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """outside: how a file becomes a record, and the numbers of the bending standards: identities, truth, and exports of real machines
 against regressions in numpy."""
+import csv
 import json
 import math
 import random
@@ -14,7 +15,7 @@ CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
 INSTRUMENTS = (SOURCE / "../shared/data/instruments").resolve()
-STEPS = {"columns", "metadata", "sign", "thinning", "zero", "compliance", "end", "turn", "stage", "contact"}
+STEPS = {"columns", "metadata", "sign", "thinning", "spikes", "zero", "compliance", "loading", "overload", "end", "stage", "contact"}
 KEYS = {"step", "changed", "done", "value", "uncertainty", "unit", "rows", "key", "flag"}
 # A bar of ISO 178: E = 2.7 GPa, 10 mm x 4 mm, span 64 mm.
 MODULUS = 2.7e9
@@ -120,6 +121,95 @@ class Steps(InFolder):
         self.refused("fit", DATA, *FLAGS, "--displacement", "crosshead", says=["--displacement", "both stage and displacement"])
         self.refused("fit", DATA, *FLAGS, "--inner-diameter", "40 um", says=["--inner-diameter", "below the outer"])
         self.refused("fit", DATA, *FLAGS, "--until", "x", says=["--until"])
+
+
+class Loading(InFolder):
+    """A fibre with a friction of 0.5 that nothing but the record itself disturbs."""
+
+    RIG = '[specimen]\nbending_stiffness = { value = "2.13e-9 N m^2", uncertainty = "3 %" }\n[rig]\nspan = "1278 um"\nstiffness = "90.65 N/m"\nsupports = "edges"\n'
+
+    def simulated(self, program='["0 um", "600 um"]', seed=3):
+        made = self.file("made.toml", self.RIG.replace(', uncertainty = "3 %"', "") + f'[friction]\nmodel = "constant"\nmu0 = 0.5\n[stage]\nprogram = {program}\nstep = "2 um"\n')
+        self.succeeds("simulate", made, "--noise", "10 uN", "--seed", seed, "-o", self.folder / "made.csv")
+        with open(self.folder / "made.csv", encoding="utf-8") as file:
+            return [(float(row["w_s [m]"]), float(row["F [N]"])) for row in csv.DictReader(file)]
+
+    def fitted(self, rows):
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in rows))
+        return self.json("fit", self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'))
+
+    def friction_is_half(self, fit):
+        self.assertEqual(fit["verdict"]["code"], "no_drops", fit["verdict"])
+        mu0 = fit["parameters"]["mu0"]
+        self.assertLess(abs(mu0["value"] - 0.5), mu0["standard_error"])
+
+    def test_truth_single_readings_that_none_can_be_are_left_out(self):
+        rows = self.simulated()
+        for change in (lambda force: force - 0.4e-3, lambda force: force + 2e-3, lambda force: 0.0):
+            for length in (1, 3):
+                spiked = list(rows)
+                for at in (110, 170, 240):
+                    for k in range(at, at + length):
+                        spiked[k] = (rows[k][0], change(rows[k][1]))
+                fit = self.fitted(spiked)
+                self.friction_is_half(fit)
+                self.assertIn(f"{3 * length} readings", step(fit, "spikes")["done"])
+                self.assertIn(f"{3 * length} spikes left out", fit["rows"][0]["words"])
+        self.assertNotIn("spikes", {each["step"] for each in self.fitted(rows)["preparation"]})
+
+    def test_truth_small_cycles_before_the_test_do_not_hide_it(self):
+        for cycles in (1, 3):
+            program = '["0 um"' + ', "40 um", "2 um"' * cycles + ', "600 um"]'
+            rows = self.simulated(program)
+            fit = self.fitted(rows)
+            self.friction_is_half(fit)
+            self.assertEqual((fit["measurement"]["loading"], fit["measurement"]["loadings"]), (cycles + 1, cycles + 1))
+            self.assertEqual(fit["measurement"]["last_row"], len(rows))
+            self.assertIn(f"loading {cycles + 1} of {cycles + 1}", fit["rows"][0]["words"])
+
+    def test_limit_a_first_loading_that_goes_about_as_far_is_the_test(self):
+        fit = self.fitted(self.simulated('["0 um", "590 um", "4 um", "600 um"]'))
+        self.assertEqual((fit["measurement"]["loading"], fit["measurement"]["loadings"]), (1, 2))
+        self.assertTrue(fit["judgement"]["loss"])
+
+    def test_truth_a_break_is_found_at_any_rate_of_reading(self):
+        rows = self.simulated('["0 um", "520 um"]')
+        stage, force = rows[-1]
+        for readings in (1, 15, 25, 100):
+            falls = [(stage + 0.5e-6 * (k + 1) / readings, force * (1 - 0.93 * (k + 1) / readings)) for k in range(readings)]
+            after = [(stage + 2e-6 * (k + 1), 0.07 * force + 1e-5 * (-1) ** k) for k in range(30)]
+            fit = self.fitted(rows + falls + after)
+            self.friction_is_half(fit)
+            self.assertEqual(fit["measurement"]["ends_with"], "failure")
+            self.assertLessEqual(abs(fit["measurement"]["last_row"] - len(rows)), 2)
+
+    def test_truth_the_end_of_the_load_cell_is_named(self):
+        rows = self.simulated()
+        end = 0.85 * max(force for _, force in rows)
+        fit = self.fitted([(stage, min(force, end)) for stage, force in rows])
+        self.friction_is_half(fit)
+        self.assertEqual(fit["measurement"]["ends_with"], "overload")
+        self.assertIn("the load cell is at its end", fit["rows"][0]["words"])
+
+    def test_limit_a_hold_is_no_drop(self):
+        """The stage halts while the force relaxes by a fiftieth, and goes on."""
+        rows = self.simulated()
+        for length in (10, 80):
+            hold = [(rows[150][0], rows[150][1] * (0.98 + 0.02 * math.exp(-5 * k / length)) + 1e-5 * (-1) ** k) for k in range(length)]
+            fit = self.fitted(rows[:151] + hold + rows[151:])
+            self.friction_is_half(fit)
+
+    def test_truth_drops_of_a_bar_are_held_against_what_a_slip_can_do(self):
+        """64 by 4 mm, bent by 3 mm: a slip can take 0.085 of the force at most."""
+        for loss, verdict in ((0.25, "crack"), (0.03, "undecided"), (0, "no_drops")):
+            draw = random.Random(8)
+            rows = [(0.01 * i, 0.01 * i, STIFFNESS * 1e-3 * 0.01 * i * (1 - loss if i > 250 else 1) + draw.gauss(0, 0.02)) for i in range(400)]
+            path = self.file("bar.csv", bluehill(rows, 1))
+            flags = (*BAR, "--displacement", "deflection", "--modulus", "3 GPa", "--supports", "edges")
+            fit = self.json("fit", path, *flags)
+            self.assertEqual(fit["verdict"]["code"], verdict, fit["verdict"])
+            self.assertEqual(run("fit", path, *flags).returncode, 0)
+            self.assertIn("friction cannot be told", fit["verdict"]["sentence"])
 
 
 class Bar(InFolder):
