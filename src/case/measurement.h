@@ -45,7 +45,7 @@ struct PreparationStep {
   std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
 };
 
-// In the order in which they are done: columns, metadata, sign, thinning, zero, compliance, end, turn, stage, contact.
+// In the order in which they are done: columns, missing, metadata, sign, thinning, zero, compliance, end, turn, stage, contact.
 struct Preparation {
   std::vector<PreparationStep> steps;
 
