@@ -42,6 +42,7 @@ struct Readings {
   Table table;                   // two columns [m], [N], and perhaps a length [m]
   std::vector<Reading> columns;  // what each of them is
   Preparation preparation;       // how they were found
+  std::size_t missing = 0;       // rows without a number, left out
 
   bool has(Reading reading) const { return std::find(columns.begin(), columns.end(), reading) != columns.end(); }
   const std::vector<double>& of(Reading reading) const {
@@ -114,7 +115,8 @@ Readings readings_of_table(const Test& input) {
   for (const std::string& note : table.notes) words += "; " + note;
   Preparation steps{{{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}}}};
   if (!table.left_out.empty()) steps.add("missing", true, table.left_out, {});
-  return {input, std::move(table), std::move(columns), std::move(steps)};
+  const std::size_t missing = table.missing;
+  return {input, std::move(table), std::move(columns), std::move(steps), missing};
 }
 
 bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
@@ -289,7 +291,8 @@ Readings readings_from(const Test& input, const Export& file) {
                                {force.name, without_rows(std::move(forces), missing.rows)}},
                               without_rows(specimen.lines, missing.rows)},
                     .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force},
-                    .preparation = {}};
+                    .preparation = {},
+                    .missing = missing.rows.size()};
   std::string words =
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
@@ -713,7 +716,8 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),
                      .file = table.source,
-                     .rows = table.rows()};
+                     .rows = table.rows(),
+                     .missing = readings.missing};
   const Test& input = result.test;
   Preparation& steps = result.preparation;
 

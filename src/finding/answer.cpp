@@ -858,6 +858,7 @@ std::string rows_in_words(T test) {
   const Sampling& sampling = measurement.sampling;
   if (const std::size_t out = sampling.repeated + sampling.held + sampling.interpolated; out > 0)
     words += fmt::format(" ({} repeated or held left out)", out);
+  if (measurement.missing > 0) words += fmt::format(" ({} without a number left out)", measurement.missing);
   if (sampling.stride > 1) words += fmt::format(", one in {}", sampling.stride);
   switch (measurement.end) {
     case MeasurementEnd::failure:

@@ -666,7 +666,11 @@ std::vector<double> in_si(const Export& file, const ExportColumn& column, const 
          .found = std::move(found),
          .remedy = is_voltage ? "give its calibration, as in --calibration \"222 N/V\"" : std::move(with)});
   };
-  if (column.unit.empty() && !is_plain) refuse("none");
+  const std::size_t open = column.name.ends_with(')') ? column.name.rfind('(') : std::string::npos;
+  const std::string in_brackets =
+      open == std::string::npos ? "" : column.name.substr(open + 1, column.name.size() - open - 2);
+  if (column.unit.empty() && !is_plain)
+    refuse(in_brackets.empty() ? "none" : fmt::format("none, as {} is none", in_quotes(in_brackets)));
   if (!unit) refuse(in_quotes(column.unit) + (volts_in(column.unit) ? "" : ", which is unknown"));
   if (unit->dimension != kind.dimension) refuse(in_quotes(column.unit));
   std::vector<double> values;

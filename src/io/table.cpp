@@ -377,6 +377,7 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
   }
   Rows rows = rows_from(row, opened, header, sources, units);
+  table.missing = rows.missing.size();
   table.left_out = said_of_missing(opened, rows);
   auto& [lines, columns, statistics, missing] = rows;
   const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));

@@ -45,8 +45,8 @@ struct Table {
   std::vector<std::size_t> lines;  // of the file, counted from 1, on which each row stands
   std::vector<std::string>
       notes{};  // what was decided about it: a unit at the end of a name; rows left out; of a workbook, the sheet
-  std::string
-      left_out{};  // rows in which a wanted cell says that there is no number, or is not there; empty if there are none
+  std::size_t missing = 0;  // of read_record: rows without a number, which are left out
+  std::string left_out{};   // likewise: what is said of them; empty if there are none
 
   std::size_t rows() const { return columns.front().values.size(); }
 };

@@ -530,6 +530,7 @@ TEST_CASE(
   };
   CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "found none; state it with --force-unit"));
   CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is unknown"));
+  CHECK(has(refused("Stroke [mm],Load (Q)\n0.1,0.2\n0.2,0.3\n"), "found none, as 'Q' is none"));
   CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'; if kgf is meant, state it"));
   CHECK(has(refused("Stroke [mm],Load [KN]\n0.1,0.2\n0.2,0.3\n"), "as in --force-unit kN"));
   CHECK(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,0.3\n").empty());
