@@ -36,7 +36,7 @@ py::array_t<double> role_in_si(const Export& file, std::size_t chosen, const std
        {ColumnRole::time, ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force}) {
     const RoleWords& words = words_for(known);
     if (words.name != role) continue;
-    const std::vector<double> values = in_si(file, specimen, column_with(file, specimen, known), *words.kind);
+    const std::vector<double> values = in_si(file, column_with(file, specimen, known), *words.kind);
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
   }
   throw InputError(

@@ -185,7 +185,7 @@ Fields<PreparationStep> preparation_fields() {
   using S = const PreparationStep&;
   return Fields<PreparationStep>()
       .words("step",
-             "name of the step: columns, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
+             "name of the step: columns, missing, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
              "compliance, end, turn, stage or contact",
              [](S step) { return step.name; })
       .yes_no("changed", "numbers differ from those in the file, or rows are left out",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -16,8 +17,10 @@
 
 #include "case/case_keys.h"
 #include "case/fitted.h"
+#include "case/mechanics.h"
 #include "case/toml.h"
 #include "io/quantity.h"
+#include "io/sha256.h"
 #include "io/table.h"
 #include "io/text.h"
 #include "io/text_file.h"
@@ -27,8 +30,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 8> data_endings{".csv", ".tsv", ".txt",  ".dat",
-                                                       ".asc", ".tra", ".xlsx", ".xlsm"};
+constexpr std::array<std::string_view, 9> data_endings{".csv", ".tsv", ".txt",  ".dat", ".asc",
+                                                       ".tra", ".lvm", ".xlsx", ".xlsm"};
+
+// In the titles of tables that the program writes and that are no records: of fit --profile, --curves and --draws, and of a campaign.
+constexpr std::array<std::string_view, 5> titles_of_results{",drawn_in [", ",model_force [", ",deviation,draw_1",
+                                                            "test,status,", "category,"};
 
 std::string lower_case(std::string text) {
   for (char& c : text)
@@ -85,9 +92,7 @@ std::string section_of(std::string_view name) {
   return "record";
 }
 
-TableKey key_of(const std::string& title) {
-  const ColumnTitle column = parse_column_title(title);
-  std::string name = column.name;
+TableKey key_named(const std::string& title, std::string name, const std::string& unit) {
   std::string part;
   for (const char between : {' ', '_', '.'}) {
     const std::string ending = between + std::string("uncertainty");
@@ -96,8 +101,24 @@ TableKey key_of(const std::string& title) {
     name.erase(name.size() - ending.size());
   }
   if (const std::size_t dot = name.find('.'); dot != std::string::npos)
-    return {title, name.substr(0, dot), name.substr(dot + 1), part, column.unit};
-  return {title, section_of(name), name, part, column.unit};
+    return {title, name.substr(0, dot), name.substr(dot + 1), part, unit};
+  return {title, section_of(name), name, part, unit};
+}
+
+bool is_known(const TableKey& key) { return case_key(key.section, key.key) != nullptr; }
+
+// "span [um]", "span (mm)", "span_m": a unit as in the titles of a record.
+TableKey key_of(const std::string& title) {
+  const ColumnTitle column = parse_column_title(title);
+  const TableKey key = key_named(title, column.name, column.unit);
+  if (is_known(key) || !column.unit.empty()) return key;
+  const std::size_t at = title.find_last_of("_(");
+  if (at == std::string::npos || at == 0) return key;
+  const std::string_view unit =
+      without_brackets(trimmed(std::string_view(title).substr(title[at] == '(' ? at : at + 1)));
+  if (!unit_named(unit)) return key;
+  TableKey with_unit = key_named(title, std::string(trimmed(std::string_view(title).substr(0, at))), std::string(unit));
+  return is_known(with_unit) ? with_unit : key;
 }
 
 std::optional<double> as_number(std::string_view cell) {
@@ -260,13 +281,61 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vec
   return tests;
 }
 
-std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::table& common,
-                                      const std::vector<std::string>& changes) {
-  std::vector<PlannedTest> tests;
+bool is_workbook(const fs::path& file) { return lower_case(file.extension().string()).starts_with(".xls"); }
+
+// The first lines of a text; none if it cannot be read.
+std::vector<std::string> first_lines(const fs::path& file) {
+  constexpr std::size_t count = 4;
+  std::vector<std::string> lines;
+  std::ifstream stream(file, std::ios::binary);
+  for (std::string line; lines.size() < count && std::getline(stream, line);) {
+    while (!line.empty() && (line.back() == '\r' || line.back() == '\n')) line.pop_back();
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+bool is_result(const fs::path& file) {
+  if (is_workbook(file)) return false;
+  const std::vector<std::string> lines = first_lines(file);
+  return !lines.empty() && std::any_of(titles_of_results.begin(), titles_of_results.end(), [&](std::string_view title) {
+    return title.starts_with(',') ? lines.front().find(title) != std::string::npos : lines.front().starts_with(title);
+  });
+}
+
+// Is a file named as another with an ending, and each of its lines that of the other with cells behind it?
+bool has_rows_of(const fs::path& file, const fs::path& other) {
+  const std::string name = file.stem().string(), base = other.stem().string();
+  if (file == other || name.size() <= base.size() || !name.starts_with(base) || is_workbook(file) || is_workbook(other))
+    return false;
+  const std::vector<std::string> lines = first_lines(file), shorter = first_lines(other);
+  if (lines.size() < 2 || lines.size() != shorter.size()) return false;
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (shorter[i].empty() || !lines[i].starts_with(shorter[i])) return false;
+  return true;
+}
+
+std::string names_of(const std::vector<fs::path>& files) {
+  std::vector<std::string> names;
+  for (const fs::path& file : files) names.push_back(file.filename().string());
+  return listed(names);
+}
+
+CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
+                          const std::vector<std::string>& changes) {
+  CampaignPlan plan;
+  std::vector<fs::path> files, results, copies;
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
     if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
+    (is_result(file) ? results : files).push_back(file);
+  }
+  for (const auto& file : files) {
+    if (std::any_of(files.begin(), files.end(), [&](const fs::path& other) { return has_rows_of(file, other); })) {
+      copies.push_back(file);
+      continue;
+    }
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     toml::table text = common;
     table_at(text, "record").insert_or_assign("file", file.string());
@@ -275,9 +344,66 @@ std::vector<PlannedTest> plan_of_data(const std::string& folder, const toml::tab
     } catch (const InputError& error) {
       test.input = error;
     }
-    tests.push_back(std::move(test));
+    plan.tests.push_back(std::move(test));
   }
-  return tests;
+  if (!results.empty())
+    plan.notes.push_back(fmt::format("left out, as they are results of flexslip: {}", names_of(results)));
+  if (!copies.empty())
+    plan.notes.push_back(
+        fmt::format("left out, as they hold the rows of another file with columns besides: {}; a table "
+                    "with a column file names what is to be read",
+                    names_of(copies)));
+  return plan;
+}
+
+// What tells a record apart from others of the same file.
+bool is_same_part(const RecordInput& a, const RecordInput& b) {
+  return a.specimen == b.specimen && a.sheet == b.sheet && a.first == b.first && a.until == b.until;
+}
+
+// A record on the disk; files of one size are compared by their hashes.
+struct KeptRecord {
+  const PlannedTest* test;
+  const RecordInput* record;
+  std::uintmax_t size;
+  std::string hash{};
+};
+
+const std::string& hash_of(KeptRecord& kept) {
+  if (kept.hash.empty()) kept.hash = sha256_of(read_text(kept.record->file).value_or(kept.record->file));
+  return kept.hash;
+}
+
+// Tests whose records are the same: of one file, or of files with the same bytes.
+void note_same_records(CampaignPlan& plan) {
+  std::vector<KeptRecord> all;
+  for (const PlannedTest& test : plan.tests) {
+    const auto* input = std::get_if<Test>(&test.input);
+    if (input == nullptr) continue;
+    std::error_code error;
+    KeptRecord kept{&test, &*input->record, fs::file_size(input->record->file, error)};
+    if (error) continue;
+    const auto same = std::find_if(all.begin(), all.end(), [&](KeptRecord& other) {
+      return other.size == kept.size && is_same_part(*other.record, *kept.record) && hash_of(other) == hash_of(kept);
+    });
+    if (same != all.end())
+      plan.notes.push_back(fmt::format("{} has the record of {}, to the byte, and counts as another specimen",
+                                       in_quotes(test.name), in_quotes(same->test->name)));
+    else
+      all.push_back(std::move(kept));
+  }
+}
+
+void note_missing_sections(CampaignPlan& plan) {
+  std::vector<std::string> names;
+  for (const PlannedTest& test : plan.tests)
+    if (const auto* input = std::get_if<Test>(&test.input); input != nullptr && !section_of(*input))
+      names.push_back(test.name);
+  if (!names.empty())
+    plan.notes.push_back(
+        fmt::format("no section is stated of {}: unless the record's file states it, the specimen counts as thin, and "
+                    "there is no strain, stress or modulus; add diameter, or width and height",
+                    names.size() == plan.tests.size() ? "any specimen" : listed(names)));
 }
 
 }  // namespace
@@ -299,27 +425,32 @@ std::string folder_name(std::string_view name) {
   return fit;
 }
 
-std::vector<PlannedTest> plan_campaign(const std::string& path, const std::optional<std::string>& common,
-                                       const std::vector<std::string>& changes) {
+CampaignPlan plan_campaign(const std::string& path, const std::optional<std::string>& common,
+                           const std::vector<std::string>& changes) {
   const toml::table shared = read_common(common);
-  std::vector<PlannedTest> tests;
+  CampaignPlan plan;
   if (fs::is_directory(path)) {
-    tests = common ? plan_of_data(path, shared, changes) : plan_of_cases(path, changes);
-    if (tests.empty())
+    if (common)
+      plan = plan_of_data(path, shared, changes);
+    else
+      plan.tests = plan_of_cases(path, changes);
+    if (plan.tests.empty())
       throw InputError(
           {.file = path,
-           .expected =
-               common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .xlsx)" : "case files (.toml) with a [record]",
+           .expected = common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .lvm, .xlsx)"
+                              : "case files (.toml) with a [record]",
            .found = "none",
            .remedy = common
                          ? ""
                          : "write one for each test, or pass a case file with what all data files of the folder have "
                            "in common as --common CASE, or pass a table with a row for each test"});
   } else {
-    tests = plan_of_table(path, shared, changes);
+    plan.tests = plan_of_table(path, shared, changes);
   }
-  tell_apart(tests);
-  return tests;
+  tell_apart(plan.tests);
+  note_same_records(plan);
+  note_missing_sections(plan);
+  return plan;
 }
 
 }  // namespace flexslip

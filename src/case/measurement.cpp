@@ -1,6 +1,7 @@
 #include "case/measurement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <stdexcept>
@@ -19,6 +20,7 @@
 #include "instruments/export.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
+#include "io/statistics_rows.h"
 #include "io/table.h"
 #include "numerics/elementary.h"
 
@@ -43,6 +45,7 @@ struct Readings {
   Table table;                   // two columns [m], [N], and perhaps a length [m]
   std::vector<Reading> columns;  // what each of them is
   Preparation preparation;       // how they were found
+  std::size_t missing = 0;       // rows without a number, left out
 
   bool has(Reading reading) const { return std::find(columns.begin(), columns.end(), reading) != columns.end(); }
   const std::vector<double>& of(Reading reading) const {
@@ -95,7 +98,7 @@ Readings readings_of_table(const Test& input) {
   Table table = [&] {
     if (asked.given) return *asked.given;
     try {
-      return read_table(asked.file, wanted, asked.decimal.value_or('.'), asked.sheet);
+      return read_record(asked.file, wanted, asked.decimal.value_or('.'), asked.sheet);
     } catch (const InputError& error) {
       InputFault fault = error.fault;
       // The titles are not on the first line: a preamble may stand there.
@@ -113,8 +116,10 @@ Readings readings_of_table(const Test& input) {
                          table.columns[i].name);
   words += ", as stated";
   for (const std::string& note : table.notes) words += "; " + note;
-  PreparationStep step{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}};
-  return {input, std::move(table), std::move(columns), {{std::move(step)}}};
+  Preparation steps{{{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}}}};
+  if (!table.left_out.empty()) steps.add("missing", true, table.left_out, {});
+  const std::size_t missing = table.missing;
+  return {input, std::move(table), std::move(columns), std::move(steps), missing};
 }
 
 bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
@@ -218,19 +223,79 @@ void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   input.specimen = specimen;
 }
 
+// The columns of a specimen, without their values, with the roles that they have for a case: of displacements only that which is evaluated.
+std::vector<ExportColumn> asked_columns(const RecordInput& asked, const ExportedSpecimen& specimen) {
+  std::vector<ExportColumn> columns;
+  std::array<std::size_t, 3> count{};  // of those unclear, of the crosshead, of the midpoint
+  constexpr std::array roles{ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection};
+  for (const ExportColumn& each : specimen.columns) {
+    columns.push_back({each.name, each.unit, each.role, {}, each.number});
+    if (!each.words.empty()) columns.back().words = {each.words.front()};
+    for (std::size_t i = 0; i < roles.size(); ++i) count[i] += each.role == roles[i] ? 1 : 0;
+  }
+  const ColumnRole wanted = asked.displacement ? role_of(*asked.displacement)
+                            : count[2] > 0     ? ColumnRole::deflection
+                                               : ColumnRole::crosshead;
+  const bool has_wanted = count[wanted == ColumnRole::crosshead ? 1 : 2] > 0;
+  for (ExportColumn& column : columns) {
+    if (asked.displacement && !has_wanted && count[0] == 1 && column.role == ColumnRole::displacement)
+      column.role = wanted;
+    else if (is_displacement(column.role) && has_wanted && column.role != wanted)
+      column.role = ColumnRole::other;
+  }
+  return columns;
+}
+
+// Where a file leaves more than one question open, all of them are asked at once; one alone is asked by what needs its answer.
+void require_answers(const Test& input, const Export& file) {
+  const RecordInput& asked = *input.record;
+  const std::size_t count = file.specimens.size();
+  const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
+  std::vector<std::string> questions;
+  if (count > 1 && !asked.specimen) questions.push_back(fmt::format("which of the {} specimens? --specimen 1", count));
+  for (const OpenQuestion& each : questions_of(asked_columns(asked, file.specimens[chosen - 1])))
+    if (!each.with_test.empty()) questions.push_back(each.words + " " + each.with_test);
+  if (questions.size() < 2) return;
+  std::string words =
+      fmt::format("leaves {} questions open{}", questions.size(),
+                  file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    words += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
+  throw InputError({.file = file.origin.source,
+                    .remedy = (file.unplaced.empty() ? "" : file.unplaced + "; ") +
+                              "a case file says the same with keys of these names in [record]",
+                    .problem = std::move(words)});
+}
+
+// A column in SI, whose unit a case says in its title.
+std::vector<double> in_si_of(const Export& file, const ExportColumn& column, const Kind& kind, std::string_view key) {
+  return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
+    const std::string title = fmt::format("\"{} [{}]\"", column.name, unit);
+    return fmt::format("name the column with its unit: pass {} {}, or write {} = {} into [record]", flag_of(key), title,
+                       key, title);
+  });
+}
+
 Readings readings_from(const Test& input, const Export& file) {
   const RecordInput& asked = *input.record;
+  require_answers(input, file);
   const ExportedSpecimen& specimen = specimen_of(input, file);
   const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
   const ExportColumn& force = column_for("force", file, specimen, ColumnRole::force);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
+  const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
+  std::vector<double> displacements = in_si_of(file, column, kind::length, "displacement_column");
+  std::vector<double> forces = in_si_of(file, force, kind::force, "force");
+  const RowsLeftOut missing =
+      rows_without_numbers(file, specimen, {&column, &force}, until ? until->row : specimen.lines.size());
   Readings readings{.test = input,
                     .table = {file.origin.source,
-                              {{column.name, in_si(file, specimen, column, kind::length)},
-                               {force.name, in_si(file, specimen, force, kind::force)}},
-                              specimen.lines},
+                              {{column.name, without_rows(std::move(displacements), missing.rows)},
+                               {force.name, without_rows(std::move(forces), missing.rows)}},
+                              without_rows(specimen.lines, missing.rows)},
                     .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force},
-                    .preparation = {}};
+                    .preparation = {},
+                    .missing = missing.rows.size()};
   std::string words =
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
@@ -246,6 +311,7 @@ Readings readings_from(const Test& input, const Export& file) {
                                         {},
                                         RowRange{1, readings.table.rows()},
                                         switch_to("displacement", is_crosshead ? "deflection" : "crosshead")});
+  if (!missing.words.empty()) readings.preparation.add("missing", true, missing.words, {});
   complete(readings.test, file.test, readings.preparation);
   return readings;
 }
@@ -744,7 +810,8 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),
                      .file = table.source,
-                     .rows = table.rows()};
+                     .rows = table.rows(),
+                     .missing = readings.missing};
   const Test& input = result.test;
   Preparation& steps = result.preparation;
 

@@ -45,7 +45,7 @@ struct PreparationStep {
   std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
 };
 
-// In the order in which they are done: columns, metadata, sign, thinning, spikes, zero, compliance, loading, overload, end, stage, contact.
+// In the order in which they are done: columns, missing, metadata, sign, thinning, spikes, zero, compliance, loading, overload, end, stage, contact.
 struct Preparation {
   std::vector<PreparationStep> steps;
 
@@ -76,8 +76,9 @@ struct Measurement {
   Test test;                // completed with what the file says, see Readings
   Preparation preparation;  // how the file became the record
   std::string file;
-  std::size_t rows;     // of the file
-  Sampling sampling{};  // which of them are points, from the first row of the file on
+  std::size_t rows;         // of the file, without
+  std::size_t missing = 0;  // those left out, as they hold no number
+  Sampling sampling{};      // which of them are points, from the first row of the file on
   EvaluatedLoading loading{};
   std::size_t first = 0;            // of these the first that is a point of the record
   Record record{};                  // stage and deflection counted from the contact

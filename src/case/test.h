@@ -179,7 +179,7 @@ struct RecordInput {
   bool operator==(const RecordInput&) const = default;
 
   bool is_export() const {
-    return displacement || displacement_column || specimen || calibration || !(stage || deflection || force);
+    return displacement || displacement_column || specimen || calibration || !(stage || deflection);
   }
 };
 

@@ -41,7 +41,8 @@ CampaignOptions options_of(const CampaignRequest& request) {
 }
 
 void run_campaign_command(const CampaignRequest& request) {
-  const auto plan = plan_campaign(request.path, request.common, request.changes);
+  const CampaignPlan planned = plan_campaign(request.path, request.common, request.changes);
+  const std::vector<PlannedTest>& plan = planned.tests;
   const CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
@@ -54,6 +55,7 @@ void run_campaign_command(const CampaignRequest& request) {
     throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.size(),
                                   request.report.empty() ? "; with --report FOLDER they would be kept"
                                                          : "; the same command continues from there"));
+  for (const std::string& remark : planned.notes) note(request.output, remark);
   if (run.found > 0)
     note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.size()));
   if (!request.report.empty())

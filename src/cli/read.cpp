@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iostream>
 #include <string>
 #include <string_view>
 
@@ -30,9 +31,12 @@ struct ReadRequest {
   std::string file;
   std::size_t specimen = 0;  // from 1; 0 where it is not said
   ReadingWords words;
-  Output output;
+  Output output{.path = ""};  // none: no table is written
 };
 
+bool writes_table(const ReadRequest& request) { return !request.output.json && !request.output.path.empty(); }
+
+// The specimen that is told of, counted from 0.
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
@@ -40,11 +44,12 @@ std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
                       .field = "--specimen",
                       .expected = fmt::format("a number from 1 to {}", count),
                       .found = std::to_string(request.specimen)});
-  if (request.specimen == 0 && count > 1 && !request.output.json)
-    throw InputError({.file = file.origin.source,
-                      .expected = "one specimen to write",
-                      .found = fmt::format("{}", count),
-                      .remedy = fmt::format("choose with --specimen 1 to {}; --json lists them", count)});
+  if (request.specimen == 0 && count > 1 && writes_table(request))
+    throw InputError(
+        {.file = file.origin.source,
+         .expected = "one specimen to write",
+         .found = fmt::format("{}", count),
+         .remedy = fmt::format("choose with --specimen 1 to {}; without --output they are listed", count)});
   return request.specimen == 0 ? 0 : request.specimen - 1;
 }
 
@@ -54,8 +59,11 @@ std::string_view words_for(char mark) {
   return words[std::min(marks.find(mark), marks.size())];
 }
 
-void note_decisions(const ReadRequest& request, const Export& file, const ExportedSpecimen& specimen) {
-  const auto say = [&](const std::string& remark) { note(request.output, remark); };
+// What was understood, what is open, and how to read it the same way again.
+std::string summary_of(const ReadRequest& request, const Export& file, std::size_t chosen) {
+  const ExportedSpecimen& specimen = file.specimens[chosen];
+  std::string text;
+  const auto say = [&](const std::string& line) { text += line + "\n"; };
   std::string as = file.origin.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.origin.sheet)) : "";
   if (file.origin.has_delimiters)
     as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.origin.encoding),
@@ -64,35 +72,51 @@ void note_decisions(const ReadRequest& request, const Export& file, const Export
     as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.marks.decimal),
                       words_for(file.marks.thousands));
   say(fmt::format("{}: {}; {}", file.origin.source, file.format, as));
-  say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
-                  specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
+  if (request.specimen == 0 && file.specimens.size() > 1) {
+    say(fmt::format("{} specimens:", file.specimens.size()));
+    for (std::size_t i = 0; i < file.specimens.size(); ++i) {
+      const ExportedSpecimen& each = file.specimens[i];
+      say(fmt::format("  {}: {} rows, lines {} to {}{}", i + 1, each.lines.size(), each.lines.front(),
+                      each.lines.back(), each.name.empty() ? "" : ", " + in_quotes(each.name)));
+    }
+    say("columns of the first:");
+  } else {
+    say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
+                    specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
+  }
   for (const ExportColumn& column : specimen.columns)
     say(fmt::format("column {}: {} in {}: {}", column.number, in_quotes(column.name),
                     column.unit.empty() ? "no unit" : column.unit,
                     column.words.empty() ? words_for(column.role).name : "words"));
   for (const std::string& remark : file.notes) say(remark);
-  for (const std::string& question : file.asks) say("open question: " + question);
+  for (const OpenQuestion& question : specimen.asks) say("open question: " + question.words + " " + question.with_read);
   const bool has_spaces = request.file.find(' ') != std::string::npos;
-  say(fmt::format("to read it the same way again: flexslip read {0}{1}{0} {2}", has_spaces ? "\"" : "", request.file,
-                  file.repeat_with));
+  say(fmt::format("to read it the same way again: flexslip read {0}{1}{0} {2}{3}", has_spaces ? "\"" : "", request.file,
+                  specimen.repeat_with, request.specimen > 0 ? fmt::format(" --specimen {}", request.specimen) : ""));
+  return text;
 }
 
+// The summary goes to the screen: to standard output, unless the table goes there.
 void run_read(const ReadRequest& request) {
   Export file = read_export(request.file, options_of(request.words));
   const std::size_t chosen = chosen_specimen(request, file);
-  if (request.specimen > 0) file.repeat_with += fmt::format(" --specimen {}", request.specimen);
-  if (request.output.json)
-    write_json(request.output.path, export_fields()({file, chosen}, {}));
-  else
-    write_canonical(request.output.path, file, file.specimens[chosen]);
-  if (!request.output.json) note_decisions(request, file, file.specimens[chosen]);
+  if (request.output.json) {
+    if (request.specimen > 0) file.specimens[chosen].repeat_with += fmt::format(" --specimen {}", request.specimen);
+    write_json(request.output.path.empty() ? "-" : request.output.path, export_fields()({file, chosen}, {}));
+    return;
+  }
+  if (writes_table(request)) write_canonical(request.output.path, file, file.specimens[chosen]);
+  if (writes_table(request) && request.output.quiet) return;
+  std::ostream& screen = request.output.path == "-" && writes_table(request) ? std::cerr : std::cout;
+  screen << summary_of(request, file, chosen) << std::flush;
 }
 
 }  // namespace
 
 void add_read_command(CLI::App& app) {
-  const auto [command, request] =
-      add_command(app, "read", "An export of any testing machine as plain CSV, and how it was read", run_read);
+  const auto [command, request] = add_command(
+      app, "read", "What an export of any testing machine holds, how it was read, and its readings as plain CSV",
+      run_read);
   add_option(command, "file FILE", request.file,
              "Export of a testing machine, or a workbook (.xlsx); - is standard input")
       ->required();
@@ -103,12 +127,15 @@ void add_read_command(CLI::App& app) {
   add_reading_flags(command, request.words, flags_of_exports, group);
   command.get_option("--displacement")->check(CLI::IsMember({"crosshead", "deflection"}));
   command.get_option("--calibration")->excludes("--force-unit");
-  add_output_options(command, request.output, "CSV");
+  add_output_flags(command, request.output, "Write JSON instead of the summary");
+  add_output_file(command, "-o,--output", request.output.path,
+                  "Write the readings as CSV to this file; - is standard output");
   command.footer(
       "Reads exports of Instron Bluehill, MTS, Zwick testXpert, Shimadzu Trapezium and others, and plain tables, with\n"
-      "any encoding, separator, decimal mark and preamble. Writes CSV with units in the names. What was decided, and\n"
-      "what the file leaves open, is written to standard error, or with --json into the result.\n\n"
+      "any encoding, separator, decimal mark and preamble. Prints what was understood, what was decided, and what the\n"
+      "file leaves open; with --output writes the readings as CSV with units in the names.\n\n"
       "Examples:\n"
+      "  flexslip read examples/simulated/test.csv\n"
       "  flexslip read examples/simulated/test.csv --output plain.csv\n"
       "  flexslip read examples/simulated/test.csv --json");
 }

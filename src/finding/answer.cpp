@@ -969,6 +969,7 @@ std::string rows_in_words(T test) {
   std::vector<std::string> left_out;
   if (const std::size_t out = sampling.repeated + sampling.held + sampling.interpolated; out > 0)
     left_out.push_back(fmt::format("{} repeated or held", out));
+  if (measurement.missing > 0) left_out.push_back(fmt::format("{} without a number", measurement.missing));
   if (sampling.spikes > 0) left_out.push_back(format_count(sampling.spikes, "spike", "spikes"));
   if (!left_out.empty()) words += fmt::format(" ({} left out)", fmt::join(left_out, ", "));
   if (sampling.stride > 1) words += fmt::format(", one in {}", sampling.stride);

@@ -64,15 +64,51 @@ std::string of_this(const Export& file, const ExportedSpecimen& specimen, std::s
   return std::string(wanted);
 }
 
+// A column that a user names, and the unit that it is said to be in, "Force [kN]", where that is not the name of one of the file.
+ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) {
+  const std::size_t open = wanted.ends_with(']') ? wanted.rfind('[') : std::string_view::npos;
+  if (open == std::string_view::npos || trimmed(wanted.substr(0, open)).empty()) return {std::string(wanted), ""};
+  for (const ExportColumn& column : specimen.columns)
+    if (column.name == wanted || fmt::format("{} [{}]", column.name, column.unit) == wanted)
+      return {std::string(wanted), ""};
+  return {std::string(trimmed(wanted.substr(0, open))), std::string(without_brackets(wanted.substr(open)))};
+}
+
+// A column whose file states no unit that is known, in the one that a user says beside its name.
+ExportColumn said_in(const Export& file, ExportColumn column, const std::string& unit, const RoleWords& words) {
+  const std::optional<Unit> said = machine_unit(unit), stated = machine_unit(column.unit);
+  if (words.kind == nullptr || !said || said->dimension != words.kind->dimension)
+    throw InputError({.field = std::string(words.flag),
+                      .expected = fmt::format("a unit such as {} in brackets behind the name", words.usual_unit),
+                      .found = in_quotes(unit)});
+  if (volts_in(column.unit) || (stated && *stated != *said))
+    throw InputError({.file = file.origin.source,
+                      .field = std::string(words.flag),
+                      .expected = fmt::format("the unit {} of {}, as the file states it", in_quotes(column.unit),
+                                              in_quotes(column.name)),
+                      .found = in_quotes(unit),
+                      .remedy = volts_in(column.unit) ? fmt::format("give the calibration, as in {}", calibration_hint)
+                                                      : "leave the unit out"});
+  column.unit = unit;
+  return column;
+}
+
 Export with_columns(Export file, const std::map<ColumnRole, std::string>& columns) {
   for (ExportedSpecimen& specimen : file.specimens)
     for (const auto& [role, name] : columns) {
-      const std::size_t chosen =
-          column_named(file, specimen, of_this(file, specimen, trimmed(name)), words_for(role).flag);
-      require_kind(file, specimen.columns[chosen], role);
+      const RoleWords& words = words_for(role);
+      const ColumnTitle asked = asked_of(specimen, trimmed(name));
+      const std::size_t index = column_named(file, specimen, of_this(file, specimen, asked.name), words.flag);
+      ExportColumn& chosen = specimen.columns[index];
+      if (!asked.unit.empty()) chosen = said_in(file, std::move(chosen), asked.unit, words);
+      require_kind(file, chosen, role);
+      // A displacement of which nothing is said remains what its words say.
+      const bool keeps_role = role == ColumnRole::displacement && is_displacement(chosen.role);
+      const ColumnRole now = keeps_role ? chosen.role : role;
       for (ExportColumn& column : specimen.columns)
-        if (column.role == role) column.role = ColumnRole::other;
-      specimen.columns[chosen].role = role;
+        if (column.role == role || (role == ColumnRole::displacement && is_displacement(column.role)))
+          column.role = ColumnRole::other;
+      chosen.role = now;
     }
   return file;
 }
@@ -294,46 +330,42 @@ std::string beside_stated_maximum(const Export& file, const ExportOptions& optio
        .field = "column " + in_quotes(force.name),
        .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
        .found = readable(highest, kind::force),
-       .remedy = "check that the file is complete; if it is, state the unit of the column with --force-unit"});
+       .remedy = "check that the file is complete, and the unit of the column"});
 }
 
 // ---- what is asked, and what repeats the decisions
 
-std::vector<std::string> asks_of(const std::vector<ExportColumn>& columns) {
-  std::vector<std::string> asks;
-  const Columns forces = with_role(columns, ColumnRole::force);
-  const Columns unclear = with_role(columns, ColumnRole::displacement);
-  const std::array clear{with_role(columns, ColumnRole::crosshead), with_role(columns, ColumnRole::deflection)};
-  const bool has_clear = !clear[0].empty() || !clear[1].empty();
-  if (forces.empty()) asks.emplace_back("which column is the force? --force COLUMN, its name or number");
-  if (forces.size() > 1)
-    asks.push_back(fmt::format("which of the columns {} is the force? --force {}", listed_columns(forces),
-                               forces.front()->number));
-  if (!has_clear && unclear.empty())
-    asks.emplace_back("which column is the displacement? --crosshead COLUMN or --deflection COLUMN");
-  if (!has_clear && unclear.size() == 1)
-    asks.push_back(fmt::format(
-        "is {} that of the crosshead or the deflection of the specimen? --displacement crosshead|deflection",
-        in_quotes(unclear.front()->name)));
-  if (!has_clear && unclear.size() > 1)
-    asks.push_back(
-        fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen? "
-                    "--crosshead COLUMN or --deflection COLUMN",
-                    listed_columns(unclear)));
-  for (const Columns& several : clear)
-    if (several.size() > 1) {
-      const RoleWords& words = words_for(several.front()->role);
-      asks.push_back(fmt::format("which of the columns {} is the {}? {} {}", listed_columns(several), words.word(),
-                                 words.flag, several.front()->number));
-    }
-  for (const ExportColumn& column : columns) {
-    if (column.role == ColumnRole::other || machine_unit(column.unit)) continue;
-    const RoleWords& words = words_for(column.role);
-    asks.push_back(fmt::format("what is the unit of {}{}? {} {}", in_quotes(column.name),
-                               column.unit.empty() ? "" : ", which says " + in_quotes(column.unit), words.unit_flag,
-                               words.usual_unit));
-  }
-  return asks;
+OpenQuestion which_of(const Columns& columns) {
+  const RoleWords& words = words_for(columns.front()->role);
+  const std::string with_read = fmt::format("{} {}", words.flag, columns.front()->number);
+  return {fmt::format("which of the columns {} is the {}?", listed_columns(columns), words.word()), with_read,
+          words.word() == "force"
+              ? with_read
+              : fmt::format("--displacement {} --displacement-column {}", words.word(), columns.front()->number)};
+}
+
+// The unit of a column, and that which may be meant by what it says.
+OpenQuestion unit_of(const ExportColumn& column) {
+  const RoleWords& words = words_for(column.role);
+  const std::vector<std::string_view> meant = meant_units(column.unit, *words.kind);
+  const std::string_view unit = meant.empty() ? words.usual_unit : meant.front();
+  const bool is_force = column.role == ColumnRole::force;
+  return {fmt::format("what is the unit of {}{}{}?", in_quotes(column.name),
+                      column.unit.empty() ? "" : ", which says " + in_quotes(column.unit),
+                      meant.empty() ? "" : fmt::format(": {}", fmt::join(meant, " or "))),
+          fmt::format("{} {}", words.unit_flag, unit),
+          column.role == ColumnRole::time
+              ? ""
+              : fmt::format("{} \"{} [{}]\"", is_force ? "--force" : "--displacement-column", column.name, unit)};
+}
+
+// What is said of columns whose titles mean the force, and whose cells are no numbers.
+std::string words_for_force(const std::vector<ExportColumn>& columns) {
+  for (const ExportColumn& column : columns)
+    if (!column.words.empty() && role_of(column.name) == ColumnRole::force)
+      return fmt::format(" The cells of {} are no numbers: the first is {}.", in_quotes(column.name),
+                         in_quotes(column.words.front()));
+  return "";
 }
 
 // A sheet as a shell takes it: its name, or its number where that would need more than quotes.
@@ -352,7 +384,7 @@ std::string mark_word(char mark) {
                                        : std::string(1, mark);
 }
 
-std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>& units) {
+std::string flags_of(const Export& file, const ExportedSpecimen& specimen, const ExportOptions& options) {
   std::vector<std::string> flags;
   if (file.origin.sheet) flags.push_back("--sheet " + sheet_word(file));
   if (file.origin.has_delimiters)
@@ -362,14 +394,52 @@ std::string flags_of(const Export& file, const std::map<ColumnRole, std::string>
     flags.push_back(
         fmt::format("--decimal {} --thousands {}", mark_word(file.marks.decimal), mark_word(file.marks.thousands)));
   for (const ColumnRole role : {ColumnRole::time, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force})
-    if (const Columns columns = with_role(file.specimens.front().columns, role); columns.size() == 1)
-      flags.push_back(fmt::format("{} {}", words_for(role).flag, columns.front()->number));
-  for (const auto& [role, unit] : units)
+    if (const Columns columns = with_role(specimen.columns, role); columns.size() == 1) {
+      const ExportColumn& column = *columns.front();
+      const auto asked = options.columns.find(role);
+      const bool says_unit = asked != options.columns.end() && trimmed(asked->second).ends_with(']') &&
+                             trimmed(asked->second) != column.name;
+      flags.push_back(says_unit ? fmt::format("{} \"{} [{}]\"", words_for(role).flag, column.number, column.unit)
+                                : fmt::format("{} {}", words_for(role).flag, column.number));
+    }
+  for (const auto& [role, unit] : options.units)
     flags.push_back(fmt::format("{} \"{}\"", unit.ends_with("/V") ? "--calibration" : words_for(role).unit_flag, unit));
   return fmt::format("{}", fmt::join(flags, " "));
 }
 
 }  // namespace
+
+std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns) {
+  std::vector<OpenQuestion> asks;
+  const Columns forces = with_role(columns, ColumnRole::force);
+  const Columns unclear = with_role(columns, ColumnRole::displacement);
+  const std::array clear{with_role(columns, ColumnRole::crosshead), with_role(columns, ColumnRole::deflection)};
+  const bool has_clear = !clear[0].empty() || !clear[1].empty();
+  constexpr const char* either = "--crosshead COLUMN or --deflection COLUMN";
+  constexpr const char* which = "--displacement crosshead|deflection";
+  const bool has_units =
+      std::any_of(columns.begin(), columns.end(), [](const ExportColumn& each) { return !each.unit.empty(); });
+  const std::string a_displacement =
+      fmt::format("{} --displacement-column {}", which, has_units ? "COLUMN" : "\"COLUMN [mm]\"");
+  if (forces.empty())
+    asks.push_back({"which column is the force?" + words_for_force(columns), "--force COLUMN, its name or number",
+                    has_units ? "--force COLUMN" : "--force \"COLUMN [N]\""});
+  if (forces.size() > 1) asks.push_back(which_of(forces));
+  if (!has_clear && unclear.empty()) asks.push_back({"which column is the displacement?", either, a_displacement});
+  if (!has_clear && unclear.size() == 1)
+    asks.push_back({fmt::format("is {} that of the crosshead or the deflection of the specimen?",
+                                in_quotes(unclear.front()->name)),
+                    which, which});
+  if (!has_clear && unclear.size() > 1)
+    asks.push_back({fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen?",
+                                listed_columns(unclear)),
+                    either, a_displacement});
+  for (const Columns& several : clear)
+    if (several.size() > 1) asks.push_back(which_of(several));
+  for (const ExportColumn& column : columns)
+    if (column.role != ColumnRole::other && !machine_unit(column.unit)) asks.push_back(unit_of(column));
+  return asks;
+}
 
 Export decided(Export file, const ExportOptions& options, std::size_t header_line) {
   file = with_columns(std::move(file), options.columns);
@@ -378,8 +448,10 @@ Export decided(Export file, const ExportOptions& options, std::size_t header_lin
   file = with_units(std::move(file), options.units);
   require_force_in_newtons(file, header_line);
   if (std::string said = beside_stated_maximum(file, options); !said.empty()) file.notes.push_back(std::move(said));
-  file.asks = asks_of(file.specimens.front().columns);
-  file.repeat_with = flags_of(file, options.units);
+  for (ExportedSpecimen& specimen : file.specimens) {
+    specimen.asks = questions_of(specimen.columns);
+    specimen.repeat_with = flags_of(file, specimen, options);
+  }
   return file;
 }
 

@@ -188,6 +188,12 @@ ColumnTitle title_parts(std::string_view title) {
   }
   for (const std::string_view mark : {"_", " "})
     if (const auto parts = suffixed(body, mark)) return *parts;
+  // "Force (KN)": no unit, but one is meant.
+  if (const std::size_t open = body.ends_with(')') ? body.rfind('(') : 0; open != 0 && open != std::string_view::npos) {
+    const std::string_view name = trimmed(body.substr(0, open)), unit = without_brackets(body.substr(open));
+    const Kind* kind = words_for(role_of(name)).kind;
+    if (kind != nullptr && !meant_units(unit, *kind).empty()) return {std::string(name), std::string(unit)};
+  }
   return {std::string(body), ""};
 }
 
@@ -208,6 +214,12 @@ std::vector<std::string> split_titles(std::string_view line, std::size_t columns
   });
   if (titles.size() == columns) return titles;
   return {};
+}
+
+std::vector<std::string> titles_by_units(std::string_view line) {
+  const std::vector<std::string_view> tokens = tokens_of(line);
+  if (tokens.empty() || !is_bracketed(tokens.back())) return {};
+  return joined(tokens, [&](std::size_t i) { return is_bracketed(tokens[i]); });
 }
 
 std::vector<ColumnGroup> side_by_side(std::span<const std::string> titles) {

@@ -47,6 +47,9 @@ ColumnTitle title_parts(std::string_view title);
 // Empty if none does.
 std::vector<std::string> split_titles(std::string_view line, std::size_t columns);
 
+// Likewise, cut behind units in brackets only, the last of which ends the line; empty if there are none.
+std::vector<std::string> titles_by_units(std::string_view line);
+
 // Tables of several specimens beside each other, the same titles again and again on one line: which columns, counted from 0, belong to one specimen.
 struct ColumnGroup {
   std::size_t first;                 // of its own columns

@@ -9,10 +9,11 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "instruments/column_decisions.h"
+#include "instruments/layout.h"
 #include "io/input_error.h"
-#include "io/statistics_rows.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
 
@@ -22,8 +23,6 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t misfit_share = 10;  // one line in so many may be damaged: more, and the rows are not understood
-constexpr std::size_t longest_unit = 16;  // [bytes] a line with longer words is none of units
 constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
 
 using Notes = std::vector<std::string>;
@@ -38,267 +37,6 @@ struct Noted {
 template <class Value>
 void append(std::vector<Value>& all, std::vector<Value> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
-}
-
-// ---- where the tables are
-
-// A table: rows of numbers below a line of names and one of units, either of which may be missing. Lines count from 0.
-struct TableBlock {
-  std::vector<std::string> titles{};   // as many as columns; empty if no line above names the columns
-  std::vector<std::string> units{};    // likewise, without brackets
-  std::size_t header_line = 0;         // that of the titles, or the units, or the first row
-  std::vector<std::size_t> rows{};     // lines
-  std::vector<std::size_t> misfits{};  // lines between the rows with more or fewer cells, or words only
-  std::vector<std::size_t> remarks{};  // lines above the header that belong to no table
-};
-
-struct Layout {
-  std::size_t columns = 0;    // of each row
-  std::vector<bool> numeric;  // which of them hold numbers in most rows
-  std::vector<TableBlock> blocks{};
-  std::vector<std::size_t> remarks{};  // below the last block
-  bool cut_off = false;                // the last line of the file had fewer cells, and is no row
-  std::vector<std::string> notes{};    // on rows of statistics, which are left out, and rows that may be some
-};
-
-using Cells = Sheet::Cells;
-
-bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(); }
-
-// A row as most are: which of its columns hold numbers, one character each, "101", and how many cells it has.
-struct UsualRow {
-  std::string pattern;
-  std::size_t numbers, cells;
-};
-
-std::string pattern_of(Cells cells) {
-  std::string pattern;
-  for (const std::string_view cell : cells) pattern += has_number(cell) ? '1' : '0';
-  pattern.erase(pattern.find_last_of('1') + 1);
-  return pattern;
-}
-
-// The columns with numbers of most lines, by their numbers, and the cells that most of these lines have.
-UsualRow usual_row(const Sheet& sheet) {
-  std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // a pattern, and so many cells
-  for (std::size_t line = 0; line < sheet.size(); ++line)
-    if (!sheet.is_comment(line)) ++lines_with[pattern_of(sheet.cells(line))][sheet.cells(line).size()];
-  UsualRow usual{};
-  std::size_t most = 0;
-  for (const auto& [pattern, lines_of] : lines_with) {
-    std::size_t lines = 0;
-    for (const auto& [cells, count] : lines_of) lines += count;
-    const auto numbers = static_cast<std::size_t>(std::count(pattern.begin(), pattern.end(), '1'));
-    if (numbers * lines <= most) continue;
-    most = numbers * lines;
-    const auto longest = std::max_element(lines_of.begin(), lines_of.end(),
-                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    usual = {pattern, numbers, longest->first};
-  }
-  if (most == 0)
-    throw InputError({.expected = "rows of numbers",
-                      .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
-                      .remedy = "export the raw data of the test as CSV"});
-  return usual;
-}
-
-// Numbers in most of the columns, or in some and nothing in the others.
-bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
-  if (sheet.is_comment(line)) return false;
-  std::size_t numbers = 0;
-  std::size_t words = 0;
-  for (std::size_t i = 0; i < usual.pattern.size(); ++i) {
-    if (usual.pattern[i] != '1') continue;
-    const std::string_view cell = sheet.at(line, i);
-    if (has_number(cell))
-      ++numbers;
-    else if (!says_missing(cell))
-      ++words;
-  }
-  return 2 * numbers > usual.numbers || (numbers > 0 && words == 0);
-}
-
-bool fits(Cells cells, const UsualRow& usual) {
-  if (cells.size() < usual.pattern.size()) return false;
-  for (std::size_t i = usual.cells; i < cells.size(); ++i)
-    if (!cells[i].empty()) return false;
-  return true;
-}
-
-// Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
-bool is_damaged_row(Cells cells, const UsualRow& usual) {
-  return cells.size() == usual.cells &&
-         (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
-}
-
-bool is_unit_line(Cells cells) {
-  std::size_t units = 0;
-  std::size_t others = 0;
-  for (const std::string_view cell : cells) {
-    const bool counts_nothing = cell.empty() || cell == "-" || cell == "1";
-    if (counts_nothing) continue;
-    if (cell.size() > longest_unit) return false;
-    ++(names_a_unit(cell) && !has_number(cell) ? units : others);
-  }
-  return units > others;
-}
-
-bool means_something(std::string_view title) { return role_of(title_parts(title).name) != ColumnRole::other; }
-
-// The titles on a line: as many words as columns and no numbers, or two that mean something. Empty if it has none.
-std::vector<std::string> titles_on(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
-  std::string_view text = trimmed(sheet.text(line));
-  const Cells cells = sheet.cells(line);
-  std::vector<std::string> titles(cells.begin(), cells.end());
-  if (sheet.is_comment(line)) {  // "# time force": its cells are those behind the mark
-    text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
-    titles.front().erase(0, titles.front().find_first_not_of("# \t"));
-    if (titles.front().empty()) titles.erase(titles.begin());
-  }
-  while (titles.size() > usual.cells && titles.back().empty()) titles.pop_back();
-  if (titles.size() != usual.cells) titles = split_titles(text, usual.cells);
-  std::size_t words = 0;
-  std::size_t units = 0;
-  std::size_t meant = 0;
-  for (const std::string& title : titles) {
-    if (has_number(title)) return {};
-    if (!says_missing(title)) ++words;
-    if (names_a_unit(title)) ++units;
-    if (means_something(title)) ++meant;
-  }
-  // A comment that means nothing is prose, unless it gives each column its unit, as Gwyddion does: "# x [m]  y [m]".
-  const bool have_units = std::all_of(titles.begin(), titles.end(),
-                                      [](const std::string& title) { return names_a_unit(title_parts(title).unit); });
-  const bool is_prose = sheet.is_comment(line) && meant == 0 && !have_units;
-  const bool are_units = units > 1 && 2 * units > words;
-  if (is_prose || are_units || (words < 2 && usual.cells > 1) || words == 0) return {};
-  return 2 * words >= usual.numbers || meant >= 2 ? titles : std::vector<std::string>{};
-}
-
-bool begins_table(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
-  const Cells cells = sheet.cells(line);
-  if (is_unit_line(cells) && cells.size() <= usual.cells + 1 && 2 * cells.size() >= usual.cells) return true;
-  const std::vector<std::string> titles = titles_on(sheet, line, usual);
-  return sheet.is_comment(line) ? std::any_of(titles.begin(), titles.end(), means_something) : !titles.empty();
-}
-
-// The titles on two lines, where cells are merged downwards: what means something and stands above a cell that is empty is its title.
-std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
-  const Cells above = sheet.cells(line - 1), below = sheet.cells(line);
-  if (above.size() != usual.cells || below.size() != usual.cells || sheet.is_comment(line)) return {};
-  std::vector<std::string> titles(below.begin(), below.end());
-  bool is_merged = false;
-  std::size_t words = 0;
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    const bool is_title_above = titles[i].empty() && means_something(above[i]);
-    if (is_title_above) titles[i] = above[i];
-    is_merged = is_merged || is_title_above;
-    if (has_number(titles[i]) || names_a_unit(below[i])) return {};  // units may be fewer than titles
-    if (!titles[i].empty()) ++words;
-  }
-  return is_merged && words > 1 ? titles : std::vector<std::string>{};
-}
-
-// A table that begins with a row: names and units are the last of the lines above it that belong to none.
-TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t> above, const UsualRow& usual) {
-  TableBlock block{.header_line = row};
-  if (!above.empty() && is_unit_line(sheet.cells(above.back()))) {
-    const Cells cells = sheet.cells(above.back());
-    block.header_line = above.back();
-    if (fits(cells, usual))
-      for (std::size_t i = 0; i < usual.cells; ++i)
-        block.units.emplace_back(without_brackets(sheet.at(block.header_line, i)));
-    above.pop_back();
-  }
-  if (!above.empty()) {
-    const std::size_t line = above.back();
-    block.titles = titles_on(sheet, line, usual);
-    if (above.size() > 1 && above[above.size() - 2] + 1 == line)
-      if (std::vector<std::string> both = titles_on_two_lines(sheet, line, usual); !both.empty())
-        block.titles = std::move(both);
-    if (!block.titles.empty()) {
-      block.header_line = line;
-      above.pop_back();
-    }
-  }
-  block.remarks = std::move(above);
-  return block;
-}
-
-// A number before the marks are known: those of a column are wrong by one factor, if at all.
-double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
-  const std::string_view number = number_cell(sheet.at(line, column)).number;
-  const bool has_comma = std::count(number.begin(), number.end(), ',') == 1;
-  return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
-}
-
-Layout without_statistics(const Sheet& sheet, Layout layout) {
-  for (TableBlock& block : layout.blocks) {
-    std::vector<std::vector<double>> columns;
-    for (std::size_t column = 0; column < layout.numeric.size(); ++column) {
-      if (!layout.numeric[column]) continue;
-      std::vector<double>& numbers = columns.emplace_back();
-      for (const std::size_t line : block.rows) numbers.push_back(roughly(sheet, line, column));
-    }
-    auto [rows, notes] = statistics_among(sheet, block.rows, columns);
-    block.rows = without_rows(std::move(block.rows), rows);
-    layout.notes.insert(layout.notes.end(), notes.begin(), notes.end());
-  }
-  return layout;
-}
-
-// Most numbers of a file stand in lines with numbers in the same columns: those are its rows. What looks like
-// names or units between them begins another table. Rows of statistics (io/statistics_rows.h) are none, by their labels, or
-// without one by their numbers.
-Layout layout_of(const Sheet& sheet) {
-  const UsualRow usual = usual_row(sheet);
-  Layout layout{.columns = usual.cells, .numeric = std::vector<bool>(usual.cells)};
-  for (std::size_t i = 0; i < usual.pattern.size(); ++i) layout.numeric[i] = usual.pattern[i] == '1';
-  std::vector<std::size_t> gap;  // lines since the last row that are none
-  for (std::size_t line = 0; line < sheet.size(); ++line) {
-    const Cells cells = sheet.cells(line);
-    const bool is_one = is_row(sheet, line, usual);
-    const bool begins = layout.blocks.empty() || (is_one && std::any_of(gap.begin(), gap.end(), [&](std::size_t each) {
-                                                    return begins_table(sheet, each, usual);
-                                                  }));
-    // A line of numbers among the remarks above a table is not its first row: that fits.
-    if (!is_one || (begins && !fits(cells, usual))) {
-      if (is_one || !sheet.is_blank(line)) gap.push_back(line);
-      continue;
-    }
-    if (begins) {
-      layout.blocks.push_back(begun_at(sheet, line, std::exchange(gap, {}), usual));
-    } else {
-      TableBlock& block = layout.blocks.back();
-      for (const std::size_t each : std::exchange(gap, {}))
-        if (!sheet.is_comment(each))
-          (is_damaged_row(sheet.cells(each), usual) ? block.rows : block.misfits).push_back(each);
-    }
-    TableBlock& block = layout.blocks.back();
-    (fits(cells, usual) ? block.rows : block.misfits).push_back(line);
-  }
-  if (layout.blocks.empty())
-    throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
-  TableBlock& last = layout.blocks.back();
-  // The end of a file that was cut off: words or a short row as its last line.
-  if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap.empty()) {
-    last.misfits.pop_back();
-    layout.cut_off = true;
-  } else if (gap.size() == 1 && gap.back() + 1 == sheet.size() && has_number(sheet.at(gap.back(), 0)) &&
-             sheet.cells(gap.back()).size() < usual.cells) {
-    gap.clear();
-    layout.cut_off = true;
-  }
-  layout.remarks = std::move(gap);
-  for (const TableBlock& block : layout.blocks)
-    if (block.misfits.size() * misfit_share > block.rows.size())
-      throw InputError(
-          {.line = block.misfits.front() + 1,
-           .expected = fmt::format("rows of {} cells", layout.columns),
-           .found = fmt::format("{} lines with more or fewer cells, beside {} rows", block.misfits.size(),
-                                block.rows.size()),
-           .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
-  return without_statistics(sheet, std::move(layout));
 }
 
 // ---- how numbers are written
@@ -389,7 +127,11 @@ ColumnRole role_for(const ExportColumn& column) {
   return fits ? role : ColumnRole::other;
 }
 
-using Values = Noted<std::vector<double>>;
+struct Values {
+  std::vector<double> value;
+  Notes notes;
+  std::vector<CellWithoutNumber> missing{};
+};
 
 // The numbers of a column whose decimal commas a spreadsheet may have taken for separators of thousands.
 Values restored_values(const TableBlock& block, const std::vector<std::string_view>& numbers, const std::string& name) {
@@ -430,7 +172,10 @@ Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& 
     out = restored_values(block, numbers, of.name);
   std::vector<std::size_t> lines;
   for (std::size_t row = 0; row < out.value.size(); ++row)
-    if (std::isnan(out.value[row])) lines.push_back(block.rows[row] + 1);
+    if (std::isnan(out.value[row])) {
+      lines.push_back(block.rows[row] + 1);
+      out.missing.push_back({row, laid.sheet.shown(block.rows[row], column)});
+    }
   if (!lines.empty())
     out.notes.push_back(fmt::format("column {}: no number in {} of {} rows: {}{} {}", in_quotes(of.name), lines.size(),
                                     out.value.size(), on_lines(lines),
@@ -498,8 +243,9 @@ ReadColumn column_of(const Laid& laid, const TableBlock& block, const std::vecto
   out.role = role_for(out);
   if (has_dates)
     if (ReadColumn dated = dated_column(laid, block, out, numbers); dated.value) return dated;
-  auto [values, notes] = values_of(laid, block, out, unit);
+  auto [values, notes, missing] = values_of(laid, block, out, unit);
   out.values = std::move(values);
+  out.missing = std::move(missing);
   const bool is_empty =
       std::all_of(out.values.begin(), out.values.end(), [](double value) { return std::isnan(value); });
   if (is_empty && !(has_dates && out.role != ColumnRole::other)) return {{}, std::move(notes)};
@@ -548,10 +294,11 @@ std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
   }
   const std::vector<std::string>& names = splits->words;
   std::map<std::string_view, std::size_t> known;
+  std::vector<std::size_t> next(all.columns.size());  // of the cells without a number of each column
   for (std::size_t row = 0; row < names.size(); ++row) {
     const auto [at, is_new] = known.emplace(names[row], specimens.size());
     if (is_new) {
-      specimens.push_back({names[row], {}, {}, all.metadata});
+      specimens.push_back({.name = names[row], .metadata = all.metadata});
       for (const ExportColumn& column : all.columns)
         specimens.back().columns.push_back({column.name, column.unit, column.role, {}, column.number});
     }
@@ -559,6 +306,9 @@ std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
     one.lines.push_back(all.lines[row]);
     for (std::size_t i = 0; i < all.columns.size(); ++i) {
       one.columns[i].values.push_back(all.columns[i].values[row]);
+      const std::vector<CellWithoutNumber>& missing = all.columns[i].missing;
+      if (next[i] < missing.size() && missing[next[i]].row == row)
+        one.columns[i].missing.push_back({one.lines.size() - 1, missing[next[i]++].says});
       if (!all.columns[i].words.empty()) one.columns[i].words.push_back(all.columns[i].words[row]);
     }
   }
@@ -637,6 +387,7 @@ ReadBlock block_of(const Laid& laid, const TableBlock& block, const TableBlock& 
     std::vector<std::size_t> columns(laid.layout.columns);
     std::iota(columns.begin(), columns.end(), std::size_t{0});
     auto [specimen, notes] = specimen_of(laid, block, titles, columns, std::move(own));
+    specimen.name = block.name;
     out.specimens = split_by_name(std::move(specimen));
     out.notes = std::move(notes);
     return out;
@@ -712,18 +463,25 @@ std::string program_of(const Export& file, bool has_bracketed_units) {
   return "table";
 }
 
-Notes notes_on(const Layout& layout) {
-  Notes notes;
+// What is said of rows with more or fewer cells; empty if there are none.
+std::string misfits_of(const Layout& layout) {
   std::vector<std::size_t> lines;
   for (const TableBlock& block : layout.blocks)
     for (const std::size_t line : block.misfits) lines.push_back(line + 1);
-  if (!lines.empty())
-    notes.push_back(fmt::format("left out, as they are not rows of {} cells: {}", layout.columns, on_lines(lines)));
+  if (lines.empty()) return "";
+  return fmt::format("left out, as they are not rows of {} cells: {}", layout.columns, on_lines(lines));
+}
+
+Notes notes_on(const Layout& layout) {
+  Notes notes;
+  if (std::string misfits = misfits_of(layout); !misfits.empty()) notes.push_back(std::move(misfits));
   if (layout.cut_off)
     notes.emplace_back("the file ends in the middle of a row, which is left out; check that the file is complete");
-  if (layout.blocks.front().titles.empty())
-    notes.push_back(
-        fmt::format("no line above line {} names {} columns", layout.blocks.front().rows.front() + 1, layout.columns));
+  for (const TableBlock& block : layout.blocks) append(notes, block.notes);
+  if (const TableBlock& first = layout.blocks.front(); first.titles.empty())
+    notes.push_back(first.unplaced.empty()
+                        ? fmt::format("no line above line {} names {} columns", first.rows.front() + 1, layout.columns)
+                        : first.unplaced);
   append(notes, layout.notes);
   return notes;
 }
@@ -734,8 +492,9 @@ void require_names(const Export& file, const TableBlock& main) {
     if (main.titles.empty() && !column.words.empty())
       throw InputError({.line = main.rows.front() + 1,
                         .expected = "a line with the names of the columns above rows of numbers and words",
-                        .found = "none",
-                        .remedy = "add one, or export the raw data of the test as CSV"});
+                        .found = main.unplaced.empty() ? "none" : main.unplaced,
+                        .remedy = main.unplaced.empty() ? "add one, or export the raw data of the test as CSV"
+                                                        : "add the title that is missing, or delete the one too many"});
 }
 
 // Dates are no numbers, where a column that means something holds them.
@@ -769,7 +528,13 @@ Export recognise(const SheetFile& opened, const ExportOptions& options) {
   require_names(file, main);
   append(file.metadata, metadata_on(sheet, layout.remarks));
   append(file.notes, notes_on(layout));
-  file.row_notes = layout.notes;
+  for (const std::string& note : opened.notes)
+    if (note != opened.origin.which_sheet) file.row_notes.push_back(note);
+  file.row_notes.insert(file.row_notes.end(), layout.notes.begin(), layout.notes.end());
+  if (std::string misfits = misfits_of(layout); !misfits.empty()) file.row_notes.push_back(std::move(misfits));
+  for (const TableBlock& block : layout.blocks) append(file.row_notes, block.notes);
+  file.unplaced = main.unplaced;
+  if (!main.unplaced.empty()) file.row_notes.push_back(main.unplaced);
   file = named(std::move(file), summaries);
   file.test = test_in(all_metadata(file), format);
   const bool has_bracketed_units = !main.titles.empty() && !main.units.empty() &&
@@ -878,42 +643,93 @@ Export export_in(std::string bytes, const std::string& source, const ExportOptio
   return recognised(sheet_in(std::move(bytes), source, options.file, SheetFor::readings), options);
 }
 
-std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
-                          const Kind& kind) {
+std::vector<double> in_si(const Export& file, const ExportColumn& column, const Kind& kind) {
   const RoleWords& words = words_for(column.role);
-  return in_si(file, specimen, column, kind, words.unit_flag, words.usual_unit);
+  return in_si(file, column, kind, words.usual_unit, [&](std::string_view unit) {
+    return fmt::format("state it with {0}, as in {0} {1}", words.unit_flag, unit);
+  });
 }
 
-std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
-                          const Kind& kind, std::string_view unit_flag, std::string_view usual_unit) {
+std::vector<double> in_si(const Export& file, const ExportColumn& column, const Kind& kind, std::string_view usual_unit,
+                          const std::function<std::string(std::string_view unit)>& remedy) {
   const bool is_plain = kind.dimension == Dimension{} && column.unit.empty();
   const std::optional<Unit> unit = is_plain ? Unit{} : machine_unit(column.unit);
   const auto refuse = [&](std::string found) {
     const bool is_voltage = kind.dimension == kind::force.dimension && volts_in(column.unit);
-    throw InputError({.file = file.origin.source,
-                      .field = "column " + in_quotes(column.name),
-                      .expected = fmt::format("a unit of {}", noun(kind)),
-                      .found = std::move(found),
-                      .remedy = is_voltage ? "give its calibration, as in --calibration \"222 N/V\""
-                                           : fmt::format("state it with {0}, as in {0} {1}", unit_flag, usual_unit)});
+    const std::vector<std::string_view> meant = meant_units(column.unit, kind);
+    std::string with = remedy(meant.empty() ? usual_unit : meant.front());
+    if (!meant.empty()) with = fmt::format("if {} is meant, {}", fmt::join(meant, " or "), with);
+    throw InputError(
+        {.file = file.origin.source,
+         .field = "column " + in_quotes(column.name),
+         .expected = fmt::format("a unit of {}", noun(kind)),
+         .found = std::move(found),
+         .remedy = is_voltage ? "give its calibration, as in --calibration \"222 N/V\"" : std::move(with)});
   };
-  if (column.unit.empty() && !is_plain) refuse("none");
+  const std::size_t open = column.name.ends_with(')') ? column.name.rfind('(') : std::string::npos;
+  const std::string in_brackets =
+      open == std::string::npos ? "" : column.name.substr(open + 1, column.name.size() - open - 2);
+  if (column.unit.empty() && !is_plain)
+    refuse(in_brackets.empty() ? "none" : fmt::format("none, as {} is none", in_quotes(in_brackets)));
   if (!unit) refuse(in_quotes(column.unit) + (volts_in(column.unit) ? "" : ", which is unknown"));
   if (unit->dimension != kind.dimension) refuse(in_quotes(column.unit));
   std::vector<double> values;
   values.reserve(column.values.size());
-  for (std::size_t row = 0; row < column.values.size(); ++row) {
-    if (std::isnan(column.values[row]))
-      throw InputError({.file = file.origin.source,
-                        .line = specimen.lines[row],
-                        .field = "column " + in_quotes(column.name),
-                        .expected = "a number",
-                        .found = "none",
-                        .remedy = "delete the line",
-                        .part = TablePart::cell});
-    values.push_back(to_si(column.values[row], *unit));
-  }
+  for (const double value : column.values) values.push_back(to_si(value, *unit));
   return values;
+}
+
+RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& specimen,
+                                 const std::vector<const ExportColumn*>& columns, std::size_t rows_used) {
+  constexpr std::size_t most_missing_share =
+      10;  // one row in so many: more, and what lies between readings is not known
+  rows_used = std::min(rows_used, specimen.lines.size());
+  RowsLeftOut out;
+  std::vector<std::string> names;
+  std::string says;
+  for (const ExportColumn* column : columns) {
+    if (column->missing.empty()) continue;
+    names.push_back(column->name);
+    if (says.empty()) says = column->missing.front().says;
+    std::size_t last = rows_used;  // the last row with a number
+    while (last > 0 && std::isnan(column->values[last - 1])) --last;
+    std::vector<std::size_t> lines;
+    std::string word;
+    for (const CellWithoutNumber& cell : column->missing) {
+      out.rows.push_back(cell.row);
+      if (!says_overload(cell.says) || cell.row >= last) continue;
+      lines.push_back(specimen.lines[cell.row]);
+      if (word.empty()) word = cell.says;
+    }
+    if (!lines.empty())
+      throw InputError({.file = file.origin.source,
+                        .line = lines.front(),
+                        .field = "column " + in_quotes(column->name),
+                        .expected = "readings within the range of the sensor",
+                        .found = fmt::format("{} on {}, and readings after", in_quotes(word), on_lines(lines)),
+                        .remedy = fmt::format("what happened in between is not known: let the record end before, with "
+                                              "until or --until, or measure with a larger range"),
+                        .part = TablePart::cell});
+  }
+  std::sort(out.rows.begin(), out.rows.end());
+  out.rows.erase(std::unique(out.rows.begin(), out.rows.end()), out.rows.end());
+  if (out.rows.empty()) return out;
+  std::vector<std::size_t> lines;
+  for (const std::size_t row : out.rows) lines.push_back(specimen.lines[row]);
+  const std::string which = fmt::format("{} {} {}", on_lines(lines), lines.size() == 1 ? "holds" : "hold",
+                                        says.empty() ? "nothing" : in_quotes(says));
+  if (out.rows.size() * most_missing_share > specimen.lines.size())
+    throw InputError({.file = file.origin.source,
+                      .line = lines.front(),
+                      .field = (names.size() == 1 ? "column " : "columns ") + listed(names),
+                      .expected = "a number in nine rows of ten",
+                      .found = fmt::format("none in {} of {} rows: {}", out.rows.size(), specimen.lines.size(), which),
+                      .remedy = "export the readings again, or choose another column",
+                      .part = TablePart::cell});
+  out.words = fmt::format("{} without a number in {} {} left out: {}",
+                          out.rows.size() == 1 ? "one row" : fmt::format("{} rows", out.rows.size()), listed(names),
+                          out.rows.size() == 1 ? "is" : "are", which);
+  return out;
 }
 
 std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
@@ -958,11 +774,13 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
   }
   if (names.size() == 1) return *found;
   if (remedy.empty()) remedy = fmt::format("say which with {} COLUMN", words_for(role).flag);
-  throw InputError({.file = file.origin.source,
-                    .field = fmt::format("the {}", is_displacement(role) ? "displacement" : words_for(role).name),
-                    .expected = "one column with it",
-                    .found = names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names),
-                    .remedy = std::move(remedy)});
+  throw InputError(
+      {.file = file.origin.source,
+       .field = fmt::format("the {}", is_displacement(role) ? "displacement" : words_for(role).name),
+       .expected = "one column with it",
+       .found = (names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names)) +
+                (file.unplaced.empty() ? "" : ", as " + file.unplaced),
+       .remedy = std::move(remedy)});
 }
 
 }  // namespace flexslip

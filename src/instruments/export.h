@@ -36,13 +36,26 @@ std::string said(const ReadingWords& words, std::string_view name);  // empty if
 // Fails:      InputError that names the flag.
 ExportOptions options_of(const ReadingWords& words);
 
+struct CellWithoutNumber {
+  std::size_t row;   // of the specimen, from 0
+  std::string says;  // what stands in it
+};
+
 struct ExportColumn {
   std::string name;  // as in the file, in UTF-8
   std::string unit;  // as in the file; empty if there is none
   ColumnRole role;
-  std::vector<double> values;        // [unit]; NaN where the cell holds no number
-  std::size_t number;                // of the column in the file, from 1
-  std::vector<std::string> words{};  // of a column without numbers (phases, names): its cells; empty otherwise
+  std::vector<double> values;                // [unit]; NaN where the cell holds no number
+  std::size_t number;                        // of the column in the file, from 1
+  std::vector<std::string> words{};          // of a column without numbers (phases, names): its cells; empty otherwise
+  std::vector<CellWithoutNumber> missing{};  // of a column of numbers, by row
+};
+
+// What a file does not say and an evaluation needs.
+struct OpenQuestion {
+  std::string words;      // "which column is the force?"
+  std::string with_read;  // what says it: flags of read
+  std::string with_test;  // flags of all that evaluate a test; empty where they do not need it
 };
 
 struct ExportedSpecimen {
@@ -50,6 +63,8 @@ struct ExportedSpecimen {
   std::vector<ExportColumn> columns{};  // of one length
   std::vector<std::size_t> lines{};     // of the file, counted from 1, on which each row stands
   std::vector<Metadatum> metadata{};    // of this specimen alone
+  std::vector<OpenQuestion> asks{};     // what the file does not say of it
+  std::string repeat_with{};            // the flags of read that make the same decisions again
 };
 
 struct Export {
@@ -62,10 +77,8 @@ struct Export {
   std::vector<Metadatum> metadata{};
   ExportedTest test{};
   std::vector<std::string> notes{};      // what was decided or left out that a reader of the numbers should know
-  std::vector<std::string> row_notes{};  // those on rows that are no readings, or may be none; among the notes as well
-  std::vector<std::string>
-      asks{};                 // what the file does not say and an evaluation needs, each with the flag that says it
-  std::string repeat_with{};  // the flags that make the same decisions again
+  std::string unplaced{};                // titles that cannot be told to columns; among the notes as well
+  std::vector<std::string> row_notes{};  // those on rows and titles that an evaluation repeats; among the notes as well
 };
 
 // What a file says of itself; of one specimen, with what it says of that.
@@ -78,15 +91,28 @@ Export export_in(std::string bytes, const std::string& source, const ExportOptio
 // The same from a file; "-" is standard input.
 Export read_export(const std::string& path, const ExportOptions& options = {});
 
-// A column's values in SI.
-// Fails:      InputError for a missing unit, a unit of another kind (a force in volts), a row without a number; with its line. A unit is stated
-//             with the flags of the column's role, or with that given, as in "--height-unit um".
-std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
-                          const Kind& kind);
-std::vector<double> in_si(const Export& file, const ExportedSpecimen& specimen, const ExportColumn& column,
-                          const Kind& kind, std::string_view unit_flag, std::string_view usual_unit);
+// A column's values in SI; NaN where a cell holds no number.
+// Fails:      InputError for a missing unit, or one of another kind (a force in volts). Its remedy is the flag of the column's role, or that given:
+//             it ends where the unit follows, "state it with --height-unit ".
+std::vector<double> in_si(const Export& file, const ExportColumn& column, const Kind& kind);
+std::vector<double> in_si(const Export& file, const ExportColumn& column, const Kind& kind, std::string_view usual_unit,
+                          const std::function<std::string(std::string_view unit)>& remedy);
 
-// The index of the column of numbers that a user names with a flag: by number, as repeat_with says it, by name, or by name and unit.
+// Rows that cannot be used, as some of the columns used hold no number there, and what is said of them; empty if there are none.
+struct RowsLeftOut {
+  std::vector<std::size_t> rows;  // of the specimen, from 0, rising
+  std::string words;
+};
+
+// Fails:      InputError with the lines if they are more than a tenth of the rows, or if a cell says that a sensor was at its end (says_overload)
+//             and numbers follow in its column, within the rows used.
+RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& specimen,
+                                 const std::vector<const ExportColumn*>& columns, std::size_t rows_used);
+
+// The questions that columns leave open.
+std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns);
+
+// The index of the column of numbers that a user names with a flag: by number, as repeat_with says it, by name, or by name and unit as in the file.
 // Fails:      InputError if there is none, or several of this name.
 std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
                          std::string_view flag);

@@ -128,9 +128,16 @@ Fields<ToldExport> export_fields() {
                      [](E told) { return first_of_each(told.file.metadata); })
       .group("test", "metadata that were understood; null if not stated", test_fields(), of(&Export::test))
       .words("notes", "decisions about the file, and what was left out", of(&Export::notes))
-      .words("asks", "questions that the file leaves open and an evaluation needs answered, each with its flag",
-             of(&Export::asks))
-      .words("repeat_with", "flags that make the same decisions again", of(&Export::repeat_with));
+      .words("asks",
+             "questions that the file leaves open about the chosen specimen and an evaluation needs answered, each "
+             "with its flag",
+             [chosen](E told) {
+               std::vector<std::string> asks;
+               for (const OpenQuestion& each : chosen(told).asks) asks.push_back(each.words + " " + each.with_read);
+               return asks;
+             })
+      .words("repeat_with", "flags that make the same decisions again",
+             [chosen](E told) { return chosen(told).repeat_with; });
 }
 
 void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen) {

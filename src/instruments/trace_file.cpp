@@ -88,7 +88,8 @@ std::vector<double> values_of(const Export& file, const TraceColumn& of, const K
              "leave the unit out, as the file states it");
     column.unit = of.unit;
   }
-  return in_si(file, file.specimens.front(), column, kind, flag, "um");
+  return in_si(file, column, kind, "um",
+               [&](std::string_view unit) { return fmt::format("state it with {0}, as in {0} {1}", flag, unit); });
 }
 
 void require_rising(const TraceFile& read, std::span<const double> x, const Kind& kind) {

@@ -51,7 +51,7 @@ bool begins_group(std::string_view text) {
          (text.size() == 3 || !is_digit(text[3]));
 }
 
-bool looks_numeric(std::string_view cell) {
+bool looks_usual(std::string_view cell) {
   if (cell.empty()) return false;
   if (cell.front() == '+' || cell.front() == '-') cell.remove_prefix(1);
   bool digit = false;
@@ -69,6 +69,45 @@ bool looks_numeric(std::string_view cell) {
   return !cell.empty() && std::all_of(cell.begin(), cell.end(), is_digit);
 }
 
+// The bytes of a minus that is none of ASCII at the beginning of a text; 0 if there is none.
+std::size_t minus_at(std::string_view text) {
+  for (const std::string_view minus : {"\u2212", "\u2013", "\u2010", "\u2011", "\uff0d"})
+    if (text.starts_with(minus)) return minus.size();
+  return 0;
+}
+
+// Has a cell a sign that in_usual_form changes?
+bool is_odd(std::string_view cell) {
+  if (cell.empty()) return false;
+  const auto is_rare = [](char c) { return c == 'D' || c == 'd' || c == '\xe2' || c == '\xef'; };
+  return cell.front() == '(' || cell.back() == '-' || std::any_of(cell.begin(), cell.end(), is_rare);
+}
+
+// A number in the signs that most files use: "−1.5", "(1.5)" and "1.5-" as "-1.5", "1.5D+01" as "1.5E+01". "(1)" is no number.
+std::string in_usual_form(std::string_view cell) {
+  bool is_negative = false;
+  if (cell.size() > 3 && cell.front() == '(' && cell.back() == ')') {
+    is_negative = true;
+    cell = trimmed(cell.substr(1, cell.size() - 2));
+  } else if (cell.size() > 1 && cell.back() == '-') {
+    is_negative = true;
+    cell.remove_suffix(1);
+  }
+  std::string usual;
+  bool has_mark = false;
+  for (std::size_t at = 0; at < cell.size();) {
+    const std::size_t minus = minus_at(cell.substr(at));
+    const std::string_view behind = cell.substr(std::min(at + 1, cell.size()));
+    const bool is_exponent = (cell[at] == 'D' || cell[at] == 'd') && has_mark && behind.size() > 1 &&
+                             (behind[0] == '+' || behind[0] == '-' || is_digit(behind[0])) && is_digit(behind[1]);
+    has_mark = has_mark || cell[at] == '.' || cell[at] == ',';
+    usual += minus > 0 ? '-' : is_exponent ? 'E' : cell[at];
+    at += std::max<std::size_t>(minus, 1);
+  }
+  const bool is_signed = usual.starts_with('-') || usual.starts_with('+');
+  return is_negative && !is_signed ? "-" + usual : usual;
+}
+
 // Spaces of any kind in a number as ordinary ones.
 std::string with_plain_spaces(std::string_view cell) {
   std::string plain;
@@ -78,6 +117,10 @@ std::string with_plain_spaces(std::string_view cell) {
     cell.remove_prefix(std::max<std::size_t>(space, 1));
   }
   return plain;
+}
+
+bool looks_numeric(std::string_view cell) {
+  return looks_usual(cell) || (is_odd(cell) && looks_usual(in_usual_form(cell)));
 }
 
 // A number with a decimal point, or NaN. Infinities are none: no instrument measures them.
@@ -152,7 +195,7 @@ std::optional<double> plain_number(std::string_view text) {
 double number_in(std::string_view cell, const NumberFormat& format) {
   if (format.decimal == '.' && format.thousands != '.')
     if (const double value = finite_number(cell); !std::isnan(value)) return value;
-  const std::string spaced = with_plain_spaces(cell);
+  const std::string spaced = with_plain_spaces(is_odd(cell) ? in_usual_form(cell) : std::string(cell));
   const std::string_view mantissa = mantissa_of(spaced);
   const std::string_view whole = mantissa.substr(0, mantissa.find(format.decimal));
   const bool grouped = format.thousands != '\0' && format.thousands != format.decimal &&
@@ -175,7 +218,8 @@ double number_in(std::string_view cell, const NumberFormat& format) {
   return finite_number(plain);
 }
 
-void NumberEvidence::add(std::string_view cell) {
+void NumberEvidence::add(std::string_view text) {
+  const std::string cell = is_odd(text) ? in_usual_form(text) : std::string(text);
   const bool has_exponent = cell.find_first_of("eE") != std::string_view::npos;
   const std::string_view mantissa = mantissa_of(cell);
   const std::size_t mark_at = mantissa.find_first_of(".,");
@@ -237,7 +281,8 @@ char NumberEvidence::thousands(char decimal) const {
 NumberCell number_cell(std::string_view cell) {
   if (cell.empty()) return {};
   const char first = cell.front();
-  if ((first < '0' || first > '9') && first != '+' && first != '-' && first != '.' && first != ',') return {};
+  const bool may_begin = is_digit(first) || std::string_view("+-.,(\xe2\xef").find(first) != std::string_view::npos;
+  if (!may_begin) return {};
   if (looks_numeric(cell)) return {cell, {}};
   const std::size_t space = cell.find_last_of(" \t");
   if (space == std::string_view::npos) return {};
@@ -248,9 +293,23 @@ NumberCell number_cell(std::string_view cell) {
 }
 
 bool says_missing(std::string_view cell) {
-  static constexpr std::array<std::string_view, 8> words{"nan", "n/a", "#n/a", "na", "-", "--", "---", "null"};
+  static constexpr std::array<std::string_view, 13> words{"nan", "n/a", "#n/a", "na",   "n.a.", "-",   "--",
+                                                          "---", "–",   "—",    "null", "none", "----"};
   if (cell.empty()) return true;
   return cell.size() <= 4 && std::find(words.begin(), words.end(), folded(cell)) != words.end();
+}
+
+bool says_overload(std::string_view cell) {
+  constexpr std::size_t longest = 24;  // [bytes] longer ones are prose
+  static constexpr std::array<std::string_view, 12> words{"ol",  "o.l", "o.l.",  "ovl", "ovld", "ovfl",
+                                                          "ovr", "oor", "satur", "inf", "∞",    "clip"};
+  if (cell.empty() || cell.size() > longest) return false;
+  const std::string all = folded(cell);
+  std::string_view word = all;
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  return word.starts_with('>') || word.starts_with('<') || word.starts_with("over") || word.starts_with("saturat") ||
+         word.starts_with("out of range") || word.starts_with("überlauf") || word.starts_with("1.#inf") ||
+         std::find(words.begin(), words.end(), word) != words.end();
 }
 
 Regrouped restored(std::span<const std::string_view> cells) {

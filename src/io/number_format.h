@@ -22,6 +22,7 @@ std::optional<double> plain_number(std::string_view text);
 
 // A cell as a number, NaN if it is none: digits with at most one decimal mark, in groups of three if at all in groups.
 // Cells that are 'nan', or empty, are none. Cells of a decimal mark that separates thousands too are none either: see Regrouped.
+// Also "−1.5" with a minus or dash of any kind, "(1.5)" and "1.5-" for -1.5, "1.5D+01" for 15.
 // Max error:  correctly rounded.
 double number_in(std::string_view cell, const NumberFormat& format);
 
@@ -37,11 +38,14 @@ NumberCell number_cell(std::string_view cell);
 // Is there something in the cell that says that there is no number: nothing, a dash, "nan", "N/A"?
 bool says_missing(std::string_view cell);
 
+// Does the cell say that a sensor or its amplifier was at its end: "OVER", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf"?
+bool says_overload(std::string_view cell);
+
 // What the cells of a file say about its number format. Each is worth looking at: "1,234" may be either, "0,123" not.
 class NumberEvidence {
  public:
-  // A cell that looks numeric, of a column counted from 0.
-  void add(std::string_view cell);
+  // A cell that looks numeric.
+  void add(std::string_view text);
 
   // The decimal mark that the cells prove; none if none does. A mark that fewer than a hundredth of those with any
   // contradict is proven: damaged cells do not change how a file is read.

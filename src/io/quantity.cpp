@@ -53,18 +53,23 @@ constexpr std::array without_prefix{
     NamedUnit{"ksi", {of_pressure, 3, pound_force / (inch * inch)}},
     NamedUnit{"Msi", {of_pressure, 6, pound_force / (inch * inch)}},
     NamedUnit{"kgf", {of_force, 0, standard_gravity}},
+    NamedUnit{"gf", {of_force, -3, standard_gravity}},
+    NamedUnit{"ozf", {of_force, 0, pound_force / 16}},
+    NamedUnit{"kip", {of_force, 3, pound_force}},
+    NamedUnit{"ft", {{.metre = 1}, 0, 12 * inch}},
     NamedUnit{"deg", {{.radian = 1}, 0, degree}},
     NamedUnit{"°", {{.radian = 1}, 0, degree}},
     NamedUnit{"%", {{}, -2}},
 };
 
-// What machines call units besides, in lower case.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 25> spellings{
+// What people and machines call units besides, in lower case.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 26> spellings{
     {{"secs", "s"},        {"second", "s"},      {"seconds", "s"},     {"sekunden", "s"},    {"sek", "s"},
      {"sec.", "s"},        {"sec", "s"},         {"秒", "s"},          {"mins", "min"},      {"minutes", "min"},
      {"millimeter", "mm"}, {"millimetre", "mm"}, {"meter", "m"},       {"metre", "m"},       {"inch", "in"},
      {"inches", "in"},     {"in.", "in"},        {"micrometer", "um"}, {"micrometre", "um"}, {"newton", "N"},
-     {"newtons", "N"},     {"lb", "lbf"},        {"lbs", "lbf"},       {"kgf", "kgf"},       {"kp", "kgf"}}};
+     {"newtons", "N"},     {"lb", "lbf"},        {"lbs", "lbf"},       {"kgf", "kgf"},       {"kp", "kgf"},
+     {"gf", "gf"}}};
 constexpr std::size_t longest_spelling = 24;  // [bytes] longer ones are prose
 
 constexpr std::array<std::pair<std::string_view, int>, 12> prefixes{{{"f", -15},
@@ -101,6 +106,10 @@ std::optional<Unit> known_unit(std::string_view symbol) {
     for (const auto& [name, exponent] : prefixes)
       if (prefix == name) return Unit{named.unit.dimension, named.unit.exponent + exponent, named.unit.factor};
   }
+  if (symbol.size() > longest_spelling) return std::nullopt;
+  const std::string small = folded(symbol);
+  for (const auto& [spelling, unit] : spellings)
+    if (spelling == small && unit != symbol) return known_unit(unit);
   return std::nullopt;
 }
 
@@ -110,9 +119,10 @@ std::string remedy_for_symbol(std::string_view symbol) {
       return fmt::format("a product of units needs a space, \"{} {}\"", symbol.substr(0, i), symbol.substr(i));
   static const std::vector<std::string> usual{"nm",  "um",  "mm",  "mN", "N",   "kN",  "Pa",
                                               "kPa", "MPa", "GPa", "mJ", "rad", "deg", "micron"};
-  return did_you_mean(symbol, usual,
-                      "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, mil, lbf, psi, ksi, Msi, kgf, min, h "
-                      "and %, as in \"mN/um\" or \"N m^2\"");
+  return did_you_mean(
+      symbol, usual,
+      "known are m, g, s, N, Pa, J, rad with prefixes, deg, in, ft, mil, lbf, ozf, kip, psi, ksi, Msi, gf, kgf, min, "
+      "h and %, as in \"mN/um\" or \"N m^2\"");
 }
 
 // A unit in ASCII: "N·m⁻²" is "N*m-2".
@@ -405,12 +415,39 @@ Unit parse_unit(std::string_view text, const Kind& kind) {
 }
 
 std::optional<Unit> machine_unit(std::string_view text) {
-  std::string_view body = trimmed(text);
-  const std::string small = folded(body);
-  if (small == "gf" || small == "p") return Unit{of_force, -3, standard_gravity};
-  for (const auto& [spelling, unit] : spellings)
-    if (spelling == small) body = unit;
-  return body.empty() || body.size() > longest_spelling ? std::nullopt : unit_named(body);
+  const std::string_view body = trimmed(text);
+  if (body.empty() || body.size() > longest_spelling) return std::nullopt;
+  if (body == "p" || body == "P") return unit_named("gf");
+  return unit_named(body);
+}
+
+std::vector<std::string_view> meant_units(std::string_view text, const Kind& kind) {
+  static constexpr std::array<std::string_view, 24> units{"N",   "kN",  "mN",     "cN",  "uN", "nN", "MN", "gf",
+                                                          "kgf", "lbf", "ozf",    "kip", "mm", "um", "m",  "cm",
+                                                          "nm",  "mil", "micron", "in",  "ft", "s",  "ms", "min"};
+  static constexpr std::array<std::pair<std::string_view, std::string_view>, 13> masses{{{"g", "gf"},
+                                                                                         {"gr", "gf"},
+                                                                                         {"gram", "gf"},
+                                                                                         {"grams", "gf"},
+                                                                                         {"gms", "gf"},
+                                                                                         {"kg", "kgf"},
+                                                                                         {"kgs", "kgf"},
+                                                                                         {"kilo", "kgf"},
+                                                                                         {"kilogram", "kgf"},
+                                                                                         {"kilograms", "kgf"},
+                                                                                         {"oz", "ozf"},
+                                                                                         {"lbm", "lbf"},
+                                                                                         {"kips", "kip"}}};
+  const std::string small = folded(trimmed(text));
+  std::vector<std::string_view> meant;
+  const auto add = [&](std::string_view unit) {
+    if (parse_unit(unit).dimension == kind.dimension) meant.push_back(unit);
+  };
+  for (const std::string_view unit : units)
+    if (folded(unit) == small && unit != trimmed(text)) add(unit);
+  for (const auto& [mass, unit] : masses)
+    if (mass == small) add(unit);
+  return meant;
 }
 
 std::optional<double> volts_in(std::string_view text) {

@@ -1,7 +1,8 @@
 // Physical quantities as people write them, "1278 um" or "2.1e-9 N m^2", to and from SI.
 //
 // A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c d k M G T),
-// micron, sec, min, h, in, mil, lbf, psi, ksi, Msi, kgf and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
+// micron, sec, min, h, in, ft, mil, lbf, ozf, kip, psi, ksi, Msi, gf, kgf and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
+// Names are units as well, whatever their letters' case: "seconds", "Newton", "lbs", "kp", "inches".
 #pragma once
 
 #include <array>
@@ -9,6 +10,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace flexslip {
 
@@ -99,9 +101,11 @@ std::optional<Unit> unit_named(std::string_view text);
 // Fails:      InputError, without a place.
 Unit parse_unit(std::string_view text, const Kind& kind);
 
-// A unit as testing machines write it: what parse_unit knows, and "Secs", "seconds", "Newton", "kp", "gf", "inch", "Micrometer" and the
-// like. nullopt for what is none of these: a unit is never guessed.
+// A unit as testing machines write it: what parse_unit knows, and "p" for pond. nullopt for what is none of these: a unit is never guessed.
 std::optional<Unit> machine_unit(std::string_view text);
+
+// The units of a kind that may be meant by a text that is none of it: "KN" by kN, "g" by gf, "mn" by mN or MN. Empty if none is.
+std::vector<std::string_view> meant_units(std::string_view text, const Kind& kind);
 
 // Volts, of a transducer whose calibration the file does not hold: "V", "mV", "Volts"; how many volts one of it is [V].
 std::optional<double> volts_in(std::string_view text);

@@ -15,7 +15,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t most_text = std::size_t{1} << 31;  // [bytes]
+constexpr std::size_t most_bytes = std::size_t{1} << 31;  // [bytes]
 constexpr const char* remedy_for_large = "split the table, or leave out the columns that are not needed";
 constexpr std::size_t sample = 1000;      // lines judged for the separator; more do not change the answer
 constexpr double of_blanks = 0.9;         // tabs are blanks too, but where they separate names have spaces in them
@@ -61,9 +61,12 @@ void make_single(char* cell, std::size_t size) {
   std::fill(cell + to, cell + size, ' ');
 }
 
-// A cell without its quotes, if it has any.
+// A cell without its quotes, if it has any, nor those of a formula in them that is but words: ="1.23".
 std::string_view unquoted(std::string_view cell) {
-  return cell.starts_with('"') ? trimmed(cell.substr(1, cell.size() - 2)) : cell;
+  if (!cell.starts_with('"')) return cell;
+  const std::string_view words = trimmed(cell.substr(1, cell.size() - 2));
+  const bool is_formula = words.size() > 2 && words.starts_with("=\"") && words.ends_with('"');
+  return is_formula ? trimmed(words.substr(2, words.size() - 3)) : words;
 }
 
 bool is_comment_or_blank(std::string_view line) {
@@ -101,7 +104,7 @@ bool is_dated(CellKind kind) {
 }
 
 Sheet::Sheet(std::string text, char separator, std::size_t most) : text_(std::move(text)), separator_(separator) {
-  if (text_.size() > most_text)
+  if (text_.size() > most_bytes)
     throw InputError({.expected = "at most 2 GiB of text", .found = "more", .remedy = remedy_for_large});
   if (!text_.empty() && text_.back() != '\n' && text_.back() != '\r') text_ += '\n';
   const bool may_be_quoted = text_.find('"') != std::string::npos;

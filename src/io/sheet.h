@@ -49,6 +49,7 @@ class Sheet {
   void fill();  // all lines that are not empty get as many cells as the widest, as spreadsheet programs write CSV
 
   std::size_t size() const { return first_cells_.size(); }
+  char separator() const { return separator_; }  // of the text; a tab of a workbook
   // A line without its ending, and with single quotes for doubled ones; of a workbook its cells, apart by tabs.
   std::string_view text(std::size_t line) const;
   bool is_comment(std::size_t line) const;

@@ -1,13 +1,113 @@
 #include "io/sheet_file.h"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "io/number_format.h"
+#include "io/text.h"
 #include "io/text_file.h"
 
 namespace flexslip {
 namespace {
+
+// Spreadsheets are made to keep digits as they are by ="1.23": the = before a quote that begins a cell is none of it.
+void make_formulas_words(std::string& text) {
+  static constexpr std::string_view before_cells = ",;\t \n\r";
+  for (std::size_t at = text.find("=\""); at != std::string::npos; at = text.find("=\"", at + 1))
+    if (at == 0 || before_cells.find(text[at - 1]) != std::string_view::npos) text[at] = ' ';
+}
+
+// ---- commas between cells, and before decimals
+
+using Parts = std::vector<std::string_view>;
+
+Parts parts_of(std::string_view line, char separator) {
+  Parts parts;
+  for (std::size_t at = 0; at <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, at), line.size());
+    parts.push_back(trimmed(line.substr(at, end - at)));
+    at = end + 1;
+  }
+  while (parts.size() > 1 && parts.back().empty()) parts.pop_back();
+  return parts;
+}
+
+bool are_digits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_digit); }
+
+// Whole numbers, which may have a sign, and behind a comma an exponent.
+bool are_whole(const Parts& parts) {
+  return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
+           if (part.starts_with('-') || part.starts_with('+')) part.remove_prefix(1);
+           const std::size_t exponent = std::min(part.find_first_of("eE"), part.size());
+           std::string_view power = part.substr(std::min(exponent + 1, part.size()));
+           if (power.starts_with('-') || power.starts_with('+')) power.remove_prefix(1);
+           return are_digits(part.substr(0, exponent)) && (exponent == part.size() || are_digits(power));
+         });
+}
+
+// Such as nobody writes a whole number: decimals.
+bool begins_with_zero(std::string_view part) { return part.size() > 1 && part.front() == '0' && is_digit(part[1]); }
+
+// A text whose commas separate cells and decimals alike, with semicolons between cells: titles name n columns, and each row has 2n whole numbers,
+// of which some are decimals, as they begin with a zero. nullopt if it is none.
+// Fails:      InputError if the rows have other numbers of cells, as where some numbers have no decimals.
+std::optional<std::string> with_semicolons(std::string_view text) {
+  constexpr std::size_t fewest = 2, longest_preamble = 200;  // lines
+  std::string_view header, first_row;
+  std::size_t titles = 0, others = 0, rows = 0, least = 0, most = 0;
+  bool has_decimals = false, are_pairs = true;
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
+    rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+    if (trimmed(line).empty()) continue;
+    const Parts parts = parts_of(line, ',');
+    if (!are_whole(parts)) {
+      if (rows >= fewest || ++others > longest_preamble)
+        return std::nullopt;  // other numbers, or words, among the rows
+      titles = parts.size();
+      header = line;
+      rows = 0;
+      continue;
+    }
+    if (rows++ == 0) {
+      first_row = line;
+      least = most = parts.size();
+      has_decimals = false;
+      are_pairs = true;
+    }
+    least = std::min(least, parts.size());
+    most = std::max(most, parts.size());
+    if (rows >= longest_preamble && most <= titles) return std::nullopt;
+    for (std::size_t part = 1; part < parts.size(); ++part) {
+      has_decimals = has_decimals || begins_with_zero(parts[part]);
+      are_pairs = are_pairs && (part % 2 == 0 || is_digit(parts[part].front()));
+    }
+  }
+  if (rows < fewest || titles < 2 || !has_decimals || most <= titles || most > 2 * titles) return std::nullopt;
+  const Parts names = parts_of(header, ',');
+  if (std::any_of(names.begin(), names.end(), [](std::string_view name) { return !number_cell(name).number.empty(); }))
+    return std::nullopt;
+  const auto above = static_cast<std::size_t>(first_row.data() - text.data());
+  if (least < most || most < 2 * titles || !are_pairs)
+    throw InputError({.line = 1 + static_cast<std::size_t>(std::count(
+                                      text.begin(), text.begin() + static_cast<std::ptrdiff_t>(above), '\n')),
+                      .expected = "one mark between cells and another for decimals",
+                      .found = fmt::format("{} titles above rows of {}{} whole numbers, as where commas separate cells "
+                                           "and decimals alike",
+                                           titles, least < most ? fmt::format("{} to ", least) : "", most),
+                      .remedy = "export it with semicolons or tabs between cells, or with decimal points"});
+  std::string out(text);
+  bool is_decimal = true;  // the next comma behind one that is none
+  for (std::size_t at = 0; at < out.size(); ++at) {
+    if (out[at] == '\n' || out[at] == '\r') is_decimal = true;
+    if (out[at] != ',') continue;
+    if (at < above || !is_decimal) out[at] = ';';
+    if (at >= above) is_decimal = !is_decimal;
+  }
+  return out;
+}
 
 SheetFile sheet_of_text(std::string text, SheetOrigin origin, const SheetOptions& options, SheetFor purpose) {
   static constexpr std::string_view known = ",;\t ";
@@ -15,11 +115,17 @@ SheetFile sheet_of_text(std::string text, SheetOrigin origin, const SheetOptions
     throw InputError({.field = "separator",
                       .expected = "a comma, a semicolon, a tab or a space",
                       .found = in_quotes(std::string_view(&*options.separator, 1))});
+  make_formulas_words(text);
   const bool has_titles = purpose != SheetFor::readings;
   origin.separator = options.separator ? *options.separator
                      : has_titles      ? separator_of_titles(text)
                                        : separator_of(text);
   if (purpose == SheetFor::words && origin.separator == ' ') origin.separator = ',';  // or else one column
+  if (!has_titles && origin.separator == ',')
+    if (std::optional<std::string> apart = with_semicolons(text))
+      return {std::move(origin),
+              Sheet(std::move(*apart), ';'),
+              {"commas separate cells and decimals alike: of the numbers in a row each two are one"}};
   return {std::move(origin), Sheet(std::move(text), origin.separator), {}};
 }
 
@@ -43,8 +149,28 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
   return file;
 }
 
+// Files that hold no table as text, told by their first bytes.
+void refuse_other_kinds(std::string_view bytes) {
+  const auto refuse = [](std::string found, std::string remedy) {
+    throw InputError({.expected = "a table as text, or an Excel workbook (.xlsx)",
+                      .found = std::move(found),
+                      .remedy = std::move(remedy)});
+  };
+  if (bytes.starts_with("\x1f\x8b"))
+    refuse("a compressed file, as testXpert keeps its tests (.zs2)",
+           "export the curves from testXpert as .xlsx or as ASCII; a file .gz is unpacked with gunzip");
+  const std::size_t first = std::min(bytes.find_first_not_of("\xef\xbb\xbf \t\r\n"), bytes.size());
+  const std::string begin = folded(bytes.substr(first, 20));
+  for (const std::string_view mark : {"<?xml", "<html", "<!doctype", "<table"})
+    if (begin.starts_with(mark))
+      refuse("a page in HTML or XML, as some programs write it under the name .xls",
+             "open it in a spreadsheet program, and save it as .xlsx or CSV");
+  if (bytes.starts_with("%PDF")) refuse("a PDF", "export the readings as CSV or .xlsx");
+}
+
 SheetFile sheet_in_bytes(std::string bytes, const std::string& source, const SheetOptions& options, SheetFor purpose) {
   SheetOrigin origin{.source = source};
+  refuse_other_kinds(bytes);
   if (is_packed(bytes)) return sheet_of_workbook(bytes, std::move(origin), options, purpose);
   if (options.sheet)
     throw InputError({.field = "--sheet",

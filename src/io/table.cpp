@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "io/durable_file.h"
 #include "io/input_error.h"
@@ -42,7 +43,16 @@ ColumnTitle title_in_header(std::string_view text) {
 struct HeaderCell {
   std::string text;  // as it stands
   ColumnTitle title;
+  std::string_view name_before_unit() const;  // where brackets at its end hold what is no unit; or else empty
 };
+
+std::string_view HeaderCell::name_before_unit() const {
+  const std::size_t open = text.find_last_of("[(");
+  if (open == std::string::npos || open == 0 || !title.unit.empty()) return {};
+  return without_brackets(std::string_view(text).substr(open)).size() < text.size() - open
+             ? trimmed(std::string_view(text).substr(0, open))
+             : std::string_view{};
+}
 
 // A wanted column, found in the file.
 struct Source {
@@ -57,10 +67,14 @@ struct Header {
   std::vector<HeaderCell> cells;
 };
 
+// What becomes of rows without a number.
+enum class Gaps { refused, left_out };
+
 // What the links of the chain look at.
 struct Opened {
   const SheetFile& file;
   char decimal;  // of words
+  Gaps gaps = Gaps::refused;
 
   const Sheet& sheet() const { return file.cells; }
   bool is_row(std::size_t line) const { return !sheet().is_comment(line) && !sheet().is_blank(line); }
@@ -137,13 +151,16 @@ std::vector<Source> sources_of(const Opened& opened, const Header& header, const
   std::vector<Source> sources;
   for (const WantedColumn& each : wanted) {
     const ColumnTitle asked = parse_column_title(each.title);
-    std::vector<std::size_t> by_text, by_name;
+    std::vector<std::size_t> by_text, by_name, by_name_before_unit;
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
       const HeaderCell& cell = header.cells[i];
+      if (cell.name_before_unit() == asked.name) by_name_before_unit.push_back(i);
       if (cell.text == trimmed(each.title)) by_text.push_back(i);
       if (cell.title.name == asked.name || cell.text == asked.name) by_name.push_back(i);
     }
-    const std::vector<std::size_t>& found = by_text.empty() ? by_name : by_text;
+    const std::vector<std::size_t>& found = !by_text.empty()   ? by_text
+                                            : !by_name.empty() ? by_name
+                                                               : by_name_before_unit;
     const std::string field = "column " + in_quotes(asked.name);
     if (found.empty()) throw missing_column(opened, header, asked.name, field);
     if (found.size() > 1)
@@ -209,7 +226,20 @@ AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source&
     return {unit};
   } catch (const InputError& error) {
     InputFault fault = located(error, opened.file.origin.source, header.line + 1, source.field).fault;
-    if (source.units.empty()) fault.remedy = "name it with its unit, " + as_in();
+    const HeaderCell& cell = header.cells[source.cell];
+    const std::string_view before = cell.name_before_unit();
+    const std::string stated =
+        before.empty()
+            ? ""
+            : std::string(without_brackets(std::string_view(cell.text).substr(cell.text.find_last_of("[("))));
+    const std::vector<std::string_view> meant =
+        meant_units(stated.empty() && !source.units.empty() ? source.units.front() : stated, source.kind);
+    if (!stated.empty()) fault.found = in_quotes(stated);
+    if (source.units.empty() || !meant.empty())
+      fault.remedy = fmt::format("{}name it with its unit, such as \"{} [{}]\"",
+                                 meant.empty() ? "" : fmt::format("if {} is meant, ", fmt::join(meant, " or ")),
+                                 before.empty() ? std::string_view(name) : before,
+                                 meant.empty() ? source.kind.units.back() : meant.front());
     throw InputError(fault);
   }
 }
@@ -250,16 +280,24 @@ void require_count(const Opened& opened, const Header& header, std::size_t line)
                     : "");
 }
 
-// The rows of numbers from one on, and those that only hold words for a statistic where numbers are wanted. Lines count from 0.
+// A row without a number where one is wanted, as the cell says or as it is not there. Lines count from 0.
+struct MissingRow {
+  std::size_t line;
+  const Source* source;
+};
+
+// The rows of numbers from one on, those that only hold words for a statistic where numbers are wanted, and those without a number. Lines count
+// from 0.
 struct Rows {
   std::vector<std::size_t> lines;
   std::vector<std::vector<double>> columns;  // [SI]
   std::vector<std::size_t> statistics;
+  std::vector<MissingRow> missing;
 };
 
 Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Header& header,
                const std::vector<Source>& sources, const std::vector<Unit>& units) {
-  Rows out{{}, std::vector<std::vector<double>>(sources.size()), {}};
+  Rows out{{}, std::vector<std::vector<double>>(sources.size()), {}, {}};
   std::vector<double> values(sources.size());
   const std::size_t most = opened.sheet().size() - header.line;
   out.lines.reserve(most);
@@ -273,17 +311,51 @@ Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Heade
       values[i] = opened.number(*row, cell, kind);
       if (std::isnan(values[i]) && (lacking == nullptr || cell < lacking->cell)) lacking = &sources[i];
     }
-    require_count(opened, header, *row);
+    const std::string_view says = lacking == nullptr ? std::string_view{} : opened.sheet().at(*row, lacking->cell);
+    const bool is_missing =
+        opened.gaps == Gaps::left_out && lacking != nullptr && (says_missing(says) || says_overload(says));
+    const bool is_short = is_missing && opened.sheet().cells(*row).size() < header.cells.size();
+    if (!is_short) require_count(opened, header, *row);
     if (lacking != nullptr && names_statistic(label_of(opened.sheet(), *row))) {
       out.statistics.push_back(*row);
+      continue;
+    }
+    if (is_missing) {
+      out.missing.push_back({*row, lacking});
       continue;
     }
     if (lacking != nullptr) refuse_cell(opened, *row, *lacking);
     out.lines.push_back(*row);
     for (std::size_t i = 0; i < values.size(); ++i) out.columns[i].push_back(to_si(values[i], units[i]));
   }
-  if (out.lines.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
+  if (out.lines.empty() && out.missing.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
   return out;
+}
+
+// What is said of rows without a number; empty if there are none.
+std::string said_of_missing(const Opened& opened, const Rows& rows) {
+  if (rows.missing.empty()) return "";
+  const auto& [first, source] = rows.missing.front();
+  const std::string_view says = opened.sheet().at(first, source->cell);
+  std::vector<std::size_t> lines;
+  for (const MissingRow& row : rows.missing) {
+    lines.push_back(row.line + 1);
+    const std::string_view cell = opened.sheet().at(row.line, row.source->cell);
+    if (says_overload(cell) && !rows.lines.empty() && row.line < rows.lines.back())
+      opened.refuse(row.line, row.source->field, "readings within the range of the sensor",
+                    in_quotes(cell) + ", and readings after",
+                    "what happened in between is not known: let the file end before, or measure with a larger range",
+                    TablePart::cell);
+  }
+  const std::size_t count = lines.size(), all = rows.lines.size() + count;
+  const std::string which = fmt::format("{} {} {}", on_lines(lines), count == 1 ? "holds" : "hold",
+                                        says.empty() ? "an empty cell, or none" : in_quotes(says));
+  constexpr std::size_t most_share = 10;  // one row in so many: more, and what lies between readings is not known
+  if (count * most_share > all)
+    opened.refuse(first, source->field, "a number in nine rows of ten",
+                  fmt::format("none in {} of {}: {}", count, all, which), "export the readings again", TablePart::cell);
+  return fmt::format("{} without a number {} left out: {}", count == 1 ? "one row" : fmt::format("{} rows", count),
+                     count == 1 ? "is" : "are", which);
 }
 
 // The wanted columns of a sheet: nothing is guessed, as a user names them.
@@ -304,7 +376,10 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     units.push_back(agreed.unit);
     if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
   }
-  auto [lines, columns, statistics] = rows_from(row, opened, header, sources, units);
+  Rows rows = rows_from(row, opened, header, sources, units);
+  table.missing = rows.missing.size();
+  table.left_out = said_of_missing(opened, rows);
+  auto& [lines, columns, statistics, missing] = rows;
   const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));
   table.notes.insert(table.notes.end(), left_out.notes.begin(), left_out.notes.end());
   for (std::size_t i = 0; i < sources.size(); ++i)
@@ -315,12 +390,12 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
   return table;
 }
 
-Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, char decimal) {
+Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, char decimal, Gaps gaps) {
   if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
   if (decimal != '.' && decimal != ',')
     throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
   try {
-    return recognise(Opened{file, decimal}, wanted);
+    return recognise(Opened{file, decimal, gaps}, wanted);
   } catch (const InputError& error) {
     throw with_other_sheets(error, file.origin);
   }
@@ -363,11 +438,20 @@ ColumnTitle parse_column_title(std::string_view title) {
 
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
                  const std::optional<SheetChoice>& sheet) {
-  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal);
+  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal, Gaps::refused);
+}
+
+Table read_record(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
+                  const std::optional<SheetChoice>& sheet) {
+  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal, Gaps::left_out);
+}
+
+Table record_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {
+  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal, Gaps::left_out);
 }
 
 Table table_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {
-  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal);
+  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal, Gaps::refused);
 }
 
 TextTable read_text_table(const std::string& path) {

@@ -395,6 +395,8 @@ struct Worksheet {
   std::size_t numeric_words = 0;       // cells whose words are digits and marks
   std::size_t first_numeric_word = 0;  // row, from 1
   std::size_t without_value = 0;       // formulas that no spreadsheet program has computed
+  std::vector<std::size_t> hidden{};   // rows that are not shown, from 1
+  bool has_filter = false;             // which may be what hides them
 };
 
 class SheetReader {
@@ -406,6 +408,7 @@ class SheetReader {
 
   void begin(std::string_view name, const XmlAttributes& attributes) {
     if (name == "row") begin_row(attributes);
+    if (name == "autoFilter") out_.has_filter = true;
     if (name == "c") begin_cell(attributes);
     if (name == "f" && in_cell_) has_formula_ = true;
     in_value_ = name == "v" && in_cell_;
@@ -439,6 +442,8 @@ class SheetReader {
     const std::size_t row = stated ? whole(*stated).value_or(0) : row_ + 1;
     if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "rows in their order", "one out of place");
     row_ = row;
+    const std::string_view hidden = attributes.find("hidden").value_or("0");
+    is_hidden_ = hidden == "1" || hidden == "true";
     cells_.clear();
     column_ = 0;
   }
@@ -507,6 +512,7 @@ class SheetReader {
     if ((filled_rows_ + 1) * widest_ > most_cells) refuse_large();
     out_.cells.append(row_ - 1, cells_);
     if (cells_.empty()) return;
+    if (is_hidden_) out_.hidden.push_back(row_);
     ++filled_rows_;
     std::size_t numbers = 0, words = 0;
     for (const SheetCell& cell : cells_)
@@ -529,7 +535,7 @@ class SheetReader {
   bool only_words_ = true;        // in one column, so far
   std::size_t filled_rows_ = 0, widest_ = 0, size_ = 0;
   std::size_t row_ = 0, column_ = 0, next_column_ = 0, style_ = 0;  // last written; of the cell that is read
-  bool in_cell_ = false, in_value_ = false, has_formula_ = false;
+  bool in_cell_ = false, in_value_ = false, has_formula_ = false, is_hidden_ = false;
   std::string type_, value_;
   Words inline_;
 };
@@ -730,6 +736,11 @@ std::vector<std::string> notes_on(const Worksheet& sheet) {
   else if (sheet.numbers > 0 && sheet.numeric_words > 0)
     notes.push_back(fmt::format("numbers that are kept as words: {}, the first in row {}", sheet.numeric_words,
                                 sheet.first_numeric_word));
+  if (!sheet.hidden.empty())
+    notes.push_back(fmt::format("{} {} hidden{}, and read as all others are: {}",
+                                sheet.hidden.size() == 1 ? "one row" : fmt::format("{} rows", sheet.hidden.size()),
+                                sheet.hidden.size() == 1 ? "is" : "are", sheet.has_filter ? " by a filter" : "",
+                                on_lines(sheet.hidden)));
   if (sheet.without_value > 0)
     notes.push_back(
         fmt::format("{} formulas have no stored value and count as empty: open the workbook in a "

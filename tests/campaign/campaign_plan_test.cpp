@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "tests/has.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
@@ -29,7 +30,7 @@ TEST_CASE("table: a folder gives its case files by path, broken ones with their 
   folder.file("simulate.toml", "[rig]\nspan = \"1 mm\"\n");  // no [record]: no measured test
   folder.file(".hidden/c.toml", a_case);
   folder.file("a.csv", "w [mm],F [N]\n");
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
   REQUIRE(plan.size() == 4);
   CHECK(plan[0].name == "a");
   CHECK(case_in(plan[0]).record.value().file == (folder.path() / "a" / "a.csv").string());
@@ -52,12 +53,49 @@ force = "F [N]"
   folder.file("one.dat", "");
   folder.file("below/three.csv", "");
   folder.file("notes.md", "");
-  const auto plan = plan_campaign(folder.path().string(), common);
+  const auto plan = plan_campaign(folder.path().string(), common).tests;
   REQUIRE(plan.size() == 2);
   CHECK(plan[0].name == "one");
   CHECK(case_in(plan[0]).record.value().file == (folder.path() / "one.dat").string());
   CHECK(case_in(plan[0]).rig.value().span == 1e-3);
   CHECK(plan[1].name == "two");
+}
+
+TEST_CASE("table: results, and copies with more columns, are no tests of a folder; the same record twice is said") {
+  const TemporaryFolder folder;
+  const auto common =
+      folder.file("common.toml",
+                  "[rig]\nspan = \"1 mm\"\nstiffness = \"90 N/m\"\n[record]\nstage = \"w [mm]\"\nforce = \"F [N]\"\n");
+  const std::string record = "w [mm],F [N]\n0,0\n1,2\n2,4\n";
+  folder.file("a.csv", record);
+  folder.file("a_dS.csv", "w [mm],F [N],dS [mm]\n0,0,0\n1,2,0.1\n2,4,0.2\n");
+  folder.file("a_again.csv", "w [mm],F [N]\n0,0\n1,3\n2,5\n");  // another loading of the same specimen
+  folder.file("b.csv", record);
+  folder.file("profile.csv", "row,w_s [m],w [m],F [N],S [m],drawn_in [m]\n1,0,0,0,0,0\n");
+  const CampaignPlan plan = plan_campaign(folder.path().string(), common);
+  REQUIRE(plan.tests.size() == 3);
+  CHECK(plan.tests[0].name == "a");
+  CHECK(plan.tests[1].name == "a_again");
+  REQUIRE(plan.notes.size() == 4);
+  CHECK(plan.notes[0] == "left out, as they are results of flexslip: 'profile.csv'");
+  CHECK(has(plan.notes[1], "'a_dS.csv'"));
+  CHECK(has(plan.notes[2], "'b' has the record of 'a'"));
+  CHECK(has(plan.notes[3], "no section is stated of any specimen"));
+}
+
+TEST_CASE("table: units in titles of a table as in those of a record") {
+  const TemporaryFolder folder;
+  folder.file("a.csv", "w [mm],F [N]\n0,0\n");
+  const auto table =
+      folder.file("cases.csv",
+                  "file,span_mm,diameter (um),modulus_uncertainty_GPa,modulus [GPa],stiffness [N/m],stage,force\n"
+                  "a.csv,1.278,34.8,1.5,29.6,90,w [mm],F [N]\n");
+  const auto plan = plan_campaign(table, std::nullopt).tests;
+  REQUIRE(plan.size() == 1);
+  const Test& test = case_in(plan[0]);
+  CHECK(test.rig.value().span == 1.278e-3);
+  CHECK(test.specimen.value().diameter == 34.8e-6);
+  CHECK(std::get<Known>(test.specimen->modulus.value()).uncertainty == 1.5e9);
 }
 
 TEST_CASE("table: a row is a test, its keys by short or full names, units in titles or cells, over what is common") {
@@ -70,7 +108,7 @@ TEST_CASE("table: a row is a test, its keys by short or full names, units in tit
       "file,diameter [um],modulus,modulus uncertainty [GPa],rig.span,span uncertainty [um],until,#operator\n"
       "a.csv,34.8,29.6 GPa,1.5,1278 um,2.5,267,Jo\n"
       "sub/b.csv,40,fit,,,,,\n");
-  const auto plan = plan_campaign(table, common);
+  const auto plan = plan_campaign(table, common).tests;
   REQUIRE(plan.size() == 2);
   CHECK(plan[0].name == "a");
   CHECK(plan[0].file == table + ":2");
@@ -94,7 +132,7 @@ TEST_CASE("table: friction with a drift and its reference in columns") {
                                  "file,span,stage,force,friction.model,friction.mu0,friction.drift [1/mm],"
                                  "friction.reference [mm]\n"
                                  "a.csv,1 mm,w [mm],F [N],drift,0.3,0.8,1.4\n");
-  const auto plan = plan_campaign(table, std::nullopt);
+  const auto plan = plan_campaign(table, std::nullopt).tests;
   REQUIRE(plan.size() == 1);
   CHECK(case_in(plan[0]).friction ==
         FrictionInput{.model = FrictionModel::drift, .mu0 = 0.3, .drift = 800, .reference = 1.4e-3});
@@ -105,7 +143,7 @@ TEST_CASE("table: a bad cell fails its test, named by line and column; a column 
   const std::string head = "file,span,stiffness,stage,force";
   const auto bad_cell =
       folder.file("cells.csv", head + "\na.csv,12,90 N/m,w [mm],F [N]\nb.csv,1 mm,90 N/m,w [mm],F [N]\n");
-  const auto plan = plan_campaign(bad_cell, std::nullopt);
+  const auto plan = plan_campaign(bad_cell, std::nullopt).tests;
   REQUIRE(plan.size() == 2);
   CHECK(error_in(plan[0]).find("cells.csv:2: column 'span': expected") != std::string::npos);
   CHECK(std::holds_alternative<Test>(plan[1].input));
@@ -128,7 +166,7 @@ TEST_CASE("table: names are as written; their folders are fit, and differ also w
                   "test,x.csv,1 mm,9 N/m,w [mm],F [N]\n"
                   "_.._A_b,x.csv,1 mm,9 N/m,w [mm],F [N]\n" +
                       longest + ",x.csv,1 mm,9 N/m,w [mm],F [N]\n" + longest + ",x.csv,1 mm,9 N/m,w [mm],F [N]\n");
-  const auto plan = plan_campaign(table, std::nullopt);
+  const auto plan = plan_campaign(table, std::nullopt).tests;
   REQUIRE(plan.size() == 6);
   CHECK(plan[0].name == "../a/b");
   CHECK(folder_name(plan[0].name) == "_.._a_b");
@@ -145,7 +183,7 @@ TEST_CASE("table: a reduced case fails, as the tables and figures of a campaign 
   const TemporaryFolder folder;
   folder.file("a.toml",
               "reduced = true\n[rig]\nstiffness = 90\n[record]\nfile = \"a.csv\"\nstage = \"w\"\nforce = \"F\"\n");
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
   CHECK(error_in(plan.at(0)).find("a.toml:1: reduced: expected a test in physical units") != std::string::npos);
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <string_view>
@@ -79,6 +80,22 @@ class Folder {
     const std::string text = fmt::format("[rig]\nspan = '40 mm'\n{}\n[record]\nfile = 'test.csv'\n{}{}", rig,
                                          names_columns ? "" : "stage = 'stage'\nforce = 'force'\n", lines);
     return read_measurement(read_case(text, (path_ / "case.toml").string()), 30);
+  }
+
+  // Reads an export of a bar that bends by 50 µm a row under 1 N more, with what stands above its rows, and in some of them another force.
+  Measurement exported(const std::string& above, const std::string& lines,
+                       const std::map<int, std::string>& says = {}) const {
+    std::ofstream data(path_ / "test.csv");
+    data << above;
+    for (int row = 0; row < 60; ++row) {
+      const auto said = says.find(row);
+      data << fmt::format("{:.1f},{:.3f},{}\n", 0.5 * row, 0.05 * row,
+                          said == says.end() ? fmt::format("{:.2f}", 1.0 * row) : said->second);
+    }
+    data.close();
+    const std::string text =
+        fmt::format("[rig]\nspan = '40 mm'\nstiffness = 'inf'\n[record]\nfile = 'test.csv'\n{}", lines);
+    return read_measurement(read_case(text, (path_ / "case.toml").string()), 11);
   }
 
  private:
@@ -197,6 +214,40 @@ TEST_CASE("measurement: a stage that trembles is held, one that runs back is ref
   columns.stage[200] -= 3e-5;  // and now by 1 %
   CHECK(complaint([&] { folder.measured(columns, ""); }).find("no smaller than in the previous row") !=
         std::string::npos);
+}
+
+TEST_CASE("measurement: all that a file leaves open is asked at once, in the words of what evaluates it (table)") {
+  const Folder folder;
+  const auto asked = [&](const std::string& above, const std::string& lines) {
+    return complaint([&] { folder.exported(above, lines); });
+  };
+  const std::string many = asked("Time,Extension,Load\nS,MM,KN\n", "");
+  CHECK(
+      many.find("leaves 3 questions open: (1) is 'Extension' that of the crosshead or the deflection of the specimen? "
+                "--displacement crosshead|deflection (2) what is the unit of 'Extension', which says 'MM': mm? "
+                "--displacement-column \"Extension [mm]\" (3) what is the unit of 'Load', which says 'KN': kN? --force "
+                "\"Load [kN]\"") != std::string::npos);
+  CHECK(asked("Time [s],Deflection [mm],Load\n", "").find("pass --force \"Load [N]\", or write force = \"Load [N]\"") !=
+        std::string::npos);
+  CHECK(asked("Time,Extension,Load\nS,MM,KN\n",
+              "displacement = 'crosshead'\ndisplacement_column = 'Extension [mm]'\nforce = 'Load [kN]'\n") == "");
+}
+
+TEST_CASE("measurement: readings that are missing are left out, and said in a step of their own (limit)") {
+  const Folder folder;
+  const std::string above = "Time [s],Crosshead [mm],Load [N]\n";
+  const Measurement whole = folder.exported(above, "");
+  CHECK(step_of(whole, "missing") == nullptr);
+  const Measurement some = folder.exported(above, "", {{20, "NaN"}, {41, "---"}, {42, ""}});
+  REQUIRE(step_of(some, "missing") != nullptr);
+  CHECK(step_of(some, "missing")->done ==
+        "3 rows without a number in 'Load' are left out: lines 22, 43, 44 hold 'NaN'");
+  CHECK(some.rows == whole.rows - 3);
+  CHECK(some.missing == 3);
+  const std::string refusal = complaint([&] { folder.exported(above, "", {{20, "OVER"}}); });
+  CHECK(refusal.find("test.csv:22: column 'Load': expected readings within the range of the sensor") !=
+        std::string::npos);
+  CHECK(complaint([&] { folder.exported(above, "until = 20\n", {{20, "OVER"}}); }) == "");
 }
 
 TEST_CASE("measurement: a stage without a load-train stiffness is refused, a deflection needs none (limit)") {

@@ -32,13 +32,10 @@ TEST_CASE("slip limit: of a slender specimen on edges it grows as 1.6 w/L (limit
   }
 }
 
-TEST_CASE(
-    "slip limit: a specimen that moves on while the force falls can lose less; one that cannot be held back, "
-    "anything") {
+TEST_CASE("slip limit: a specimen that moves on while the force falls can lose less") {
   const Supports bar{0, 0.03};
   CHECK(limit_at(0.02, bar, 0.001) < limit_at(0.02, bar));
   CHECK(limit_at(0.02, bar, 0.01) == 0);
-  CHECK(limit_at(0.7, {0, 0}) == doctest::Approx(1.0));  // with a friction of one no such deflection is held
 }
 
 }  // namespace

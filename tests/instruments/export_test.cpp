@@ -9,11 +9,13 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
 #include "tests/has.h"
 #include "tests/instruments/export_files.h"
+#include "tests/refusal.h"
 
 using namespace flexslip;
 
@@ -499,7 +501,9 @@ TEST_CASE("export: the specimens of a file, each with its own name, numbers and 
 TEST_CASE("export: what the file does not say is asked for with the flag that says it") {
   const auto asks = [](const std::string& text, const ExportOptions& options = {}) {
     std::string all;
-    for (const std::string& question : export_in(text, "e.csv", options).asks) all += question + "\n";
+    const Export file = export_in(text, "e.csv", options);
+    for (const OpenQuestion& question : file.specimens.front().asks)
+      all += question.words + " " + question.with_read + "\n";
     return all;
   };
   CHECK(asks(curve_as_csv).empty());
@@ -513,11 +517,12 @@ TEST_CASE("export: what the file does not say is asked for with the flag that sa
 }
 
 TEST_CASE(
-    "export: a unit that is not stated, not known, of another kind, or a row without a number, is refused in use") {
+    "export: a unit that is not stated, not known or of another kind is refused in use, and that named which is "
+    "meant") {
   const auto refused = [](const std::string& text) {
     try {
       const Export file = export_in(text, "e.csv");
-      in_si(file, file.specimens.front(), file.specimens.front().columns[1], kind::force);
+      in_si(file, file.specimens.front().columns[1], kind::force);
     } catch (const InputError& error) {
       return std::string(error.what());
     }
@@ -525,9 +530,65 @@ TEST_CASE(
   };
   CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "found none; state it with --force-unit"));
   CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is unknown"));
-  CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'"));
-  CHECK(has(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,off\n0.3,0.4\n"), "e.csv:3: column 'Load'"));
+  CHECK(has(refused("Stroke [mm],Load (Q)\n0.1,0.2\n0.2,0.3\n"), "found none, as 'Q' is none"));
+  CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'; if kgf is meant, state it"));
+  CHECK(has(refused("Stroke [mm],Load [KN]\n0.1,0.2\n0.2,0.3\n"), "as in --force-unit kN"));
   CHECK(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,0.3\n").empty());
+}
+
+TEST_CASE("export: rows without a number are left out and said, few of them, and where no sensor was at its end") {
+  const auto left_out = [](const std::vector<std::string>& forces, std::size_t used = 1000) {
+    std::string text = "Stroke [mm],Load [N]\n";
+    for (std::size_t row = 0; row < forces.size(); ++row)
+      text += fmt::format("{:.2f},{}\n", 0.01 * static_cast<double>(row), forces[row]);
+    const Export file = export_in(text, "e.csv");
+    const ExportedSpecimen& specimen = file.specimens.front();
+    return rows_without_numbers(file, specimen, {&specimen.columns[1]}, used);
+  };
+  std::vector<std::string> forces;
+  for (int row = 0; row < 40; ++row) forces.push_back(fmt::format("{:.1f}", 0.5 * row));
+  CHECK(left_out(forces).words.empty());
+  for (const std::string says : {"NaN", "---", "", "#ERR", "?"}) {
+    std::vector<std::string> some = forces;
+    some[9] = some[10] = says;
+    CHECK(left_out(some).rows == std::vector<std::size_t>{9, 10});
+    CHECK(has(left_out(some).words, "2 rows without a number in 'Load' are left out: lines 11, 12"));
+    for (std::size_t row = 20; row < 24; ++row) some[row] = says;
+    CHECK(
+        has(message_of([&] { left_out(some); }), "expected a number in nine rows of ten, found none in 6 of 40 rows"));
+  }
+  for (const std::string says : {"OVER", "+OL", ">>>", "Overflow", "> 50"}) {
+    std::vector<std::string> some = forces;
+    some[9] = says;
+    CHECK(has(message_of([&] { left_out(some); }), "e.csv:11: column 'Load': expected readings within the range"));
+    CHECK(left_out(some, 9).rows == std::vector<std::size_t>{9});  // the record ends before
+    some = forces;
+    some.back() = says;
+    CHECK(left_out(some).rows == std::vector<std::size_t>{39});
+  }
+}
+
+TEST_CASE("export: a name with a unit in brackets states the unit of its column, unless the file states another") {
+  const std::string text = "Stroke [mm],Load,Aux [N]\n0.1,0.2,1\n0.2,0.3,2\n";
+  const Export file = export_in(text, "e.csv", {.columns = {{force, "Load [kN]"}}});
+  CHECK(column_with(file, file.specimens.front(), force).unit == "kN");
+  CHECK(has(file.specimens.front().repeat_with, "--force \"2 [kN]\""));
+  CHECK(has(message_of([&] {
+              export_in(text, "e.csv", {.columns = {{force, "Aux [kN]"}}});
+            }),
+            "the unit 'N' of 'Aux'"));
+  CHECK(has(message_of([&] { export_in(text, "e.csv", {.columns = {{force, "Load [mm]"}}}); }), "a unit such as N"));
+}
+
+TEST_CASE("export: the questions are about the specimen that was chosen") {
+  std::string text = "Stroke [mm],Load\n";
+  for (int row = 0; row < 12; ++row) text += fmt::format("{:.1f},{:.1f}\n", 0.1 * row, 0.3 * row);
+  text += "Stroke [mm],Load [N]\n";
+  for (int row = 0; row < 12; ++row) text += fmt::format("{:.1f},{:.1f}\n", 0.1 * row, 0.3 * row);
+  const Export file = export_in(text, "e.csv");
+  REQUIRE(file.specimens.size() == 2);
+  CHECK(file.specimens[0].asks.size() == 1);
+  CHECK(file.specimens[1].asks.empty());
 }
 
 TEST_CASE("export: contradictions are refused: units of title and row, and a stated maximum against the numbers") {
@@ -570,7 +631,7 @@ TEST_CASE("export: the flags that repeat the decisions make the same of the file
                           .decimal = file.marks.decimal,
                           .thousands = file.marks.thousands};
     const Export again = export_in(bytes, wanted.file, options);
-    CHECK(again.repeat_with == file.repeat_with);
+    CHECK(again.specimens.front().repeat_with == file.specimens.front().repeat_with);
     CHECK(canonical(again) == canonical(file));
   }
 }

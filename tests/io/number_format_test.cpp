@@ -48,6 +48,25 @@ TEST_CASE("number_format: values against the same numbers in C++") {
   CHECK(std::signbit(number_in("-0", {})));
 }
 
+TEST_CASE("number_format: signs that few files use, against the same numbers in C++") {
+  for (const char* text :
+       {"\u22121.5", "\u20131.5", "(1.5)", "( 1.5 )", "1.5-", "-1.5D+00", "\u22120.15d01", "-15.D-01"})
+    CHECK_MESSAGE(number_in(number_cell(text).number, {}) == -1.5, text);
+  CHECK(number_in("\u22124,5E\u22121", {',', '\0'}) == -0.45);
+  CHECK(number_cell("\u22121.5 N").unit == "N");
+  CHECK(evidence_of({"\u22120,5", "(1,25)"}).decimal() == ',');
+  for (const char* text : {"(1)", "()", "(a)", "1D5", "1.5D", "-", "--", "\u2212", "1-2", "a-", "(1.5", "1.5)"})
+    CHECK_MESSAGE(number_cell(text).number.empty(), text);
+}
+
+TEST_CASE("number_format: what says that there is no number, and what says that a sensor was at its end (table)") {
+  for (const char* text : {"", "NaN", "---", "n.a.", "\u2014"})
+    CHECK_MESSAGE((says_missing(text) && !says_overload(text)), text);
+  for (const char* text : {"OVER", "Over range", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf", "1.#INF"})
+    CHECK_MESSAGE((says_overload(text) && !says_missing(text)), text);
+  for (const char* text : {"1.5", "load", "cover", "N", "olive"}) CHECK_MESSAGE(!says_overload(text), text);
+}
+
 TEST_CASE("number_format: what is not written in the format is no number") {
   for (const char* text : {"", "nan", "inf", "1,5", "1.2.3", "1,234", "--1", "1e999", "0x1"})
     CHECK_MESSAGE(std::isnan(number_in(text, {})), text);

@@ -4,6 +4,8 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -73,6 +75,32 @@ TEST_CASE("table: units that are no power of ten, against their legal definition
   CHECK(std::abs(parse_quantity("1 lbf", kind::force) - 4.4482216152605) <= ulp * 4.5);
   CHECK(std::abs(parse_quantity("1 psi", kind::pressure) - 6894.757293168361) <= ulp * 6895);
   CHECK(parse_quantity("2 min", kind::time) == 120);
+}
+
+TEST_CASE("table: units by the names that people and machines give them, alike wherever a unit is read") {
+  CHECK(parse_quantity("1 gf", kind::force) == 9.80665e-3);
+  CHECK(parse_quantity("1 kp", kind::force) == 9.80665);
+  CHECK(parse_quantity("1 lbs", kind::force) == parse_quantity("1 lbf", kind::force));
+  CHECK(parse_quantity("16 ozf", kind::force) == parse_quantity("1 lbf", kind::force));
+  CHECK(parse_quantity("1 kip", kind::force) == parse_quantity("1000 lbf", kind::force));
+  CHECK(parse_quantity("1 ft", kind::length) == parse_quantity("12 in", kind::length));
+  CHECK(parse_quantity("2 inches", kind::length) == parse_quantity("2 in", kind::length));
+  CHECK(parse_quantity("1 ksi", kind::pressure) == parse_quantity("1000 psi", kind::pressure));
+  for (const char* unit : {"gf", "lbf", "Newton", "seconds", "inch", "ksi", "kip", "kN"})
+    CHECK(machine_unit(unit) == unit_named(unit));
+}
+
+TEST_CASE("table: a unit that is none, and which may be meant") {
+  using Units = std::vector<std::string_view>;
+  CHECK(meant_units("KN", kind::force) == Units{"kN"});
+  CHECK(meant_units("g", kind::force) == Units{"gf"});
+  CHECK(meant_units("Kg", kind::force) == Units{"kgf"});
+  CHECK(meant_units("lbF", kind::force) == Units{"lbf"});
+  CHECK(meant_units("mn", kind::force) == Units{"mN", "MN"});
+  CHECK(meant_units("IN", kind::length) == Units{"in"});
+  CHECK(meant_units("MM", kind::length) == Units{"mm"});
+  CHECK(meant_units("S", kind::time) == Units{"s"});
+  for (const char* text : {"", "Q", "mm", "V"}) CHECK(meant_units(text, kind::force).empty());
 }
 
 TEST_CASE("table: infinity where it means something, and nowhere else") {

@@ -31,6 +31,35 @@ TEST_CASE("sheet file: the separator is that of most numbers, of the titles, or 
   CHECK(text("a;b\n1;2\n", SheetFor::readings, {.separator = ','}).cells.cells(0).size() == 1);
 }
 
+TEST_CASE("sheet file: commas that separate cells and decimals alike (table)") {
+  const std::string titles = "Time (s),Force (N)\n";
+  const auto read = [](const std::string& text) { return sheet_in(text, "e.csv", {}, SheetFor::readings); };
+  const SheetFile file = read("Test of a beam, 3\n" + titles + "0,0,-0,019\n0,5,1,469\n1,0,2,956\n");
+  REQUIRE(file.notes.size() == 1);
+  CHECK(file.cells.at(1, 1) == "Force (N)");
+  CHECK(file.cells.at(2, 1) == "-0,019");
+  CHECK(file.cells.cells(3).size() == 2);
+  const auto refused = [&](const std::string& rows) { return message_of([&] { read(titles + rows); }); };
+  const char* of_three =
+      "e.csv:2: expected one mark between cells and another for decimals, found 2 titles above rows of 3 whole";
+  CHECK(refused("0,0,019\n1,1,469\n2,2,956\n").starts_with(of_three));
+  CHECK(refused("0,0,0,019\n1,1,469\n1,5,2,956\n").find("rows of 3 to 4 whole") != std::string::npos);
+  CHECK(read(titles + "1,0,19\n2,5,20\n").notes.empty());        // numbers of rows, and whole numbers
+  CHECK(read("a,b,c,d\n0,0,0,019\n0,5,1,469\n").notes.empty());  // as many as titles
+  CHECK(read(titles + "0.5,0.019\n1.5,1.469\n").notes.empty());
+}
+
+TEST_CASE("sheet file: formulas that are but words, and files that are no text (table)") {
+  const auto read = [](const std::string& text) { return sheet_in(text, "e.csv", {}, SheetFor::readings); };
+  const SheetFile file = read("\"=\"\"t\"\"\",F\n=\"0.5\",=\"-1,5\"\n\"=\"\"1.0\"\"\",=\"2.5\"\n");
+  CHECK(file.cells.at(0, 0) == "t");
+  CHECK(file.cells.at(1, 0) == "0.5");
+  CHECK(file.cells.at(1, 1) == "-1,5");
+  CHECK(file.cells.at(2, 0) == "1.0");
+  CHECK(message_of([&] { read("\x1f\x8b\x08 packed"); }).find(".zs2") != std::string::npos);
+  CHECK(message_of([&] { read("\n<html><table>"); }).find("HTML or XML") != std::string::npos);
+}
+
 TEST_CASE("sheet file: where it comes from") {
   const SheetFile file = text(
       "\xEF\xBB\xBF"

@@ -35,14 +35,17 @@ class BadRecord(InFolder):
     def test_one_point(self):
         self.refuses_record(HEADER + "2,0.05\n", "rows", "found 1")
 
-    def test_nan(self):
-        self.refuses_record(self.changed(100, "192.000,nan"), ":100:", "force", "finite number", "delete the line")
+    def test_a_missing_reading_is_left_out_and_said(self):
+        case = self.file("case.toml", CASE)
+        for line in ("192.000,nan", "192.000,---", "192.000,", "192.000"):
+            self.file("test.csv", self.changed(100, line))
+            self.assertIn("1 without a number left out", " ".join(self.succeeds("fit", case).split()))
+            steps = {each["step"]: each["done"] for each in self.json("fit", case)["preparation"]}
+            self.assertIn("one row without a number is left out: line 100 holds", steps["missing"])
 
-    def test_infinite(self):
-        self.refuses_record(self.changed(100, "192.000,inf"), ":100:", "force", "finite number", "delete the line")
-
-    def test_missing_number(self):
-        self.refuses_record(self.changed(100, "192.000,"), ":100:", "force", "empty cell")
+    def test_a_sensor_at_its_end(self):
+        for cell in ("inf", "OVER", ">>>"):
+            self.refuses_record(self.changed(100, f"192.000,{cell}"), ":100:", "force", "within the range of the sensor", f"'{cell}'")
 
     def test_word_for_a_number(self):
         self.refuses_record(self.changed(100, "192.000,broken"), ":100:", "force", "a number", "'broken'")

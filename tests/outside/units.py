@@ -10,7 +10,7 @@ PROGRAM_LIST = (SOURCE / "src/io/quantity.cpp").read_text(encoding="utf-8")
 
 
 def of_page(name):
-    body = re.search(rf"const {name}: Record<string, number> = {{(.*?)}};", PAGE, re.S).group(1)
+    body = re.search(rf"const {name}: Record<string, (?:number|string)> = {{(.*?)}};", PAGE, re.S).group(1)
     return {quoted or word for quoted, word in re.findall(r'(?:"([^"]+)"|(\w+)): ', body)}
 
 
@@ -21,7 +21,7 @@ def of_program(name):
 
 class Units(unittest.TestCase):
     def test_the_lists_of_the_page_are_those_of_the_program(self):
-        for page, program in (("PREFIXES", "prefixes"), ("WITH_PREFIX", "with_prefix"), ("WITHOUT_PREFIX", "without_prefix")):
+        for page, program in (("PREFIXES", "prefixes"), ("WITH_PREFIX", "with_prefix"), ("WITHOUT_PREFIX", "without_prefix"), ("SPELLINGS", "spellings")):
             self.assertTrue(of_page(page))
             self.assertEqual(of_page(page), of_program(program))
 

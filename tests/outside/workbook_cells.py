@@ -47,7 +47,7 @@ class Cells(InFolder):
         return self.folder / name
 
     def read(self, path, *flags):
-        done = run("read", path, *flags)
+        done = run("read", "-o", "-", path, *flags)
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout, done.stderr
 
@@ -102,7 +102,7 @@ class Cells(InFolder):
         self.assertIn("column 'Day' holds dates or clock times and is kept as text", said)
         self.assertEqual(numbers(out, "Load [N]"), [force for _, force in READINGS])
         text = self.file("plain.csv", out)
-        self.assertEqual(run("read", text, "--crosshead", "2").stdout, out)
+        self.assertEqual(run("read", "-o", "-", text, "--crosshead", "2").stdout, out)
 
     def test_a_campaigns_table_with_a_date_for_a_number_is_refused(self):
         self.book([["name", "file", "span [um]"], ["a", "a.csv", datetime.date(2026, 2, 1)]], name="tests.xlsx")

@@ -90,7 +90,7 @@ class Workbooks(InFolder):
         text = [["Extension (mm)", "Load (N)"], *([f"{value:.17g}" for value in row] for row in rows)]
         xml = "".join("<row>" + "".join(f"<c><v>{cell}</v></c>" for cell in row) + "</row>" for row in text[1:])
         path = self.file("digits.xlsx", raw({"a": rows_of(text[:1]) + xml}))
-        out = run("read", path, "--crosshead", "1").stdout
+        out = run("read", "-o", "-", path, "--crosshead", "1").stdout
         self.assertEqual([list(pair) for pair in zip(numbers(out, "Extension [mm]"), numbers(out, "Load [N]"))], rows)
 
     def test_what_libxlsxwriter_writes_is_read(self):
@@ -104,7 +104,7 @@ class Workbooks(InFolder):
         compared = 0
         for sheet in book.sheetnames:
             held = [cell for row in book[sheet].iter_rows(values_only=True) for cell in row if isinstance(cell, float)]
-            said = run("read", out / "campaign.xlsx", "--sheet", sheet)
+            said = run("read", "-o", "-", out / "campaign.xlsx", "--sheet", sheet)
             if said.returncode == 0 and held:
                 read = {float(cell) for cells in table(said.stdout).values() for cell in cells if is_float(cell)}
                 self.assertTrue(read & set(held), sheet)
@@ -126,7 +126,7 @@ class Workbooks(InFolder):
         self.assertEqual([(column["number"], column["name"], column["unit"]) for column in said["columns"]],
                          [(1, "Extension", "mm"), (3, "Load, of the cell", "N"), (4, "note", None), (5, "day", None), (6, "fine", None)])
         self.assertEqual((said["specimens"][0]["first_line"], said["specimens"][0]["last_line"]), (8, 18))
-        out = table(run("read", path).stdout)
+        out = table(run("read", "-o", "-", path).stdout)
         self.assertEqual(out["Extension [mm]"], ["0.4", "0.5", "0.6", "0.7", "0.8", "0.9"])
         self.assertEqual(out["Load, of the cell [N]"], ["4.5", "5.5", "6.5", "nan", "8.5", "9.5"])
         self.assertEqual(out["note"][0], 'say "hi"; a, b')
@@ -141,20 +141,31 @@ class Workbooks(InFolder):
         said = self.json("read", path)
         self.assertEqual((said["format"], said["test"]["span"]), ("Zwick testXpert", 0.017))
         self.assertEqual([column["role"] for column in said["columns"]], ["time", "crosshead", "force"])
-        by_number = run("read", path, "--crosshead", "2", "--force", "3")
-        by_name = run("read", path, "--crosshead", "Standardweg", "--force", "Standardkraft")
+        by_number = run("read", "-o", "-", path, "--crosshead", "2", "--force", "3")
+        by_name = run("read", "-o", "-", path, "--crosshead", "Standardweg", "--force", "Standardkraft")
         self.assertEqual(by_number.stdout, by_name.stdout)
-        text = self.file("text.csv", run("read", path).stdout)
-        self.assertEqual(run("read", text).stdout, text.read_text(encoding="utf-8"))
+        text = self.file("text.csv", run("read", "-o", "-", path).stdout)
+        self.assertEqual(run("read", "-o", "-", text).stdout, text.read_text(encoding="utf-8"))
+
+    def test_rows_that_a_filter_hides_are_read_and_said(self):
+        path = self.workbook({"a": [["Extension (mm)", "Load (N)"], *([i, 2 * i] for i in range(20))]})
+        book = openpyxl.load_workbook(path)
+        book["a"].auto_filter.ref = "A1:B21"
+        for row in (5, 6, 7):
+            book["a"].row_dimensions[row].hidden = True
+        book.save(path)
+        done = run("read", "-o", "-", path, "--crosshead", "1")
+        self.assertEqual(len(numbers(done.stdout, "Load [N]")), 20)
+        self.assertIn("3 rows are hidden by a filter, and read as all others are: lines 5 to 7", done.stderr)
 
     def test_a_sheet_is_chosen_by_name_or_number_and_the_decision_is_told(self):
         sheets = {f"Specimen {k}": [["Extension (mm)", "Load (N)"], *([i, k * i] for i in range(10))] for k in (1, 2, 3)}
         path = self.workbook({"Read me": [["nothing here"]], **sheets})
-        first = run("read", path, "--crosshead", "1")
+        first = run("read", "-o", "-", path, "--crosshead", "1")
         self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", first.stderr)
         for k in (1, 2, 3):
             for name in (f"Specimen {k}", str(k + 1)):
-                said = run("read", path, "--crosshead", "1", "--sheet", name)
+                said = run("read", "-o", "-", path, "--crosshead", "1", "--sheet", name)
                 self.assertEqual(numbers(said.stdout, "Load [N]"), [float(k * i) for i in range(10)])
                 again = said.stderr.split("the same way again: flexslip read ")[1].split(" --", 1)[1].strip()
                 self.assertIn(f'sheet "Specimen {k}"', again)
@@ -217,16 +228,16 @@ class Workbooks(InFolder):
 
     def test_numbers_kept_as_words_and_a_text_file_opened_as_a_workbook(self):
         words = [["Extension (mm)", "Load (N)"], *([f"{i},25", f"{i},{i}1"] for i in range(12))]
-        out = run("read", self.workbook({"a": words}), "--crosshead", "1").stdout
+        out = run("read", "-o", "-", self.workbook({"a": words}), "--crosshead", "1").stdout
         self.assertEqual(numbers(out, "Extension [mm]"), [i + 0.25 for i in range(12)])
         lines = [[";".join(row)] for row in words]
-        again = run("read", self.workbook({"a": lines}, "lines.xlsx"), "--crosshead", "1")
+        again = run("read", "-o", "-", self.workbook({"a": lines}, "lines.xlsx"), "--crosshead", "1")
         self.assertEqual(again.stdout, out)
         self.assertIn("words in one column", again.stderr)
 
     def test_formulas_that_were_never_computed_are_told(self):
         path = self.workbook({"a": [["Extension (mm)", "Load (N)"], *([i, f"=A{i + 2}*2"] for i in range(8)), *([8 + i, i] for i in range(12))]})
-        self.assertIn("8 formulas have no stored value", run("read", path, "--crosshead", "1").stderr)
+        self.assertIn("8 formulas have no stored value", run("read", "-o", "-", path, "--crosshead", "1").stderr)
 
     def test_other_files_are_told_by_name_with_a_remedy(self):
         ods = io.BytesIO()
@@ -247,7 +258,7 @@ class Workbooks(InFolder):
 
     def test_broken_files_are_refused_in_a_sentence(self):
         good = raw({"a": NUMBERS})
-        self.assertEqual(run("read", self.file("a.xlsx", good)).returncode, 0)
+        self.assertEqual(run("read", "-o", "-", self.file("a.xlsx", good)).returncode, 0)
         self.refused_as(good[: len(good) // 2], "a whole workbook", "cut off")
         encrypted = bytearray(good)
         for mark, at in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
@@ -266,13 +277,13 @@ class Workbooks(InFolder):
 
     def test_a_damaged_workbook_never_gives_other_numbers(self):
         good = raw({"a": NUMBERS})
-        right = run("read", self.file("a.xlsx", good)).stdout
+        right = run("read", "-o", "-", self.file("a.xlsx", good)).stdout
         draw = random.Random(3)
         for _ in range(60):
             bad = bytearray(good)
             for _ in range(draw.choice([1, 1, 3])):
                 bad[draw.randrange(len(bad))] ^= 1 << draw.randrange(8)
-            done = run("read", self.file("a.xlsx", bytes(bad)))
+            done = run("read", "-o", "-", self.file("a.xlsx", bytes(bad)))
             self.assertIn(done.returncode, (0, 2), done.stderr)
             if done.returncode == 0:
                 self.assertEqual(done.stdout, right)
@@ -309,12 +320,12 @@ class Workbooks(InFolder):
         """oracle: the numbers that were written; no assertion on time."""
         rows = "".join(f'<row r="{i + 2}"><c r="A{i + 2}"><v>{i / 100}</v></c><c r="B{i + 2}"><v>{math.sin(i / 1000)!r}</v></c></row>' for i in range(100_000))
         path = self.file("large.xlsx", raw({"a": rows_of([["Extension (mm)", "Load (N)"]]) .replace("<row>", '<row r="1">') + rows}))
-        out = run("read", path, "--crosshead", "1").stdout
+        out = run("read", "-o", "-", path, "--crosshead", "1").stdout
         self.assertEqual(numbers(out, "Load [N]"), [math.sin(i / 1000) for i in range(100_000)])
 
     def test_from_standard_input(self):
         data = self.workbook({"a": [["Extension (mm)", "Load (N)"], *([i, i] for i in range(5))]}).read_bytes()
-        done = subprocess.run([PROGRAM, "read", "-", "--crosshead", "1"], input=data, capture_output=True, check=False)
+        done = subprocess.run([PROGRAM, "read", "-o", "-", "-", "--crosshead", "1"], input=data, capture_output=True, check=False)
         self.assertEqual(numbers(done.stdout.decode(), "Load [N]"), [0, 1, 2, 3, 4])
 
 

@@ -5,16 +5,24 @@ const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6,
 const WITH_PREFIX: Record<string, number> = { m: 1, g: 1e-3, s: 1, N: 1, Pa: 1, J: 1, rad: 1 };
 const WITHOUT_PREFIX: Record<string, number> = {
   micron: 1e-6, microns: 1e-6, in: 0.0254, mil: 2.54e-5, sec: 1, min: 60, h: 3600, lbf: 4.4482216152605, psi: 6894.757293168361, ksi: 6894757.293168361,
-  Msi: 6894757293.168361, kgf: 9.80665, deg: Math.PI / 180, "°": Math.PI / 180, "%": 0.01,
+  Msi: 6894757293.168361, kgf: 9.80665, gf: 9.80665e-3, ozf: 4.4482216152605 / 16, kip: 4448.2216152605, ft: 0.3048, deg: Math.PI / 180, "°": Math.PI / 180, "%": 0.01,
+};
+// Names in lower case, whatever the case they are written in.
+const SPELLINGS: Record<string, string> = {
+  secs: "s", second: "s", seconds: "s", sekunden: "s", sek: "s", "sec.": "s", sec: "s", "秒": "s", mins: "min", minutes: "min", millimeter: "mm",
+  millimetre: "mm", meter: "m", metre: "m", inch: "in", inches: "in", "in.": "in", micrometer: "um", micrometre: "um", newton: "N", newtons: "N",
+  lb: "lbf", lbs: "lbf", kgf: "kgf", kp: "kgf", gf: "gf",
 };
 const SUPERSCRIPTS: Record<string, string> = { "⁰": "0", "¹": "1", "²": "2", "³": "3", "⁴": "4", "⁻": "-" };
 
 function factorOf(symbol: string): number | null {
-  const known = (list: Record<string, number>, name: string): number | undefined => (Object.hasOwn(list, name) ? list[name] : undefined);
+  const known = <T>(list: Record<string, T>, name: string): T | undefined => (Object.hasOwn(list, name) ? list[name] : undefined);
   const whole = known(WITHOUT_PREFIX, symbol) ?? known(WITH_PREFIX, symbol);
   if (whole !== undefined) return whole;
   const base = known(WITH_PREFIX, symbol.slice(1)), prefix = known(PREFIXES, symbol[0] ?? "");
-  return base !== undefined && prefix !== undefined ? prefix * base : null;
+  if (base !== undefined && prefix !== undefined) return prefix * base;
+  const spelled = known(SPELLINGS, symbol.toLowerCase());
+  return spelled !== undefined && spelled !== symbol ? factorOf(spelled) : null;
 }
 
 /** The factor from a unit such as "mN mm²" or "N/m" to SI; null if it is none. */

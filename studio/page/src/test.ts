@@ -77,7 +77,7 @@ export class Test {
     const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
     if (told.code !== 0) throw new Error(sentence(told.err));
     this.read = JSON.parse(told.out) as ReadAnswer;
-    const plain = await program.run(["read", this.data, ...this.readFlags(), "--quiet"], given);
+    const plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
     this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
     this.asks = [...this.read.asks];
   }
