@@ -404,8 +404,8 @@ Record first_rise(const Record& record) {
 }
 
 // The last row, counted from 1, before that of the point after so many.
-std::size_t rows_of_points(const Sampling& sampling, std::size_t rows, std::size_t points) {
-  return points < sampling.rows.size() ? sampling.rows[points] : rows;
+std::size_t rows_of_points(const Sampling& sampling, std::size_t points) {
+  return points < sampling.rows.size() ? sampling.rows[points] : sampling.end;
 }
 
 void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& steps) {
@@ -422,6 +422,42 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& step
               {});
 }
 
+// The record up to where the load cell is at its end.
+Record before_overload(Record every, std::size_t first, Measurement& result, Preparation& steps) {
+  const std::size_t rows = first + points_before_overload(points_between(every, first, every.force.size()));
+  if (rows == every.force.size()) return every;
+  result.end = MeasurementEnd::overload;
+  steps.add(
+      "overload", true,
+      fmt::format(
+          "the force stays at its greatest value, the end of the load cell, from row {} on: later rows are left out",
+          rows),
+      KeyChange{"record", "until", fmt::format("{}", result.rows)}, {}, RowRange{rows + 1, result.rows});
+  return first_points(every, rows);
+}
+
+// Takes points out of a record and of its sampling.
+void leave_out(const std::vector<std::size_t>& points, Record& record, Sampling& sampling) {
+  std::vector<std::size_t> kept;
+  for (std::size_t point = 0; point < record.force.size(); ++point)
+    if (!std::binary_search(points.begin(), points.end(), point)) kept.push_back(point);
+  record = picked(record, kept);
+  for (std::size_t& point : kept) point = sampling.rows[point];
+  sampling.rows = std::move(kept);
+}
+
+// What the force does while the stage halts: the first reading there belongs to the loading.
+void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
+  const Halts halts = find_halts(record.stage);
+  if (halts.points.empty()) return;
+  sampling.at_rest = halts.points.size();
+  steps.add("holds", true,
+            fmt::format("{} rows read while the stage halts, at {} {}, are left out", halts.points.size(), halts.places,
+                        halts.places == 1 ? "place" : "places"),
+            {}, {}, RowRange{sampling.rows[halts.points.front()] + 1, sampling.rows[halts.points.back()] + 1});
+  leave_out(halts.points, record, sampling);
+}
+
 // Single readings that no specimen can have made, in any loading.
 void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Preparation& steps) {
   std::vector<std::size_t> spikes;
@@ -431,9 +467,6 @@ void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Prep
       spikes.push_back(leg.first + point);
   }
   if (spikes.empty()) return;
-  std::vector<std::size_t> kept;
-  for (std::size_t point = 0; point < record.force.size(); ++point)
-    if (!std::binary_search(spikes.begin(), spikes.end(), point)) kept.push_back(point);
   const RowRange range{sampling.rows[spikes.front()] + 1, sampling.rows[spikes.back()] + 1};
   constexpr std::size_t shown = 3;
   std::vector<std::size_t> rows;
@@ -447,9 +480,7 @@ void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Prep
                   spikes.size() > shown ? ", …" : ""),
       {}, {}, range);
   sampling.spikes = spikes.size();
-  record = picked(record, kept);
-  for (std::size_t& point : kept) point = sampling.rows[point];
-  sampling.rows = std::move(kept);
+  leave_out(spikes, record, sampling);
 }
 
 ForceZero zero_of(const Record& record) {
@@ -467,7 +498,7 @@ Record with_force_zero(const Record& record, const Baseline& zero, bool stage_is
 }
 
 Record zeroed(const Test& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
-              std::size_t rows, const Baseline& baseline, Preparation& steps) {
+              const Baseline& baseline, Preparation& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (rule == ForceZeroRule{ZeroWord::keep}) {
     steps.add("zero", false, "the force is counted from the file's own zero, as stated",
@@ -484,7 +515,7 @@ Record zeroed(const Test& input, const Record& record, bool stage_is_read, doubl
               fmt::format("the force that {} before contact is subtracted, and led on behind it",
                           baseline.settles_by != 0 ? "settles" : "drifts"),
               KeyChange{"record", "zero", "\"find\""}, value_in(input, baseline.change, baseline.error, kind::force),
-              RowRange{1, rows_of_points(sampling, rows, baseline.points)});
+              RowRange{1, rows_of_points(sampling, baseline.points)});
     return with_force_zero(record, baseline, stage_is_read, stiffness);
   }
   const ForceZero zero = zero_of(record);
@@ -499,7 +530,7 @@ Record zeroed(const Test& input, const Record& record, bool stage_is_read, doubl
             changed ? "the mean force before contact is subtracted"
                     : "the mean force before contact is zero within four standard errors and is not subtracted",
             KeyChange{"record", "zero", "\"keep\""}, value_in(input, zero.offset, zero.error, kind::force),
-            RowRange{1, rows_of_points(sampling, rows, zero.points)});
+            RowRange{1, rows_of_points(sampling, zero.points)});
   return changed ? with_force_zero(record, {.level = zero.offset}, stage_is_read, stiffness) : record;
 }
 
@@ -673,30 +704,21 @@ std::size_t points_until(std::size_t until, Measurement& result, Preparation& st
   return static_cast<std::size_t>(end - counted.begin());
 }
 
-// Ends a loading where the load cell is at its end, or before the failure. What is left, in points of the record.
+// Ends a loading before the failure. What is left, in points of the record.
 std::size_t end_of(const Test& input, const Record& all, const Leg& loading, Measurement& result, Preparation& steps) {
-  const auto ends = [&](MeasurementEnd end, std::string_view step, std::string_view words, std::size_t points,
-                        KeyChange otherwise) {
-    result.end = end;
-    const std::size_t last = rows_of_points(result.sampling, result.rows, points);
-    steps.add(step, true, fmt::format("{} row {}: later rows are left out", words, last), std::move(otherwise), {},
-              RowRange{last + 1, result.rows});
-    return points;
-  };
-  const std::size_t stays = points_before_overload(points_between(all, loading.first, loading.last));
-  if (loading.first + stays < loading.last)
-    return ends(MeasurementEnd::overload, "overload",
-                "the force stays at its greatest value, the end of the load cell, after", loading.first + stays,
-                KeyChange{"record", "until", "…"});
   if (input.record->failure == FailureRule::none) {
     steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
     return loading.last;
   }
   const Failure failure = find_failure(points_between(all, loading.first, loading.last));
-  if (failure.status == FailureStatus::found)
-    return ends(MeasurementEnd::failure, "end", "the specimen failed after", loading.first + failure.points,
-                KeyChange{"record", "failure", "\"none\""});
+  if (failure.status == FailureStatus::found) {
+    result.end = MeasurementEnd::failure;
+    const std::size_t points = loading.first + failure.points, last = rows_of_points(result.sampling, points);
+    steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
+              KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, result.rows});
+    return points;
+  }
   steps.add("end", false, "no failure was found: all rows are kept", KeyChange{"record", "until", "…"});
   return loading.last;
 }
@@ -711,7 +733,7 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   const std::vector<Leg> legs = find_legs(stage);
   Loading loading = loading_to_evaluate(table, stage, legs);
   result.loading = loading.counted;
-  const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, result.rows, point); };
+  const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, point); };
   if (result.loading.of > 1)
     steps.add("loading", true,
               fmt::format("of {} loadings the {} that goes farthest is evaluated, rows {} to {}", result.loading.of,
@@ -762,10 +784,10 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
     steps.add("contact", true, "displacements are counted from where the record itself begins",
               KeyChange{"record", "contact", "\"first row\""},
               value_in(input, contact.offset.value, contact.offset.standard_error, kind::length),
-              contact.points_before > 0 ? std::optional(RowRange{result.sampling.rows[result.first] + 1,
-                                                                 rows_of_points(result.sampling, result.rows,
-                                                                                result.first + contact.points_before)})
-                                        : std::nullopt);
+              contact.points_before > 0
+                  ? std::optional(RowRange{result.sampling.rows[result.first] + 1,
+                                           rows_of_points(result.sampling, result.first + contact.points_before)})
+                  : std::nullopt);
     return;
   }
   const auto* stated = rule ? std::get_if<Known>(&*rule) : nullptr;
@@ -829,18 +851,22 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
+  if (!until) every = before_overload(std::move(every), first, result, steps);
+  const auto used = [first](const std::vector<double>& column) { return std::span(column).subspan(first); };
   result.sampling =
-      sampling_of(std::span(readings.displacement()).subspan(first), std::span(every.force).subspan(first), max_points);
+      sampling_of(used(readings.displacement()).first(every.force.size() - first), used(every.force), max_points);
   for (std::size_t& row : result.sampling.rows) row += first;
-  note_sampling(result.sampling, result.rows - first, steps);
+  result.sampling.end += first;
+  note_sampling(result.sampling, result.sampling.end - first, steps);
   every = picked(every, result.sampling.rows);
+  leave_out_holds(every, result.sampling, steps);
   leave_out_spikes(every, stiffness, result.sampling, steps);
   const Record rise = first_rise(every);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);
   result.baseline_is_off = input.record->zero == ForceZeroRule{ZeroWord::slope} && result.baseline.points > 0;
-  const Record all = zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.rows,
-                            result.baseline, steps);
+  const Record all =
+      zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.baseline, steps);
   note_compliance(input, readings, stiffness, steps);
   result.is_derived = readings.has(Reading::stage) && !readings.has(Reading::deflection);
 
@@ -875,7 +901,7 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point) {
 }
 
 std::size_t last_file_row(const Measurement& measurement, std::size_t point) {
-  return rows_of_points(measurement.sampling, measurement.rows, measurement.first + point + 1);
+  return rows_of_points(measurement.sampling, measurement.first + point + 1);
 }
 
 }  // namespace flexslip

@@ -45,7 +45,7 @@ struct PreparationStep {
   std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
 };
 
-// In the order in which they are done: columns, missing, metadata, sign, thinning, spikes, zero, compliance, loading, overload, end, stage, contact.
+// In the order in which they are done: columns, missing, metadata, sign, overload, thinning, holds, spikes, zero, compliance, loading, end, stage, contact.
 struct Preparation {
   std::vector<PreparationStep> steps;
 

@@ -80,6 +80,30 @@ std::vector<std::size_t> find_spikes(const Record& record, double stiffness) {
   return Spikes(record, stiffness).found();
 }
 
+Halts find_halts(const std::vector<double>& stage) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stage.size(); ++i)
+    if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
+  if (steps.empty()) return {};
+  const double one_place = median_of(std::move(steps)) / 20;
+  std::vector<std::size_t> begins{0};  // of each place
+  for (std::size_t i = 1; i < stage.size(); ++i)
+    if (std::abs(stage[i] - stage[begins.back()]) > one_place) begins.push_back(i);
+  begins.push_back(stage.size());
+  std::vector<double> counts;
+  for (std::size_t place = 0; place + 1 < begins.size(); ++place)
+    counts.push_back(static_cast<double>(begins[place + 1] - begins[place]));
+  constexpr double at_least = 5, of_usual = 3;
+  const double many = std::max(at_least, of_usual * median_of(counts) + 1);
+  Halts halts;
+  for (std::size_t place = 0; place + 1 < begins.size(); ++place) {
+    if (counts[place] < many) continue;
+    ++halts.places;
+    for (std::size_t i = begins[place] + 1; i < begins[place + 1]; ++i) halts.points.push_back(i);
+  }
+  return halts;
+}
+
 std::size_t points_before_overload(const Record& record) {
   const auto& [stage, deflection, force] = record;
   constexpr std::size_t at_least = 5;  // points at the end; and before it, to know how the force rises

@@ -16,6 +16,17 @@ namespace flexslip {
 // Method:     beyond six standard deviations of a step, by the noise where the record is quiet and by what half of all steps exceed.
 std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
 
+// Readings while the stage halts, but the first of each place.
+struct Halts {
+  std::vector<std::size_t> points;  // rising
+  std::size_t places = 0;
+};
+
+// Domain:     a stage in any unit.
+// Method:     points within a twentieth of the median step of the first of them are at one place. It is a hold if they are five or more, and
+//             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
+Halts find_halts(const std::vector<double>& stage);
+
 // How many points a load cell shows before it is at its end: where the force rises and then stays, to the last bit, at its greatest value, for five
 // points or more in which it would have risen by far more than its resolution. All points if it never does.
 // Domain:     columns of one length.

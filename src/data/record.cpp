@@ -419,7 +419,7 @@ std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
 }  // namespace
 
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
-  Sampling sampling{std::vector<std::size_t>(force.size()), 0, 0, 0, 1};
+  Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 1};
   auto& rows = sampling.rows;
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   sampling.repeated = leave_out(rows, [&](std::size_t i) {

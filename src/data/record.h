@@ -128,10 +128,12 @@ Signs find_signs(std::span<const double> displacement, std::span<const double> f
 
 struct Sampling {
   std::vector<std::size_t> rows;  // those that count, rising; the first row of the record is one
+  std::size_t end;                // after the last row of the record
   std::size_t repeated;           // rows that say what the row before says
   std::size_t held;               // rows whose force is that of the row before, while the displacement has moved on
   std::size_t interpolated;       // rows between readings
   std::size_t stride;             // of the rest one in so many counts
+  std::size_t at_rest = 0;        // read while the stage halted, left out by whoever looked for them
   std::size_t spikes = 0;         // readings that are none (no_readings.h), left out by whoever looked for them
 };
 

@@ -202,11 +202,9 @@ std::string most_by_slip_in_words(T test) {
   const auto greatest = std::max_element(most.begin(), most.end());
   const std::size_t before = test.analysis.drops.drops[static_cast<std::size_t>(greatest - most.begin())].before;
   const Print print(test);
-  return std::isinf(*greatest)
-             ? "a slip can make any drop here"
-             : fmt::format(
-                   "at {} a slip can make at most {}", print.length(test.analysis.reduced.deflection[before]),
-                   std::string(format_roughly(test.analysis.scales.physical_force(*greatest), print.as(kind::force))));
+  return fmt::format(
+      "at {} a slip can make at most {}", print.length(test.analysis.reduced.deflection[before]),
+      std::string(format_roughly(test.analysis.scales.physical_force(*greatest), print.as(kind::force))));
 }
 
 Found gave_way(T test) {
@@ -970,6 +968,7 @@ std::string rows_in_words(T test) {
   if (const std::size_t out = sampling.repeated + sampling.held + sampling.interpolated; out > 0)
     left_out.push_back(fmt::format("{} repeated or held", out));
   if (measurement.missing > 0) left_out.push_back(fmt::format("{} without a number", measurement.missing));
+  if (sampling.at_rest > 0) left_out.push_back(fmt::format("{} while the stage halted", sampling.at_rest));
   if (sampling.spikes > 0) left_out.push_back(format_count(sampling.spikes, "spike", "spikes"));
   if (!left_out.empty()) words += fmt::format(" ({} left out)", fmt::join(left_out, ", "));
   if (sampling.stride > 1) words += fmt::format(", one in {}", sampling.stride);

@@ -13,10 +13,11 @@ namespace flexslip {
 // The friction between 0 and this that a slip may lose altogether.
 inline constexpr double most_lost_friction = 1;
 
-// For each drop, the most that the force can have fallen there by a slip, in units of the force of the record: from all the friction that there may
-// be to none, at the deflections before and after. Whatever the bending stiffness is: a part of the force before.
+// For each drop, the most that the force can have fallen there by a slip, in units of the force of the record: what friction along the specimen, inwards
+// or outwards, can hold of it at any deflection up to that, less what the specimen gains by moving on. Whatever the bending stiffness is: a part of
+// the force before.
 // Domain:     drops of the record; supports as state_on_supports.
-// Accuracy:   that of the map; infinite where no state of so much friction exists.
+// Accuracy:   that of the map; all of the force where there is no state of so much friction.
 // Source:     theory.md, "What a slip can do to a bar"; of a stocky bar over small deflections 1.5 μ h/L of the force.
 std::vector<double> most_by_slips(const ReducedRecord& record, std::span<const Drop> drops, const Supports& supports);
 

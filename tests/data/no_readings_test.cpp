@@ -65,6 +65,25 @@ TEST_CASE("spikes: a force that shakes all the time has none (limit)") {
   CHECK(find_spikes(record, stiffness).empty());
 }
 
+TEST_CASE("holds: what is read while the stage halts is found, several readings at each place are none (truth known)") {
+  std::vector<double> stage, staircase;
+  std::vector<std::size_t> halted;
+  for (int i = 0; i < 200; ++i) {
+    stage.push_back(step * i);
+    for (int k = 0; k < 4; ++k) staircase.push_back(step * i);
+    if (i != 50 && i != 120) continue;
+    for (int k = 0; k < (i == 50 ? 6 : 80); ++k) {
+      halted.push_back(stage.size());
+      stage.push_back(step * (i + 0.02 * (k % 2)));
+    }
+  }
+  CHECK(find_halts(stage).points == halted);
+  CHECK(find_halts(stage).places == 2);
+  CHECK(find_halts(staircase).places == 0);
+  CHECK(find_halts({}).places == 0);
+  CHECK(find_halts({1, 1, 1, 1, 1, 1}).places == 0);  // it never moves
+}
+
 TEST_CASE("overload: a force that stays at its greatest value is the end of the load cell, a flat top is not") {
   Record record = curve(0, 1);
   CHECK(points_before_overload(record) == 300);
