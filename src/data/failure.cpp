@@ -12,7 +12,7 @@ namespace {
 // From a peak of the force to the next trough.
 struct Fall {
   std::size_t peak, trough;
-  double at_once;  // [N] the most that it loses within a hundredth of the travel
+  double at_once;  // [N] the most that it loses within 1.5 % of the travel
 };
 
 // A loading up to its farthest stage.
@@ -42,7 +42,7 @@ class Loading {
 
  private:
   static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6;  // [most]
-  static constexpr double window = 0.01, reach = 0.07;                        // [travel]
+  static constexpr double window = 0.015, reach = 0.07;                       // [travel]
 
   double highest_from(std::size_t point) const {
     return *std::max_element(force_.begin() + static_cast<std::ptrdiff_t>(point),
@@ -84,7 +84,7 @@ class Loading {
     if (falls) add();
   }
 
-  // [N] Within a hundredth of the travel behind a point, to the next one at least.
+  // [N] Within 1.5 % of the travel behind a point, to the next one at least.
   double lost_from(std::size_t point, std::size_t trough) const {
     double lost = 0;
     for (std::size_t i = point + 1; i <= trough; ++i) {
@@ -133,7 +133,7 @@ class Loading {
     while (stage_[fall.trough] - stage_[begin] > reach * travel_ && lost_from(begin, fall.trough) < much * most_)
       ++begin;
     while (lost_from(begin, fall.trough) < std::min(a_twentieth * most_, fall.at_once)) ++begin;
-    const double level = force_[begin] - std::max(0.01 * most_, 3 * noise_);
+    const double level = force_[begin] - std::max(0.003 * most_, 4 * noise_);
     std::size_t last = begin;
     while (last < fall.trough && force_[last + 1] > level) ++last;
     return last + 1;

@@ -85,7 +85,7 @@ Halts find_halts(const std::vector<double>& stage) {
   for (std::size_t i = 1; i < stage.size(); ++i)
     if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
   if (steps.empty()) return {};
-  const double one_place = median_of(std::move(steps)) / 20;
+  const double one_place = median_of(std::move(steps)) / 200;
   std::vector<std::size_t> begins{0};  // of each place
   for (std::size_t i = 1; i < stage.size(); ++i)
     if (std::abs(stage[i] - stage[begins.back()]) > one_place) begins.push_back(i);

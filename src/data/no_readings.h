@@ -23,7 +23,7 @@ struct Halts {
 };
 
 // Domain:     a stage in any unit.
-// Method:     points within a twentieth of the median step of the first of them are at one place. It is a hold if they are five or more, and
+// Method:     points within 0.5 % of the median step of the first of them are at one place. It is a hold if they are five or more, and
 //             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
 Halts find_halts(const std::vector<double>& stage);
 

@@ -15,6 +15,7 @@
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
 #include "inference/process_mode.h"
+#include "inference/slip_limit.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -27,7 +28,8 @@ using Found = std::optional<Finding>;
 
 constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
 
-bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss); }
+// Does a later loading bound what stiffness was lost in that evaluated?
+bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss_needed); }
 
 bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0; }
 
@@ -184,6 +186,8 @@ double greatest_of(const std::vector<double>& values) {
 
 std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
 
+bool is_slender(T test) { return 2 * test.analysis.rig.fibre.supports().half_depth <= least_height_of_a_bar; }
+
 // Drops that are deeper than any slip, of a test without friction.
 std::size_t beyond_slips(T test) {
   const auto& analysis = test.analysis;
@@ -214,11 +218,11 @@ Found gave_way(T test) {
                                        [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("{} of {} deeper than a slip: {}. The specimen gave way.", beyond,
+      .sentence = fmt::format("{} of {} deeper than any slip: {}. The specimen gave way.", beyond,
                               drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test)),
                               most_by_slip_in_words(test)),
       .short_form = "gave way",
-      .remedy = fmt::format("flexslip modulus gives stiffness and strength; until = {} under [record] ends the "
+      .remedy = fmt::format("Use flexslip modulus for stiffness and strength; until = {} under [record] ends the "
                             "record before the deepest drop.",
                             file_row(test, drop.before)),
       .numbers = {{"beyond_slips", static_cast<double>(beyond)},
@@ -326,7 +330,8 @@ Found wrong_load_train(T test) {
 
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
-  const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained;
+  const bool is_judged =
+      is_fitted(test) || analysis.status == AnalysisStatus::not_explained || (seeks_drops(test) && !is_slender(test));
   if (!is_judged || !analysis.stiffness_implausible || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
@@ -636,8 +641,7 @@ Found only_a_limit(T test) {
 
 Found no_reload(T test) {
   const Judgement& judgement = *test.judgement;
-  if (test.analysis.drops.drops.empty() || std::isfinite(judgement.loss) || undecided_drops(test) ||
-      lost_stiffness(judgement))
+  if (test.analysis.drops.drops.empty() || has_reload(test) || undecided_drops(test) || lost_stiffness(judgement))
     return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = "Without a reload nobody knows how much stiffness was lost.",
@@ -892,7 +896,8 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
     const Finding* shallow = finding_in(findings, "too_few_points");
-    if (shallow && seeks_drops(test)) return verdict_without_friction(test, *shallow, finding_in(findings, "gave_way"));
+    if (shallow && seeks_drops(test) && !is_slender(test))
+      return verdict_without_friction(test, *shallow, finding_in(findings, "gave_way"));
     const Finding& reason = findings.front();
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
@@ -1136,7 +1141,7 @@ std::string reload_in_words(T test) {
     parts.push_back(fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
                                 is_beyond_friction(friction) ? ", which differ by more than friction can" : ""));
   }
-  if (has_reload(test))
+  if (std::isfinite(test.judgement->loss))
     parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),
                                 100 * test.judgement->loss_error, test.judgement->loss > 0 ? "softer" : "stiffer"));
   return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),

@@ -302,7 +302,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
     analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::too_few_points;
-    if (!is_bent)
+    if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar)
       analysis.most_by_slips = most_by_slips(analysis.reduced, analysis.drops.drops, description.fibre.supports());
     return analysis;
   }

@@ -125,7 +125,8 @@ struct TestAnalysis {
   MeasurementErrors errors{};  // as fitted with
   RigErrors rig_errors{};      // likewise
   Drops drops{};
-  std::vector<double> most_by_slips{};  // [EI/L^2] of each of them (slip_limit.h), where too few points tell friction
+  std::vector<double>
+      most_by_slips{};  // [EI/L^2] of each of them (slip_limit.h), of a bar bent too little to tell friction
   FrictionProfile profile{};
   std::vector<Slip> slips{};        // judged at the bending stiffness stated, told at that of the fit
   double most_friction = infinity;  // [1] as in the options

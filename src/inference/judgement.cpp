@@ -26,19 +26,18 @@ struct Reload {
   double loss, error;  // [1]
 };
 
-std::optional<Reload> last_reload(const CyclicAnswer* cycles, std::size_t evaluated) {
-  if (!cycles || evaluated >= cycles->stiffness.size()) return std::nullopt;
-  const LoadingStiffness& before = cycles->stiffness[evaluated];
-  if (before.status != LoadingStatus::ok) return std::nullopt;
-  for (std::size_t i = cycles->stiffness.size(); i-- > evaluated + 1;) {
-    const LoadingStiffness& after = cycles->stiffness[i];
-    if (after.status != LoadingStatus::ok) continue;
-    const double ratio = after.ratio.value / before.ratio.value;
-    const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
-    const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
-    return Reload{1 - ratio, elementary::length(scatter, systematic) / before.ratio.value};
-  }
-  return std::nullopt;
+Reload between(const LoadingStiffness& before, const LoadingStiffness& after) {
+  const double ratio = after.ratio.value / before.ratio.value;
+  const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
+  const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
+  return {1 - ratio, elementary::length(scatter, systematic) / before.ratio.value};
+}
+
+// The last loading after one that can be compared with it; null where there is none.
+const LoadingStiffness* last_after(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
+  for (std::size_t i = loadings.size(); i-- > evaluated + 1;)
+    if (loadings[i].status == LoadingStatus::ok) return &loadings[i];
+  return nullptr;
 }
 
 std::size_t impossible_drops(const TestAnalysis& analysis) {
@@ -115,7 +114,7 @@ double left_by_cracks(const TestAnalysis& analysis) {
 // None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
 double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
   double probability = analysis.slip_or_crack.cracks_alone;
-  if (std::isfinite(judgement.loss))
+  if (std::isfinite(judgement.loss_needed))
     probability = with_reload(probability, {judgement.loss_needed, judgement.loss, judgement.loss_error});
   const bool outside =
       most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
@@ -132,7 +131,7 @@ CrackVerdict verdict_on(const Judgement& judgement) {
 
 std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const Judgement& judgement) {
   std::vector<double> losses{0.1, 0.2};
-  if (std::isfinite(judgement.loss))
+  if (std::isfinite(judgement.loss_needed))
     losses = {std::clamp(judgement.loss + one_sided_95 * judgement.loss_error, 0.0, losses.back())};
   const Estimate& told = analysis.fit.mu0;
   std::vector<FrictionIfLost> all;
@@ -165,7 +164,17 @@ bool lost_stiffness(const Judgement& judgement) {
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  const std::optional<Reload> reload = last_reload(cycles, evaluated);
+  std::optional<Reload> reload;
+  bool bounds = false;  // the loss in the loading that was analysed
+  if (cycles && evaluated < cycles->stiffness.size() && cycles->stiffness[evaluated].status == LoadingStatus::ok) {
+    const LoadingStiffness &own = cycles->stiffness[evaluated], &first = cycles->stiffness.front();
+    const LoadingStiffness* const after = last_after(cycles->stiffness, evaluated);
+    bounds = after != nullptr;
+    if (after)
+      reload = between(own, *after);
+    else if (evaluated > 0 && first.status == LoadingStatus::ok)
+      reload = between(first, own);
+  }
   const bool has_drops = !analysis.drops.drops.empty();
   const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
@@ -174,7 +183,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::s
                       .few_rows = has_few_rows(analysis),
                       .jumped = has_drops ? jumped_part(analysis) : 0};
   if (reload) {
-    judgement.loss_needed = 1 - left_by_cracks(analysis);
+    if (bounds) judgement.loss_needed = 1 - left_by_cracks(analysis);
     judgement.loss = reload->loss;
     judgement.loss_error = reload->error;
     judgement.softer_reload = judgement.loss - one_sided_95 * judgement.loss_error > relevant_loss;

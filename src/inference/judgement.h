@@ -36,8 +36,10 @@ struct Judgement {
   std::size_t impossible = 0;     // drops that cannot be slips
   bool softer_reload = false;     // the last comparable one has lost stiffness
   bool changed_reload = false;    // it is softer or stiffer by more than its error, and by a twentieth
-  double loss = NAN, loss_error = NAN;  // [1] of stiffness, that it shows; NaN without
-  double loss_needed = NAN;             // [1] of stiffness, by cracks alone to make the drops; NaN without a reload
+  // [1] Of stiffness, from the loading analysed to the last comparable one after it; where there is none, from the first to that analysed. NaN without.
+  double loss = NAN, loss_error = NAN;
+  double loss_needed =
+      NAN;  // [1] of stiffness, by cracks alone to make the drops; NaN where no loading comes after that analysed
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
   bool few_rows = false;  // most rises between drops have fewer than five

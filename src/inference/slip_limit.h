@@ -13,6 +13,9 @@ namespace flexslip {
 // The friction between 0 and this that a slip may lose altogether.
 inline constexpr double most_lost_friction = 1;
 
+// [L] Where a specimen of less height is bent too little to tell friction, its span or a unit is wrong.
+inline constexpr double least_height_of_a_bar = 1.0 / 200;
+
 // For each drop, the most that the force can have fallen there by a slip, in units of the force of the record: what friction along the specimen, inwards
 // or outwards, can hold of it at any deflection up to that, less what the specimen gains by moving on. Whatever the bending stiffness is: a part of
 // the force before.

@@ -74,7 +74,7 @@ TEST_CASE("holds: what is read while the stage halts is found, several readings 
     if (i != 50 && i != 120) continue;
     for (int k = 0; k < (i == 50 ? 6 : 80); ++k) {
       halted.push_back(stage.size());
-      stage.push_back(step * (i + 0.02 * (k % 2)));
+      stage.push_back(step * (i + 0.002 * (k % 2)));
     }
   }
   CHECK(find_halts(stage).points == halted);

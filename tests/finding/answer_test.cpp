@@ -75,6 +75,7 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
   }
   CHECK(verdict(changed([](FittedTest& test) {  // bent too little to tell friction, without a drop
           test.analysis.status = AnalysisStatus::too_few_points;
+          test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
           test.analysis.drops.drops.clear();
         })) == VerdictCode::no_drops);
   CHECK(verdict(changed([](FittedTest& test) {

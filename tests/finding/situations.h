@@ -69,10 +69,12 @@ inline std::vector<Situation> situations() {
   });
   add("gave_way", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
     test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 0.001);
   });
   add("too_few_points", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
     test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 100);
   });
   add("wrong_load_train", Severity::refusal, [](FittedTest& test) {

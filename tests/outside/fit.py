@@ -211,7 +211,7 @@ stiffness = "90.65 N/m"
 file = "straight.csv"
 ''')
         done = run("fit", case, "--draws", self.folder / "draws.csv")
-        self.assertIn("NO ANSWER", done.stdout)
+        self.assertIn("friction cannot be told", done.stdout)
         self.assertIn("there is no fit to draw profiles from", " ".join(done.stderr.split()))
         self.assertFalse((self.folder / "draws.csv").exists())
 
@@ -316,13 +316,14 @@ step = "2 um"
         self.refused("fit", CASE, "--suspect-limit", "nan", says=["--suspect-limit", "0.01 to 100"])
         self.refused("simulate", CASE, "--noise", "1 uN", "--seed", "-1", says=["--seed", "whole number"])
 
-    def test_too_shallow_a_test_is_no_answer(self):
+    def test_too_shallow_a_test_tells_of_its_drops_alone(self):
         lines = DATA.read_text(encoding="utf-8").splitlines(keepends=True)
         shallow = self.file("shallow.csv", "".join(lines[:45]))
         result = run("fit", shallow, *FLAGS, "--modulus", "29.6 GPa", "--json")
-        self.assertEqual(result.returncode, 1, result.stderr)
-        self.assertEqual(json.loads(result.stdout)["status"], "too_few_points")
-        self.assertIn("friction", result.stderr)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertEqual((answer["status"], answer["verdict"]["code"]), ("too_few_points", "no_drops"))
+        self.assertIn("friction cannot be told", answer["verdict"]["sentence"])
 
     def test_curves_and_profile(self):
         curves, profile = self.folder / "curves.csv", self.folder / "profile.csv"

@@ -429,7 +429,7 @@ class RealMachines(InFolder):
     def test_outside_blades(self):
         self.check("bluehill_blades/WSR8001_july25_lateral.csv", (1, 2), rows=3004, stiffness=141.2)
         found = self.check("bluehill_blades/cyclic_Specimen_RawData_1.csv", (1, 2), rows=222, stiffness=3.64)
-        self.assertIn("turns back after row 114", step(found, "turn")["done"])
+        self.assertIn("turns back after row 114", step(found, "loading")["done"])
 
     def test_outside_a_force_in_volts_is_refused(self):
         result = run("modulus", INSTRUMENTS / "mts_testsuite_femur/C18-L-M-RF.txt", "--displacement", "crosshead", "--stiffness", "inf")
