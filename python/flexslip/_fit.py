@@ -60,7 +60,8 @@ class Fit(FitFields):
 
     @property
     def message(self) -> str:
-        return str(self._part("why_no_answer"))
+        why = str(self._part("why_no_answer"))
+        return why if why or self.success else str(self._data["verdict"]["sentence"])
 
     @property
     def params(self) -> FitParameters:

@@ -14,8 +14,8 @@
 #include "data/names.h"
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
+#include "finding/slips_of_a_bar.h"
 #include "inference/process_mode.h"
-#include "inference/slip_limit.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -27,6 +27,8 @@ using T = const FittedTest&;
 using Found = std::optional<Finding>;
 
 constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
+
+std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
 
 // Does a later loading bound what stiffness was lost in that evaluated?
 bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss_needed); }
@@ -175,59 +177,6 @@ Found too_deep(T test) {
       .short_form = "deflection beyond the span",
       .remedy = "Check the units, and where the displacement counts from.",
       .numbers = {{"deflection_over_span", deepest}}};
-}
-
-// Were drops looked for? Where the specimen is bent too little to tell friction they are, and held against what a slip can do.
-bool seeks_drops(T test) { return std::isfinite(test.analysis.force_noise); }
-
-double greatest_of(const std::vector<double>& values) {
-  return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
-}
-
-std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
-
-bool is_slender(T test) { return 2 * test.analysis.rig.fibre.supports().half_depth <= least_height_of_a_bar; }
-
-// Drops that are deeper than any slip, of a test without friction.
-std::size_t beyond_slips(T test) {
-  const auto& analysis = test.analysis;
-  constexpr double surely = 4;  // of the noise of a reading
-  std::size_t beyond = 0;
-  for (std::size_t i = 0; i < analysis.most_by_slips.size(); ++i) {
-    const double fall = analysis.scales.reduced_force(analysis.drops.drops[i].force_fall);
-    beyond += fall > analysis.most_by_slips[i] + surely * analysis.force_noise ? 1 : 0;
-  }
-  return beyond;
-}
-
-// "at 3.1 mm a slip can make at most 80 mN"
-std::string most_by_slip_in_words(T test) {
-  const auto& most = test.analysis.most_by_slips;
-  const auto greatest = std::max_element(most.begin(), most.end());
-  const std::size_t before = test.analysis.drops.drops[static_cast<std::size_t>(greatest - most.begin())].before;
-  const Print print(test);
-  return fmt::format(
-      "at {} a slip can make at most {}", print.length(test.analysis.reduced.deflection[before]),
-      std::string(format_roughly(test.analysis.scales.physical_force(*greatest), print.as(kind::force))));
-}
-
-Found gave_way(T test) {
-  const std::size_t beyond = beyond_slips(test);
-  if (is_fitted(test) || beyond == 0) return std::nullopt;
-  const Drop& drop = *std::max_element(test.analysis.drops.drops.begin(), test.analysis.drops.drops.end(),
-                                       [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("{} of {} deeper than any slip: {}. The specimen gave way.", beyond,
-                              drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test)),
-                              most_by_slip_in_words(test)),
-      .short_form = "gave way",
-      .remedy = fmt::format("Use flexslip modulus for stiffness and strength; until = {} under [record] ends the "
-                            "record before the deepest drop.",
-                            file_row(test, drop.before)),
-      .numbers = {{"beyond_slips", static_cast<double>(beyond)},
-                  {"most_by_slip", test.analysis.scales.physical_force(greatest_of(test.analysis.most_by_slips)),
-                   kind::force}}};
 }
 
 constexpr std::size_t min_rows = 30;
@@ -860,36 +809,6 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
-// "2 drops (650 mN and 1.25 N)"
-std::string drops_with_sizes(T test) {
-  constexpr std::size_t shown = 3;
-  const auto& drops = test.analysis.drops.drops;
-  const std::string all = format_count(drops.size(), "drop", "drops");
-  if (drops.size() > shown)
-    return fmt::format("{}, the largest {}", all, Print(test).own(largest_drop(test.analysis), kind::force));
-  std::string sizes;
-  for (std::size_t i = 0; i < drops.size(); ++i)
-    sizes += fmt::format("{}{}",
-                         i == 0                  ? ""
-                         : i + 1 == drops.size() ? " and "
-                                                 : ", ",
-                         Print(test).own(drops[i].force_fall, kind::force));
-  return fmt::format("{} ({})", all, sizes);
-}
-
-// Of a specimen that is bent too little to tell friction: what its drops are can still be told.
-Verdict verdict_without_friction(T test, const Finding& shallow, const Finding* gave_way) {
-  const std::string no_friction = "friction cannot be told at so small a deflection";
-  if (drops_of(test) == 0) return {VerdictCode::no_drops, {no_friction}, shallow.code};
-  const std::string most = most_by_slip_in_words(test);
-  if (gave_way)
-    return {
-        VerdictCode::crack, {drops_with_sizes(test), most + ": the specimen gave way", no_friction}, gave_way->code};
-  return {VerdictCode::undecided,
-          {drops_with_sizes(test), most + ", so that they can be slips", no_friction},
-          shallow.code};
-}
-
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong : {"wrong_load_train", "wrong_stiffness"})
     if (const Finding* found = finding_in(findings, wrong))
@@ -1179,9 +1098,7 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
     if (const std::string reload = reload_in_words(test); !reload.empty()) rows.push_back({"reload", reload});
   }
   if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
-    rows.push_back({"slip or crack",
-                    fmt::format("{}; {} of {} deeper", most_by_slip_in_words(test), beyond_slips(test),
-                                drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test)))});
+    rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)

@@ -1,0 +1,28 @@
+// What is told of the drops of a specimen that is bent too little to tell its friction.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "case/fitted.h"
+#include "finding/finding.h"
+
+namespace flexslip {
+
+// Were drops looked for in a test?
+bool seeks_drops(const FittedTest& test);
+
+// So slender that a span or a unit is wrong, where it is bent too little.
+bool is_slender(const FittedTest& test);
+
+// Of a test without a fit that has a drop deeper than any slip (inference/slip_limit.h).
+std::optional<Finding> gave_way(const FittedTest& test);
+
+// "at 3.1 mm a slip can make at most 80 mN; 1 of 2 drops are deeper"
+// Domain:     analysis.most_by_slips is not empty.
+std::string slips_of_a_bar_in_words(const FittedTest& test);
+
+// By what a slip can do; shallow says why there is no friction, gave_way is null where no drop is too deep.
+Verdict verdict_without_friction(const FittedTest& test, const Finding& shallow, const Finding* gave_way);
+
+}  // namespace flexslip
