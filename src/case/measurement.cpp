@@ -736,8 +736,8 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, point); };
   if (result.loading.of > 1)
     steps.add("loading", true,
-              fmt::format("of {} loadings the {} that goes farthest is evaluated, rows {} to {}", result.loading.of,
-                          result.loading.number == 1 ? "first" : "one", result.sampling.rows[loading.leg.first] + 1,
+              fmt::format("loading {} of {} is evaluated, rows {} to {}: none goes farther by more than a twentieth",
+                          result.loading.number, result.loading.of, result.sampling.rows[loading.leg.first] + 1,
                           row(loading.leg.last)),
               result.loading.number > 1
                   ? std::optional(KeyChange{"record", "until", fmt::format("{}", row(legs.front().last))})
@@ -890,6 +890,12 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   result.record = counted_from(result.contact_offset, std::move(whole), skipped);
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
   return result;
+}
+
+Record first_loading(const Measurement& measurement) {
+  if (measurement.loading.number <= 1 || !measurement.cycles) return measurement.record;
+  const Leg first = find_legs(measurement.cycles->stage).front();
+  return points_between(*measurement.cycles, first.first, first.last);
 }
 
 std::size_t file_row(const Measurement& measurement, std::size_t point) {

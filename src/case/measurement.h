@@ -97,6 +97,9 @@ struct Measurement {
   bool baseline_is_off = false;                        // taken off, as the case asks
 };
 
+// The record, or of several loadings the first, which starts from a specimen that friction does not hold drawn in.
+Record first_loading(const Measurement& measurement);
+
 // Row of the file, counted from 1, at which a point of the record begins; and one of the cycles.
 std::size_t file_row(const Measurement& measurement, std::size_t point);
 std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);

@@ -486,7 +486,7 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test) {
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(test)) return *stated;
   const double span = span_of(test);
-  const auto slope = stiffness_from_slope(measurement.record, span);
+  const auto slope = stiffness_from_slope(first_loading(measurement), span);
   if (!slope.found)
     throw InputError({.file = measurement.file,
                       .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",

@@ -129,15 +129,17 @@ class Simulated(CyclicRecords):
             error = (loadings[1]["ratio"]["standard_error"] ** 2 + loadings[1]["ratio_systematic"] ** 2) ** 0.5
             self.assertAlmostEqual(loadings[1]["ratio"]["value"], stiffness / STIFFNESS, delta=3 * error)  # three standard errors
 
-    def test_beginning_by_unloading_is_refused(self):
+    def test_a_record_that_begins_by_unloading_is_evaluated_from_its_loading_on(self):
         turned = self.readings(UP_AND_DOWN)
         peak = max(range(len(turned)), key=lambda i: turned[i][0])
-        self.refused("fit", self.record(turned[peak:] + turned[1:peak]), says=["record.csv", "unloading", "a record that begins by loading"])
+        fit = self.json("fit", self.record(turned[peak:] + turned[1:peak]))
+        self.assertEqual(fit["measurement"]["first_row"], len(turned) - peak + 1)
+        self.refused("fit", self.record(turned[peak:]), says=["record.csv", "unloads", "a record that has a loading"])
 
     def test_text_and_report(self):
         case = self.record(self.readings())
         text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
-        for words in ("2 loadings: friction", "\nLoad and unload\n", "\nStick or slide\n", "\nWhere the work of the first loading went\n"):
+        for words in ("2 loadings: friction", "\nLoad and unload\n", "\nStick or slide\n", "\nWhere the work of this loading went\n"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         for words in ("<h2>Load and unload</h2>", "<h2>Stick or slide</h2>"):
