@@ -22,15 +22,6 @@ const Drop& deepest_of(const std::vector<Drop>& drops) {
                            [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
 }
 
-double most_by_slips_of(T test) {
-  return *std::max_element(test.analysis.most_by_slips.begin(), test.analysis.most_by_slips.end());
-}
-
-// "2 drops are"
-std::string drops_are(T test) {
-  return drops_of(test) == 1 ? "1 drop is" : fmt::format("{} drops are", drops_of(test));
-}
-
 // Drops that are deeper than any slip, of a test without friction.
 std::size_t beyond_slips(T test) {
   const auto& analysis = test.analysis;
@@ -43,15 +34,32 @@ std::size_t beyond_slips(T test) {
   return beyond;
 }
 
+// The drop that is deepest beside what a slip can do there.
+std::size_t least_like_a_slip(T test) {
+  const std::vector<Drop>& drops = test.analysis.drops.drops;
+  const std::vector<double>& most = test.analysis.most_by_slips;
+  std::size_t least_like = 0;
+  const auto beyond = [&](std::size_t i) { return test.analysis.scales.reduced_force(drops[i].force_fall) - most[i]; };
+  for (std::size_t i = 1; i < most.size(); ++i)
+    if (beyond(i) > beyond(least_like)) least_like = i;
+  return least_like;
+}
+
 // "at 3.1 mm a slip can make at most 80 mN"
 std::string most_by_slip_in_words(T test) {
-  const auto& most = test.analysis.most_by_slips;
-  const auto greatest = std::max_element(most.begin(), most.end());
-  const std::size_t before = test.analysis.drops.drops[static_cast<std::size_t>(greatest - most.begin())].before;
+  const std::size_t drop = least_like_a_slip(test);
+  const double deflection = test.analysis.reduced.deflection[test.analysis.drops.drops[drop].before];
+  const double most = test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]);
   const Print print(test);
-  return fmt::format(
-      "at {} a slip can make at most {}", print.length(test.analysis.reduced.deflection[before]),
-      std::string(format_roughly(test.analysis.scales.physical_force(*greatest), print.as(kind::force))));
+  return fmt::format("at {} a slip can make at most {}", print.length(deflection),
+                     std::string(format_roughly(most, print.as(kind::force))));
+}
+
+// "1 of 10 drops is deeper"
+std::string deeper_drops(T test) {
+  const std::size_t beyond = beyond_slips(test);
+  return fmt::format("{} of {} {} deeper", beyond, format_count(drops_of(test), "drop", "drops"),
+                     beyond == 1 ? "is" : "are");
 }
 
 // "2 drops (650 mN and 1.25 N)"
@@ -80,21 +88,22 @@ bool is_slender(T test) { return 2 * test.analysis.rig.fibre.supports().half_dep
 std::optional<Finding> gave_way(T test) {
   const std::size_t beyond = beyond_slips(test);
   if (is_fitted(test) || beyond == 0) return std::nullopt;
-  const Drop& drop = deepest_of(test.analysis.drops.drops);
+  const std::size_t drop = least_like_a_slip(test);
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("{} of {} deeper than any slip: {}. The specimen gave way.", beyond, drops_are(test),
-                              most_by_slip_in_words(test)),
+      .sentence =
+          fmt::format("{} than any slip: {}. The specimen gave way.", deeper_drops(test), most_by_slip_in_words(test)),
       .short_form = "gave way",
       .remedy = fmt::format("Use flexslip modulus for stiffness and strength; until = {} under [record] ends the "
-                            "record before the deepest drop.",
-                            file_row(test, drop.before)),
-      .numbers = {{"beyond_slips", static_cast<double>(beyond)},
-                  {"most_by_slip", test.analysis.scales.physical_force(most_by_slips_of(test)), kind::force}}};
+                            "record before that drop.",
+                            file_row(test, test.analysis.drops.drops[drop].before)),
+      .numbers = {
+          {"beyond_slips", static_cast<double>(beyond)},
+          {"most_by_slip", test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]), kind::force}}};
 }
 
 std::string slips_of_a_bar_in_words(T test) {
-  return fmt::format("{}; {} of {} deeper", most_by_slip_in_words(test), beyond_slips(test), drops_are(test));
+  return fmt::format("{}; {}", most_by_slip_in_words(test), deeper_drops(test));
 }
 
 // Of a specimen that is bent too little to tell friction: what its drops are can still be told.
