@@ -185,7 +185,9 @@ TEST_CASE("rig: where friction repeats, places tell of the rig, and so do the se
     StatedQuantity quantity;
     double more;
   };
-  for (const Row& row : {Row{StatedQuantity::support_radius, 0.004}, Row{StatedQuantity::bending_stiffness, 0.03}}) {
+  std::vector<Row> rows{{StatedQuantity::support_radius, 0.004}, {StatedQuantity::bending_stiffness, 0.03}};
+  for (const StatedQuantity quantity : stated_quantities) rows.push_back({quantity, 0.002});
+  for (const Row& row : rows) {
     CAPTURE(static_cast<int>(row.quantity));
     const auto other = fit_friction(restated(problem, row.quantity, row.more));
     const double told = row.more * (*usual.friction_by)[row.quantity];
