@@ -88,43 +88,25 @@ class BeginningFit {
   Fitted fit(const Rise& rise, Fitted start, Seat seat, double offset_error, double scatter) const {
     const bool has_seat = seat.force > 0;
     Fitted at = std::move(start);
+    at.scatter = scatter;
+    Curvature about = curvature_at(at, rise, seat);
     constexpr int steps = 40;
     for (int step = 0; step < steps; ++step) {
-      at.residuals.clear();
+      if (scatter == 0) at.scatter = std::max(noise_, deviation_by_median * median_of_sizes(at.residuals));
+      at.loss = loss_of(at, has_seat, offset_error);
+      const double scale = square(at.scatter);
       Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
       Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
-      const double e = elementary::exp(at.log_stiffness);
-      std::vector<Eigen::Vector4d> rows;
-      for (std::size_t i = 0; i < looked_.force.size(); ++i) {
-        const double force = looked_.force[i] - at.offset;
-        const double yields = has_seat ? -elementary::exp_less_one(-std::max(force, 0.0) / seat.force) : 0;
-        const auto [F, slope] =
-            rise.at(looked_.deflection[i] + compliance_ * at.offset - at.contact - at.depth * yields);
-        at.residuals.push_back(force - e * F);
-        rows.emplace_back(-e * slope, e * F, 1 + e * slope * compliance_, -e * slope * yields);
+      for (std::size_t i = 0; i < about.size(); ++i) {
+        const double weight = 1 / (1 + square(at.residuals[i]) / (far * scale));
+        normal += (weight / scale) * about[i] * about[i].transpose();
+        gradient += (weight / scale * at.residuals[i]) * about[i];
       }
-      at.scatter = scatter > 0 ? scatter : std::max(noise_, deviation_by_median * median_of_sizes(at.residuals));
-      const double scale = square(at.scatter);
-      at.loss = 0;
-      for (std::size_t i = 0; i < rows.size(); ++i) {
-        constexpr double far = 9;  // [scatter²] beyond which a reading hardly counts
-        const double r2 = square(at.residuals[i]) / scale;
-        const double weight = 1 / (1 + r2 / far);
-        normal += (weight / scale) * rows[i] * rows[i].transpose();
-        gradient += (weight / scale * at.residuals[i]) * rows[i];
-        at.loss += far * elementary::log_of_one_and(r2 / far);
+      const auto known = prior_of(at, has_seat, offset_error);
+      for (Eigen::Index i = 0; i < 4; ++i) {
+        normal(i, i) += known[static_cast<std::size_t>(i)].weight;
+        gradient[i] -= known[static_cast<std::size_t>(i)].weight * known[static_cast<std::size_t>(i)].away;
       }
-      const auto prior = [&](Eigen::Index i, double away, double weight) {
-        normal(i, i) += weight;
-        gradient[i] -= weight * away;
-        at.loss += weight * square(away);
-      };
-      constexpr double somewhere = 100;  // [1/L²] about where it is first looked for
-      prior(0, at.contact - first_.contact, somewhere);
-      prior(1, at.log_stiffness - first_.log_stiffness, weight_of_stiffness_);
-      prior(2, at.offset, 1 / square(offset_error));
-      constexpr double exactly = 1e18;
-      prior(3, at.depth, has_seat ? 1 / square(usual_depth) : exactly);
       normal.diagonal() *= 1 + 1e-9;
       const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
       const Eigen::Vector4d move = solver.solve(gradient);
@@ -134,16 +116,68 @@ class BeginningFit {
       at.log_volume = -0.5 * solver.vectorD().array().abs().log().sum() +
                       (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
       if (!move.allFinite()) return {};
-      at.contact += std::clamp(move[0], -0.02, 0.02);
-      at.log_stiffness += std::clamp(move[1], -0.3, 0.3);
-      at.offset += move[2];
-      at.depth += std::clamp(move[3], -0.02, 0.02);
-      if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6) break;
+      if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6 && std::abs(move[3]) < 1e-8) break;
+      // So far along it as makes the loss smaller.
+      constexpr double least_part = 1e-3;
+      double part = 1;
+      for (; part > least_part; part /= 2) {
+        Fitted next = at;
+        next.contact += part * std::clamp(move[0], -0.02, 0.02);
+        next.log_stiffness += part * std::clamp(move[1], -0.3, 0.3);
+        next.offset += part * move[2];
+        next.depth += part * std::clamp(move[3], -0.02, 0.02);
+        Curvature there = curvature_at(next, rise, seat);
+        if (loss_of(next, has_seat, offset_error) > at.loss) continue;
+        at = std::move(next);
+        about = std::move(there);
+        break;
+      }
+      if (!(part > least_part)) break;
     }
     return at;
   }
 
  private:
+  static constexpr double far = 9;         // [scatter²] beyond which a reading hardly counts
+  static constexpr double exactly = 1e18;  // the weight of what is known
+
+  using Curvature = std::vector<
+      Eigen::Vector4d>;  // by how much each reading is explained better by contact, stiffness, offset and depth
+
+  // The residuals of a fit, and what they go down by.
+  Curvature curvature_at(Fitted& at, const Rise& rise, Seat seat) const {
+    at.residuals.clear();
+    const double e = elementary::exp(at.log_stiffness);
+    Curvature rows;
+    for (std::size_t i = 0; i < looked_.force.size(); ++i) {
+      const double force = looked_.force[i] - at.offset;
+      const double yields = seat.force > 0 ? -elementary::exp_less_one(-std::max(force, 0.0) / seat.force) : 0;
+      const auto [F, slope] = rise.at(looked_.deflection[i] + compliance_ * at.offset - at.contact - at.depth * yields);
+      at.residuals.push_back(force - e * F);
+      rows.emplace_back(-e * slope, e * F, 1 + e * slope * compliance_, -e * slope * yields);
+    }
+    return rows;
+  }
+
+  struct Known {
+    double away, weight;
+  };
+  std::array<Known, 4> prior_of(const Fitted& at, bool has_seat, double offset_error) const {
+    constexpr double somewhere = 100;  // [1/L²] about where it is first looked for
+    return {{{at.contact - first_.contact, somewhere},
+             {at.log_stiffness - first_.log_stiffness, weight_of_stiffness_},
+             {at.offset, 1 / square(offset_error)},
+             {at.depth, has_seat ? 1 / square(usual_depth) : exactly}}};
+  }
+
+  double loss_of(const Fitted& at, bool has_seat, double offset_error) const {
+    double loss = 0;
+    for (const double residual : at.residuals)
+      loss += far * elementary::log_of_one_and(square(residual / at.scatter) / far);
+    for (const Known& known : prior_of(at, has_seat, offset_error)) loss += known.weight * square(known.away);
+    return loss;
+  }
+
   static double square(double x) { return x * x; }
   static double median_of_sizes(std::vector<double> values) {
     for (double& value : values) value = std::abs(value);

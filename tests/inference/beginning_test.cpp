@@ -85,6 +85,18 @@ TEST_CASE("beginning: more rows do not make a contact sharper (limit)") {
   CHECK(find_contact(many, known).offset.standard_error >= least_contact_error * known.span);
 }
 
+TEST_CASE("beginning: a bending stiffness that is stated hardly larger hardly moves it, in rough records, too") {
+  BeginningOf stiffer = known;
+  *stiffer.bending_stiffness *= 1 + 1e-7;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    const Record record = made({.noise = 0.1, .contact = 0.015, .before = 8, .seed = seed});
+    const Estimate one = find_contact(record, known).offset, other = find_contact(record, stiffer).offset;
+    CHECK(std::abs(other.value - one.value) < 1e-3 * one.standard_error);
+    CHECK(other.standard_error == doctest::Approx(one.standard_error).epsilon(1e-3));
+  }
+}
+
 TEST_CASE("beginning: single readings that are far off do not move it") {
   const Record clean = made({});
   const double greatest = *std::max_element(clean.force.begin(), clean.force.end());
