@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include "data/names.h"
+#include "data/rounded_drops.h"
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
 #include "finding/slips_of_a_bar.h"
@@ -220,6 +221,7 @@ std::string train_in_words(T test, double stiffness) {
 // not fit in which that is off by more than half of what the load train stated makes it, and by more than the stage moves meanwhile.
 Found other_train_in_drops(T test) {
   const Record& record = test.analysis.record;
+  if (rounded_drops(record).lag > 0) return std::nullopt;  // of a force that lags behind
   const std::vector<Drop>& drops = test.analysis.drops.drops;
   const double stated = 1 / test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
   constexpr std::size_t enough = 3, max_rows = 5;
@@ -518,6 +520,17 @@ std::string reload_remedy(T test) {
   return fmt::format("{} once more; {}.", is_unloaded ? "Load" : "Unload and load", reload_bounds);
 }
 
+Found lagging_force(T test) {
+  const RoundedDrops drops = rounded_drops(test.analysis.record);
+  if (!(drops.lag > 0)) return std::nullopt;
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("The force lags behind by about {:.1f} rows: its drops are rounded, and were deeper.", drops.lag),
+      .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
+      .remedy = "Filter the force less, or record rows that are farther apart in time.",
+      .numbers = {{"lag_in_rows", drops.lag}}};
+}
+
 Found undecided_drops(T test) {
   const Judgement& judgement = *test.judgement;
   if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
@@ -751,6 +764,7 @@ constexpr std::array rules{
     Rule{"falling_friction", falling_friction, true},
     Rule{"changed_reload", changed_reload, true},
     Rule{"coarse_force", coarse_force, true},
+    Rule{"lagging_force", lagging_force, true},
     Rule{"undecided_drops", undecided_drops, true},
     Rule{"few_rows", few_rows, true},
     Rule{"below_frictionless", below_frictionless, true},

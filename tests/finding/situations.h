@@ -119,6 +119,15 @@ inline std::vector<Situation> situations() {
   });
   add("coarse_force", Severity::doubt,
       [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
+  add("lagging_force", Severity::doubt, [](FittedTest& test) {
+    Record& record = test.analysis.record;
+    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
+    double follows = 0;
+    for (std::size_t i = 0; i < record.force.size(); ++i) {
+      record.force[i] = follows += 0.5 * (record.force[i] - follows);
+      record.deflection[i] = record.stage[i] - record.force[i] / train;
+    }
+  });
   add("undecided_drops", Severity::doubt, [](FittedTest& test) {
     test.judgement->drops = CrackVerdict::cannot_be_told;
     test.judgement->cracks_alone = 0.35;
