@@ -1,0 +1,86 @@
+#include "data/rounded_drops.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "numerics/elementary.h"
+#include "numerics/root.h"
+
+namespace flexslip {
+namespace {
+
+constexpr std::size_t beside = 2;  // steps before and after a drop that are compared
+
+// A drop, by what its steps fall beyond the smooth curve [N].
+struct Rounded {
+  double longer;  // after it more than before it
+  double fall;
+};
+
+std::vector<Rounded> drops_of(const Record& record) {
+  constexpr std::size_t fewest = 30;  // as find_drops has it
+  std::vector<Rounded> drops;
+  if (record.force.size() < fewest) return drops;
+  const std::vector<double> smooth = smooth_steps(record);
+  constexpr double surely = 5;  // standard deviations of a step
+  const double noise = step_noise(record, smooth, 1);
+  std::vector<double> fall;  // of each step
+  for (std::size_t i = 0; i < smooth.size(); ++i)
+    fall.push_back(std::max(smooth[i], 0.0) - (record.force[i + 1] - record.force[i]));
+  for (std::size_t i = beside; i + beside < fall.size(); ++i) {
+    const auto at = fall.begin() + static_cast<std::ptrdiff_t>(i);
+    if (!(record.force[i + 1] < record.force[i]) || !(*at > surely * noise)) continue;
+    if (*std::max_element(at - beside, at + beside + 1) > *at) continue;
+    double longer = 0;
+    for (std::size_t k = 1; k <= beside; ++k) longer += fall[i + k] - fall[i - k];
+    drops.push_back({longer, *at});
+  }
+  return drops;
+}
+
+// [1] The same of snaps at any time between two rows, behind a low-pass.
+double longer_by_lag(double rows) {
+  constexpr int snaps = 64;
+  double longer = 0, all = 0;
+  for (int snap = 0; snap < snaps; ++snap) {
+    const double first = (snap + 0.5) / snaps;  // [rows] from the snap to the next row
+    std::array<double, 2 * beside + 2> steps{};  // the first that falls is in the middle, or beside it
+    double left = 1;
+    for (std::size_t k = 0; beside + k < steps.size(); ++k) {
+      const double then = elementary::exp(-(first + static_cast<double>(k)) / rows);
+      steps[beside + k] = left - then;
+      left = then;
+    }
+    const std::size_t steepest = steps[beside] >= steps[beside + 1] ? beside : beside + 1;
+    for (std::size_t k = 1; k <= beside; ++k) longer += steps[steepest + k] - steps[steepest - k];
+    all += steps[steepest];
+  }
+  return longer / all;
+}
+
+}  // namespace
+
+RoundedDrops rounded_drops(const Record& record) {
+  const std::vector<Rounded> drops = drops_of(record);
+  const auto count = static_cast<double>(drops.size());
+  constexpr std::size_t fewest = 3;
+  if (drops.size() < fewest) return {drops.size(), 0};
+  double longer = 0, fall = 0, squares = 0;
+  for (const Rounded& drop : drops) {
+    longer += drop.longer;
+    fall += drop.fall;
+  }
+  const double share = longer / fall;
+  for (const Rounded& drop : drops) squares += (drop.longer - share * drop.fall) * (drop.longer - share * drop.fall);
+  constexpr double of_one = 0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
+  const double error = elementary::length(std::sqrt(squares * count / (count - 1)) / fall, of_one / std::sqrt(count));
+  constexpr double no_lag = 0.1;
+  if (!(share - (1.3 + 1 / count) * error > no_lag)) return {drops.size(), 0};
+  constexpr Bracket lags{0.05, 8};
+  const auto fine = [](const Bracket& lag) { return lag.width() < 1e-3; };
+  return {drops.size(), halved_until(fine, lags, [&](double lag) { return longer_by_lag(lag) > share; }).low};
+}
+
+}  // namespace flexslip
