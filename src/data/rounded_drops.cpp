@@ -45,7 +45,7 @@ double longer_by_lag(double rows) {
   constexpr int snaps = 64;
   double longer = 0, all = 0;
   for (int snap = 0; snap < snaps; ++snap) {
-    const double first = (snap + 0.5) / snaps;  // [rows] from the snap to the next row
+    const double first = (snap + 0.5) / snaps;   // [rows] from the snap to the next row
     std::array<double, 2 * beside + 2> steps{};  // the first that falls is in the middle, or beside it
     double left = 1;
     for (std::size_t k = 0; beside + k < steps.size(); ++k) {
@@ -74,7 +74,8 @@ RoundedDrops rounded_drops(const Record& record) {
   }
   const double share = longer / fall;
   for (const Rounded& drop : drops) squares += (drop.longer - share * drop.fall) * (drop.longer - share * drop.fall);
-  constexpr double of_one = 0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
+  constexpr double of_one =
+      0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
   const double error = elementary::length(std::sqrt(squares * count / (count - 1)) / fall, of_one / std::sqrt(count));
   constexpr double no_lag = 0.1;
   if (!(share - (1.3 + 1 / count) * error > no_lag)) return {drops.size(), 0};

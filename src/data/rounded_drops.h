@@ -9,7 +9,8 @@ namespace flexslip {
 
 struct RoundedDrops {
   std::size_t drops;  // told by so many
-  double lag;         // [rows] time constant of the low-pass that would round them so; 0: they are not rounded, or too few tell
+  double
+      lag;  // [rows] time constant of the low-pass that would round them so; 0: they are not rounded, or too few tell
 };
 
 // Domain:     one loading without faults (check_record).

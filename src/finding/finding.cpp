@@ -44,7 +44,8 @@ std::vector<Finding> doubts_of(const Answer& answer) {
   const VerdictCode verdict = answer.verdict.code;
   // What is read off with a wrong input, or of a specimen that lost stiffness, is wrong for that reason.
   if (verdict == VerdictCode::check_input || verdict == VerdictCode::no_answer) return {};
-  constexpr std::array whatever_happened{"coarse_force", "few_rows", "lagging_force", "other_contact", "sloping_baseline"};
+  constexpr std::array whatever_happened{"coarse_force", "few_rows", "lagging_force", "other_contact",
+                                         "sloping_baseline"};
   std::vector<Finding> doubts;
   for (const Finding& finding : answer.findings) {
     if (finding.severity > Severity::doubt || finding.code == answer.verdict.finding) continue;

@@ -9,6 +9,7 @@
 
 #include "finding/printed.h"
 #include "inference/slip_limit.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -22,16 +23,12 @@ const Drop& deepest_of(const std::vector<Drop>& drops) {
                            [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
 }
 
-// Drops that are deeper than any slip, of a test without friction.
+// Drops that are deeper than any slip, of a bar without friction.
 std::size_t beyond_slips(T test) {
-  const auto& analysis = test.analysis;
-  constexpr double surely = 4;  // of the noise of a reading
-  std::size_t beyond = 0;
-  for (std::size_t i = 0; i < analysis.most_by_slips.size(); ++i) {
-    const double fall = analysis.scales.reduced_force(analysis.drops.drops[i].force_fall);
-    beyond += fall > analysis.most_by_slips[i] + surely * analysis.force_noise ? 1 : 0;
-  }
-  return beyond;
+  if (test.analysis.most_by_slips.empty()) return 0;
+  const auto& slips = test.analysis.slips;
+  return static_cast<std::size_t>(std::count_if(
+      slips.begin(), slips.end(), [](const Slip& slip) { return slip.verdict != SlipVerdict::possible; }));
 }
 
 // The drop that is deepest beside what a slip can do there.
@@ -58,6 +55,7 @@ std::string most_by_slip_in_words(T test) {
 // "1 of 10 drops is deeper"
 std::string deeper_drops(T test) {
   const std::size_t beyond = beyond_slips(test);
+  if (drops_of(test) == 1) return beyond == 1 ? "the drop is deeper" : "the drop is less deep";
   return fmt::format("{} of {} {} deeper", beyond, format_count(drops_of(test), "drop", "drops"),
                      beyond == 1 ? "is" : "are");
 }
@@ -91,8 +89,8 @@ std::optional<Finding> gave_way(T test) {
   const std::size_t drop = least_like_a_slip(test);
   return Finding{
       .severity = Severity::refusal,
-      .sentence =
-          fmt::format("{} than any slip: {}. The specimen gave way.", deeper_drops(test), most_by_slip_in_words(test)),
+      .sentence = fmt::format("{} than any slip: {}. The specimen gave way.", capitalised(deeper_drops(test)),
+                              most_by_slip_in_words(test)),
       .short_form = "gave way",
       .remedy = fmt::format("Use flexslip modulus for stiffness and strength; until = {} under [record] ends the "
                             "record before that drop.",
@@ -115,7 +113,10 @@ Verdict verdict_without_friction(T test, const Finding& shallow, const Finding* 
     return {
         VerdictCode::crack, {drops_with_sizes(test), most + ": the specimen gave way", no_friction}, gave_way->code};
   return {VerdictCode::undecided,
-          {drops_with_sizes(test), most + ", so that they can be slips", no_friction},
+          {drops_with_sizes(test),
+           fmt::format("{}, so that {} can be {}", most, drops_of(test) == 1 ? "it" : "they",
+                       drops_of(test) == 1 ? "a slip" : "slips"),
+           no_friction},
           shallow.code};
 }
 

@@ -238,6 +238,20 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
   return checks;
 }
 
+// By what a slip can do, since no friction is told that would say what it did.
+void judge_drops_of_a_bar(TestAnalysis& analysis) {
+  constexpr double surely = 4;  // of the noise of a reading
+  const std::vector<Drop>& drops = analysis.drops.drops;
+  analysis.most_by_slips = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    const double fall = analysis.scales.reduced_force(drops[i].force_fall);
+    const bool is_beyond = fall > analysis.most_by_slips[i] + surely * analysis.force_noise;
+    analysis.slips[i].verdict = is_beyond ? SlipVerdict::unexplained : SlipVerdict::possible;
+    analysis.slips[i].can_be_crack = true;
+  }
+  analysis.slip_summary = summarise(analysis.slips);
+}
+
 }  // namespace
 
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
@@ -302,8 +316,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
     analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::too_few_points;
-    if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar)
-      analysis.most_by_slips = most_by_slips(analysis.reduced, analysis.drops.drops, description.fibre.supports());
+    if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar) judge_drops_of_a_bar(analysis);
     return analysis;
   }
   analysis.profile_at_fit = profile_at_fit(analysis);

@@ -19,7 +19,7 @@ namespace flexslip {
 namespace {
 
 constexpr double contradicts = 2;  // of a stated maximum over the measured one: no rounding, but another unit
-constexpr std::string_view calibration_hint = "--calibration \"222 N/V\"";
+constexpr std::string_view calibration_hint = "--calibration \"… N/V\"";
 
 using Columns = std::vector<const ExportColumn*>;
 

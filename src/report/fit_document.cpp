@@ -383,9 +383,12 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
 std::vector<Chapter> document_of(const FittedTest& test) {
   const Answer answer = answer_of(test);
   if (!is_fitted(test)) {
-    Chapter record{};
-    if (test.analysis.status == AnalysisStatus::not_explained) record.blocks.emplace_back(picture(record_figure, test));
-    return {record, checks_chapter(test, answer), preparation_chapter(test), provenance_chapter(test)};
+    const std::vector<Block> record{picture(record_figure, test)};
+    return {{"", record},
+            checks_chapter(test, answer),
+            small_deflection_chapter(test),
+            preparation_chapter(test),
+            provenance_chapter(test)};
   }
   const bool trusted = is_trusted(answer.standing);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},

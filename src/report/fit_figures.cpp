@@ -322,33 +322,46 @@ Plot teeth_figure(const FittedTest& test) {
 }
 
 Plot record_figure(const FittedTest& test) {
-  const auto& record = test.analysis.record;
+  const TestAnalysis& analysis = test.analysis;
+  const Record& record = analysis.record;
   const PlotUnits units = plot_units(test);
   const auto [least, greatest] = std::minmax_element(record.force.begin(), record.force.end());
   const double F_least = units.scales.reduced_force(*least), F_most = units.scales.reduced_force(*greatest);
   const ForcePlane plane =
       force_plane(units, units.scales.reduced_length(largest(record.deflection)), std::max(-F_least, F_most));
-  PlotTable measured = plane.table("measured");
-  for (std::size_t i = 0; i < record.force.size(); ++i)
-    measured.rows.push_back({plane.w(units.scales.reduced_length(record.deflection[i])),
-                             plane.F(units.scales.reduced_force(record.force[i]))});
-  std::vector<PlotTable> data = references(test.analysis, plane);
-  data.push_back(std::move(measured));
+  const auto at = [&](std::size_t i) {
+    return std::vector{plane.w(units.scales.reduced_length(record.deflection[i])),
+                       plane.F(units.scales.reduced_force(record.force[i]))};
+  };
+  PlotTable measured = plane.table("measured"), drops = plane.table("drops");
+  for (std::size_t i = 0; i < record.force.size(); ++i) measured.rows.push_back(at(i));
+  for (const Drop& drop : analysis.drops.drops)
+    drops.rows.insert(drops.rows.end(), {at(drop.before), at(drop.after), std::vector<double>{}});
+  std::vector<PlotTable> data;
+  std::vector<Mark> marks{{.style = styles::measured, .title = "Measured"}, level(0, styles::zero)};
+  std::string caption = "Force against deflection at midspan. Blue: measured.";
+  if (analysis.status == AnalysisStatus::not_explained) {
+    data = references(analysis, plane);
+    marks.insert(marks.end(), {beam_mark, frictionless_mark});
+    caption +=
+        " Orange: Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness stated, or "
+        "that of the initial slope.";
+  }
+  marks.push_back({Mark::line, "measured", {0, 1}, styles::measured});
+  if (!drops.rows.empty()) {
+    marks.push_back({Mark::line, "drops", {0, 1}, styles::unloading, "Drops"});
+    caption += " Red: its drops.";
+  }
+  for (PlotTable* table : {&measured, &drops}) data.push_back(std::move(*table));
   return {.name = "record",
           .title = "Force against deflection: " + test.name,
-          .caption =
-              "Force against deflection at midspan. Blue: measured. Orange: Euler–Bernoulli (dashed) and the model "
-              "without friction, both with the bending stiffness stated, or that of the initial slope.",
+          .caption = caption,
           .width = two_columns,
           .height = 78,
           .data = std::move(data),
           .panels = {{.x = plane.x(1.03),
                       .y = plane.F.axis(force_label, std::min(0.0, 1.1 * F_least), 1.1 * F_most),
-                      .marks = {{.style = styles::measured, .title = "Measured"},
-                                level(0, styles::zero),
-                                beam_mark,
-                                frictionless_mark,
-                                {Mark::line, "measured", {0, 1}, styles::measured}}}}};
+                      .marks = std::move(marks)}}};
 }
 
 bool has_loops(const FittedTest& test) {

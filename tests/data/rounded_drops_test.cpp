@@ -17,7 +17,9 @@ constexpr int finer = 20;  // stage positions a row
 
 // A specimen that snaps from crest to crest, run forward finely; the force follows as behind a low-pass, and noise is added where it is read.
 Record slipping(double lag, double noise, unsigned seed) {
-  const auto of = [&](unsigned from, double least, double most) { return least + (most - least) * std::fmod(from * std::numbers::phi, 1); };
+  const auto of = [&](unsigned from, double least, double most) {
+    return least + (most - least) * std::fmod(from * std::numbers::phi, 1);
+  };
   const double wavelength = of(seed, 9, 16) / 1278, mean = of(seed + 50, 0.3, 0.8);
   constexpr double stiffness = 60, step = 2.0 / 1278;
   std::vector<double> stages;
@@ -40,7 +42,7 @@ Record slipping(double lag, double noise, unsigned seed) {
 
 TEST_CASE("rounded drops: those behind a low-pass are told, with its lag, and no others (simulation)") {
   struct Row {
-    double lag;           // [rows]
+    double lag;        // [rows]
     int fewest, most;  // of 30 tests that are told
   };
   for (const auto& [lag, fewest, most] : {Row{0, 0, 1}, Row{1, 10, 30}, Row{2, 20, 30}}) {

@@ -71,11 +71,20 @@ inline std::vector<Situation> situations() {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
     test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 0.001);
+    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::unexplained;
   });
   add("too_few_points", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
     test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 100);
+    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::possible;
+  });
+  add("deflection_for_stage", Severity::refusal, [](FittedTest& test) {
+    Record& record = test.analysis.record;
+    record.stage = record.deflection;
+    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
+    for (std::size_t i = 0; i < record.force.size(); ++i)
+      record.deflection[i] = record.stage[i] - record.force[i] / train;
   });
   add("wrong_load_train", Severity::refusal, [](FittedTest& test) {
     test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();

@@ -1,0 +1,25 @@
+// What the drops of a record tell of its load train, and of which column was taken for what.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "case/fitted.h"
+#include "finding/finding.h"
+
+namespace flexslip {
+
+// Is there a fit, or drops beside friction that none explains?
+bool has_judged_drops(const FittedTest& test);
+
+// The stiffness stated, "90.65 N/m" or "∞".
+std::string load_train_in_words(const FittedTest& test);
+
+// Domain:     a test that has_judged_drops; nothing below three drops.
+std::optional<Finding> deflection_for_stage(const FittedTest& test);
+
+// While the force falls, the specimen bends as on another load train.
+// Domain:     likewise.
+std::optional<Finding> other_train_in_drops(const FittedTest& test);
+
+}  // namespace flexslip
