@@ -203,7 +203,8 @@ Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   return by;
 }
 
-// All drops together, as a fraction of the greatest force. The two bounds are empirical: they say what one would call a sawtooth.
+// All drops together, and the middle one of them, as fractions of the greatest force. The bounds are empirical: they say what one would call a
+// sawtooth.
 SawtoothCategory category_of(const TestAnalysis& analysis) {
   const double greatest = *std::max_element(analysis.record.force.begin(), analysis.record.force.end());
   std::vector<double> falls;
@@ -213,7 +214,8 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
     total += drop.force_fall;
   }
   if (falls.size() < 3 || total < 0.03 * greatest) return SawtoothCategory::none;
-  return total >= 0.15 * greatest ? SawtoothCategory::clear : SawtoothCategory::nominal;
+  return total >= 0.15 * greatest || median_of(falls) >= 0.015 * greatest ? SawtoothCategory::clear
+                                                                          : SawtoothCategory::nominal;
 }
 
 FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
