@@ -196,7 +196,8 @@ FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, 
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
 
-// Adds what the file says and the case does not.
+// Adds what the file says and the case does not. No section where a file states a diameter beside width or thickness, as forms of a machine do
+// that list them all.
 void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   const auto note = [&](std::string words, double value, KeyChange otherwise) {
     preparation.steps.push_back(
@@ -209,6 +210,14 @@ void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   }
   if (section_of(input)) return;
   SpecimenInput specimen = input.specimen.value_or(SpecimenInput{});
+  if (said.diameter && (said.width || said.thickness)) {
+    note(fmt::format("no section is taken from the file, which states a diameter beside a {}",
+                     said.width && said.thickness ? "width and a thickness"
+                     : said.width                 ? "width"
+                                                  : "thickness"),
+         *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+    return;
+  }
   if (said.diameter) {
     specimen.diameter = *said.diameter;
     note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
