@@ -214,7 +214,8 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   for (const ExportColumn& column : file.specimens.front().columns) {
     const bool is_force = column.role == ColumnRole::force;
     if (is_force && volts_in(column.unit) && column.words.empty() && has_calibration) return;
-    if ((is_force || column.role == ColumnRole::other) && column.words.empty()) columns.push_back(&column);
+    const bool may_be = column.role == ColumnRole::other && !names_other_quantity(column.name);
+    if ((is_force || may_be) && column.words.empty()) columns.push_back(&column);
   }
   const std::optional<VoltageFinding> finding = voltage_for_force(columns);
   if (!finding) return;

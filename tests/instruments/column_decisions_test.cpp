@@ -14,8 +14,9 @@ using namespace flexslip;
 namespace {
 
 // What is said of a force beside a channel in volts; empty if both are taken as they are.
-std::string said_of(const std::vector<double>& force, const std::vector<double>& volts) {
-  std::string text = "Stroke [mm],Load [N],Aux [V]\n";
+std::string said_of(const std::vector<double>& force, const std::vector<double>& volts,
+                    const std::string& name = "Aux") {
+  std::string text = "Stroke [mm],Load [N]," + name + " [V]\n";
   for (std::size_t i = 0; i < force.size(); ++i)
     text += std::to_string(0.01 * static_cast<double>(i)) + "," + std::to_string(force[i]) + "," +
             std::to_string(volts[i]) + "\n";
@@ -39,6 +40,7 @@ TEST_CASE(
   CHECK(has(said_of(ramp, cell), "column 'Aux' in V, which follows 'Load' (correlation -"));
   CHECK(has(said_of(scatter, cell), "column 'Aux' in V beside 'Load', which holds only noise"));
   CHECK(said_of(ramp, hum).empty());
+  for (const char* name : {"Axial cmd", "Command", "Sollwert", "Temperature"}) CHECK(said_of(ramp, cell, name).empty());
   CHECK(has(message_of([&] { export_in("Stroke [mm],Aux [V]\n0.1,0.5\n0.2,0.6\n0.3,0.7\n", "e.csv"); }),
             "column 'Aux' in V; if it is the force, state its calibration"));
 }
