@@ -196,7 +196,8 @@ FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, 
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
 
-// Adds what the file says and the case does not.
+// Adds what the file says and the case does not. No section where a file states a diameter beside width or thickness, as forms of a machine do
+// that list them all.
 void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   const auto note = [&](std::string words, double value, KeyChange otherwise) {
     preparation.steps.push_back(
@@ -209,6 +210,14 @@ void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   }
   if (section_of(input)) return;
   SpecimenInput specimen = input.specimen.value_or(SpecimenInput{});
+  if (said.diameter && (said.width || said.thickness)) {
+    note(fmt::format("no section is taken from the file, which states a diameter beside a {}",
+                     said.width && said.thickness ? "width and a thickness"
+                     : said.width                 ? "width"
+                                                  : "thickness"),
+         *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+    return;
+  }
   if (said.diameter) {
     specimen.diameter = *said.diameter;
     note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
@@ -341,8 +350,9 @@ Readings read_readings(const Test& input) {
 // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
 // specimen in contact from the first row on would show.
 constexpr double min_free_rows = 5;
-// A stage that runs back by less is one whose encoder is noisy; farther, the record is another test, or out of order.
+// A stage that runs back by less, the larger of both, is one whose encoder is noisy; farther, the record is another test, or out of order.
 constexpr double max_stage_noise = 0.005;  // [travel]
+constexpr double stage_noise_range = 5;    // [noise of the stage] between the extremes of some hundred readings
 constexpr std::size_t least_noise_points = 11;
 
 void require_finite(const Record& record, const Table& table) {
@@ -570,6 +580,11 @@ void require_stiff_enough(const Test& input, const Record& record, double stiffn
                     "specimen's midpoint or already corrected");
 }
 
+// The noise of a stage, at least what two readings rounded to its resolution differ by.
+double noise_of_stage(const std::vector<double>& stage) {
+  return std::max(noise_of_second_differences(second_differences(stage)), resolution_of(stage) / std::sqrt(6.0));
+}
+
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
 void hold_stage(const Test& input, const Table& table, Record& record, std::span<const std::size_t> rows, bool turns,
@@ -577,7 +592,8 @@ void hold_stage(const Test& input, const Table& table, Record& record, std::span
   std::vector<double>& stage = record.stage;
   double farthest = stage.front();
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
-  const double allowed = turns ? infinity : max_stage_noise * (*most - *least);
+  const double allowed =
+      turns ? infinity : std::max(max_stage_noise * (*most - *least), stage_noise_range * noise_of_stage(stage));
   std::size_t held = 0;
   double largest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
@@ -586,9 +602,9 @@ void hold_stage(const Test& input, const Table& table, Record& record, std::span
           {.file = table.source,
            .line = table.lines[rows[i]],
            .field = "the stage",
-           .expected = fmt::format("a position no smaller than in the previous row, {}",
-                                   readable_length(input, stage[i - 1] == 0 ? 0 : stage[i - 1])),
-           .found = readable_length(input, stage[i]),
+           .expected = fmt::format("a position no smaller than the farthest before it, {}",
+                                   readable_length(input, farthest == 0 ? 0 : farthest)),
+           .found = readable_length(input, stage[i] == 0 ? 0 : stage[i]),
            .remedy = i < 30 ? "check the sign of the displacement: write sign = \"keep\" or \"reverse\" into [record]"
                             : fmt::format("keep only the loading: write until = {} into [record]", rows[i])});
     if (stage[i] < farthest) {

@@ -95,23 +95,6 @@ double middle_slope(std::span<const StepSlope> window, double bend) {
   return middle_slope(steps);
 }
 
-// The resolution of a digital load cell: the smallest difference between its readings; 0 if no two readings are alike.
-double resolution_of(std::vector<double> force) {
-  std::sort(force.begin(), force.end());
-  const double rounding =
-      1e-12 * std::max(std::abs(force.front()), std::abs(force.back()));  // decimal fractions, subtracted
-  double smallest = std::numeric_limits<double>::infinity();
-  bool alike = false;
-  for (std::size_t i = 1; i < force.size(); ++i) {
-    const double gap = force[i] - force[i - 1];
-    if (gap > rounding)
-      smallest = std::min(smallest, gap);
-    else
-      alike = true;
-  }
-  return alike && std::isfinite(smallest) ? smallest : 0;
-}
-
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
 double shown_by_quietest(std::size_t windows) {
   return 0.70 + 0.30 * elementary::exp(-0.1 * static_cast<double>(windows));
@@ -225,6 +208,22 @@ std::vector<double> smooth_steps(const Record& record) {
     smooth[i] = (middle_slope(window(centre), bend) + bend * ahead) * (record.stage[i + 1] - record.stage[i]);
   }
   return smooth;
+}
+
+double resolution_of(std::vector<double> readings) {
+  std::sort(readings.begin(), readings.end());
+  const double rounding =
+      1e-12 * std::max(std::abs(readings.front()), std::abs(readings.back()));  // decimal fractions, subtracted
+  double smallest = std::numeric_limits<double>::infinity();
+  bool alike = false;
+  for (std::size_t i = 1; i < readings.size(); ++i) {
+    const double gap = readings[i] - readings[i - 1];
+    if (gap > rounding)
+      smallest = std::min(smallest, gap);
+    else
+      alike = true;
+  }
+  return alike && std::isfinite(smallest) ? smallest : 0;
 }
 
 double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps) {

@@ -76,6 +76,10 @@ RecordCheck check_record(const Record& record);
 // side: immune to up to 10 drops in a window. At the ends the outermost window is continued linearly.
 std::vector<double> smooth_steps(const Record& record);
 
+// The resolution of a digital instrument, in the unit of its readings: the smallest difference between them; 0 if no two are alike.
+// Domain: at least one reading.
+double resolution_of(std::vector<double> readings);
+
 // Standard deviation [N] of force[i + steps] - force[i] about the smooth curve where the record is quiet.
 // Domain: smooth = smooth_steps(record), 1 <= steps, and at least steps + 10 points; std::invalid_argument otherwise.
 // Method: median absolute deviation in windows of 30 points, of which the quietest tenth counts, corrected for having been

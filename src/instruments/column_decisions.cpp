@@ -135,6 +135,62 @@ Export with_displacement(Export file, ColumnRole role) {
   return file;
 }
 
+// ---- one displacement in two columns
+
+// The smallest step between readings that differ, and how far they go; 0 if none do.
+struct Steps {
+  double smallest = 0, range = 0;
+};
+
+Steps steps_of(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  Steps steps{0, values.back() - values.front()};
+  const double rounding = 1e-12 * std::max(std::abs(values.front()), std::abs(values.back()));
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (const double step = values[i] - values[i - 1]; step > rounding)
+      steps.smallest = steps.smallest == 0 ? step : std::min(steps.smallest, step);
+  return steps;
+}
+
+// Is one column the other, counted from another zero or the other way, and rounded to a step? Then they differ by no more than that.
+bool is_rounded_to(std::span<const double> coarse, std::span<const double> fine, double step) {
+  for (const double sign : {1.0, -1.0}) {
+    double least = infinity, most = -infinity;
+    for (std::size_t i = 0; i < coarse.size(); ++i) {
+      const double difference = coarse[i] - sign * fine[i];
+      least = std::min(least, difference);  // NaN changes neither
+      most = std::max(most, difference);
+    }
+    constexpr double roundings = 1.01;
+    if (most - least <= roundings * step) return true;
+  }
+  return false;
+}
+
+// A position of the crosshead written with few digits, "1190.55", beside the same counted from the test's own zero: the finer is used.
+Export with_finest(Export file) {
+  constexpr double finer = 1.5, least_steps = 10;
+  for (ExportedSpecimen& specimen : file.specimens)
+    for (ExportColumn& coarse : specimen.columns)
+      for (ExportColumn& fine : specimen.columns) {
+        const bool may_be = coarse.role == ColumnRole::crosshead && coarse.number != fine.number &&
+                            (fine.role == ColumnRole::crosshead || fine.role == ColumnRole::displacement);
+        if (!may_be || coarse.unit != fine.unit) continue;
+        const auto [step, range] = steps_of(coarse.values);
+        if (step == 0 || range < least_steps * step || step < finer * steps_of(fine.values).smallest ||
+            !is_rounded_to(coarse.values, fine.values, step))
+          continue;
+        coarse.role = ColumnRole::other;
+        fine.role = ColumnRole::crosshead;
+        file.notes.push_back(fmt::format("column {} is {} rounded to {:.3g} {}: the finer is used",
+                                         in_quotes(coarse.name), in_quotes(fine.name), step, fine.unit));
+        break;
+      }
+  return file;
+}
+
 // ---- voltages
 
 constexpr double follows = 0.9;  // |correlation|: two cells in one load train; empirical, a real pair gave 0.999
@@ -214,7 +270,8 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   for (const ExportColumn& column : file.specimens.front().columns) {
     const bool is_force = column.role == ColumnRole::force;
     if (is_force && volts_in(column.unit) && column.words.empty() && has_calibration) return;
-    if ((is_force || column.role == ColumnRole::other) && column.words.empty()) columns.push_back(&column);
+    const bool may_be = column.role == ColumnRole::other && !names_other_quantity(column.name);
+    if ((is_force || may_be) && column.words.empty()) columns.push_back(&column);
   }
   const std::optional<VoltageFinding> finding = voltage_for_force(columns);
   if (!finding) return;
@@ -442,7 +499,11 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
 }
 
 Export decided(Export file, const ExportOptions& options, std::size_t header_line) {
+  const bool asks_displacement =
+      options.displacement || std::any_of(options.columns.begin(), options.columns.end(),
+                                          [](const auto& asked) { return is_displacement(asked.first); });
   file = with_columns(std::move(file), options.columns);
+  if (!asks_displacement) file = with_finest(std::move(file));
   require_no_voltage_for_force(file, options, header_line);
   if (options.displacement) file = with_displacement(std::move(file), *options.displacement);
   file = with_units(std::move(file), options.units);

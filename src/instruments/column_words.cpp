@@ -10,7 +10,8 @@
 namespace flexslip {
 namespace {
 
-// Words of titles, in lower case, and what they say. Parts may stand within a word: "Standardkraft", "Prüfzeit".
+// Words of titles, in lower case, and what they say. Parts may stand within a word: "Standardkraft", "Prüfzeit". Whole words may be numbered:
+// "Load 2", "Force1", "LVDT30mm".
 struct Meaning {
   ColumnRole role;
   std::vector<std::string_view> whole, parts;
@@ -21,16 +22,18 @@ const std::vector<Meaning>& meanings() {
   static const std::vector<Meaning> all{
       // not the quantity itself, or of another kind
       {ColumnRole::other,
-       {"rate", "work", "moment", "angle", "rotation", "count", "cycle", "command", "target", "error"},
-       {"strain",     "stress",     "speed",     "velocity", "geschwindigkeit", "vitesse", "dehnung",
-        "spannung",   "contrainte", "energy",    "energie",  "arbeit",          "torque",  "winkel",
-        "temperatur", "pressure",   "stiffness", "modulus",  "ひずみ",          "応力",    "速度"}},
+       {"rate", "work", "moment", "angle", "rotation", "count", "cycle", "command", "cmd", "target", "setpoint",
+        "consigne", "error", "err", "drive", "drv"},
+       {"strain",   "stress",   "speed",      "velocity", "geschwindigkeit", "vitesse",
+        "dehnung",  "spannung", "contrainte", "energy",   "energie",         "arbeit",
+        "torque",   "winkel",   "temperatur", "pressure", "stiffness",       "modulus",
+        "sollwert", "ひずみ",   "応力",       "速度"}},
       {ColumnRole::time,
        {"time", "timestamp", "temps", "elapsed", "tiempo", "tempo", "zaman", "süre"},
        {"zeit", "時間"}},
       // the specimen's midpoint
       {ColumnRole::deflection,
-       {"flexure", "flèche", "flexión", "flecha", "freccia", "sehim"},
+       {"flexure", "defl", "flèche", "flexión", "flecha", "freccia", "sehim"},
        {"deflection", "deflectometer", "durchbiegung", "たわみ"}},
       // the machine's crosshead
       {ColumnRole::crosshead,
@@ -41,8 +44,9 @@ const std::vector<Meaning>& meanings() {
        {"kraft", "荷重", "試験力", "力"}},
       // one or the other
       {ColumnRole::displacement,
-       {"extension", "position", "travel", "lvdt", "déplacement", "deplacement", "allongement", "desplazamiento",
-        "alargamiento", "deslocamento", "spostamento", "uzama", "deformation"},
+       {"extension",    "position",     "travel", "lvdt",        "disp",           "displ",   "déplacement",
+        "deplacement",  "dépl",         "depl",   "allongement", "desplazamiento", "desplaz", "despl",
+        "alargamiento", "deslocamento", "desloc", "spostamento", "spost",          "uzama",   "deformation"},
        {"displacement", "weg", "verformung", "verschiebung", "変位", "伸び"}},
   };
   return all;
@@ -55,15 +59,13 @@ constexpr std::array roles{RoleWords{"time", "--time", "--time-unit", "s", &kind
                            RoleWords{"force", "--force", "--force-unit", "N", &kind::force},
                            RoleWords{"other", "--displacement", "--displacement-unit", "mm", nullptr}};
 
-bool is_word_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
-}
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80; }
 
 bool has_word(std::string_view text, std::string_view word, bool whole) {
   for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
     const std::size_t end = at + word.size();
-    if (!whole || ((at == 0 || !is_word_letter(text[at - 1])) && (end == text.size() || !is_word_letter(text[end]))))
-      return true;
+    const bool begins = at == 0 || !(is_letter(text[at - 1]) || is_digit(text[at - 1]));
+    if (!whole || (begins && (end == text.size() || !is_letter(text[end])))) return true;
   }
   return false;
 }
@@ -159,6 +161,8 @@ ColumnRole role_of(std::string_view name) {
     if (has_any(text, meaning)) return meaning.role;
   return ColumnRole::other;
 }
+
+bool names_other_quantity(std::string_view name) { return has_any(folded(trimmed(name)), meanings().front()); }
 
 bool names_specimens(std::string_view name) {
   static const Meaning specimens{ColumnRole::other,

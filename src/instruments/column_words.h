@@ -32,8 +32,11 @@ struct RoleWords {
 const RoleWords& words_for(ColumnRole role);
 bool is_displacement(ColumnRole role);
 
-// What the words of a title mean. Rates, stresses, strains, energies and moments are none of ours, whatever of.
+// What the words of a title mean.
 ColumnRole role_of(std::string_view name);
+
+// Do the words of a title mean another quantity, a rate, a stress, what a controller was told? It is none of ours, in whatever unit.
+bool names_other_quantity(std::string_view name);
 
 // Does a column of words with this name tell the specimen: "SetName", "Specimen", "Probe", "試験片"?
 bool names_specimens(std::string_view name);

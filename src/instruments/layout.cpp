@@ -406,14 +406,15 @@ std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t lin
   return is_merged && words > 1 ? titles : std::vector<std::string>{};
 }
 
-// Units above the columns, moved as the titles above them are; empty if they are not as many.
+// Units above the columns, moved as the titles above them are; empty if they are not as many. A number beside them is none.
 CellWords units_above(CellWords cells, int shift, const UsualRow& usual) {
   if (shift > 0 && cells.size() < usual.cells) cells.insert(cells.begin(), "");
   if (shift < 0 && !cells.empty()) cells.erase(cells.begin());
   const std::size_t count = without_empty_end(cells);
   if (count > usual.cells || cells.size() < usual.pattern.size()) return {};
   cells.resize(usual.cells);
-  for (std::string& cell : cells) cell = labels_units(cell) ? "" : std::string(without_brackets(cell));
+  for (std::string& cell : cells)
+    cell = labels_units(cell) || has_number(cell) ? "" : std::string(without_brackets(cell));
   return cells;
 }
 
@@ -455,6 +456,14 @@ TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t
   }
   block.remarks = std::move(above);
   return block;
+}
+
+// Does a line between rows begin with the words of one above the table: "Axial Counts", before each block of readings?
+bool repeats_remark(const Sheet& sheet, std::size_t line, const TableBlock& block) {
+  const std::string_view begin = sheet.at(line, 0);
+  if (says_missing(begin) || says_overload(begin) || has_number(begin)) return false;
+  return std::any_of(block.remarks.begin(), block.remarks.end(),
+                     [&](std::size_t remark) { return sheet.at(remark, 0) == begin; });
 }
 
 // Tables without titles and with few rows, above one with titles, are of its preamble: lines of settings.
@@ -521,8 +530,10 @@ Layout layout_of(const Sheet& sheet) {
     } else {
       TableBlock& block = layout.blocks.back();
       for (const std::size_t each : std::exchange(gap, {}))
-        if (!sheet.is_comment(each))
-          (is_damaged_row(sheet.cells(each), usual) ? block.rows : block.misfits).push_back(each);
+        if (!sheet.is_comment(each)) {
+          const bool is_row_of_it = is_damaged_row(sheet.cells(each), usual) && !repeats_remark(sheet, each, block);
+          (is_row_of_it ? block.rows : block.misfits).push_back(each);
+        }
     }
     TableBlock& block = layout.blocks.back();
     (fits(cells, usual) ? block.rows : block.misfits).push_back(line);

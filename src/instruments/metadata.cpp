@@ -25,9 +25,9 @@ bool has_any(std::string_view text, std::initializer_list<std::string_view> word
 
 // Whether a dimension is that of the rig: of rollers, supports, the nose.
 bool is_of_the_rig(std::string_view name) {
-  return has_any(name, {"roller", "nose",    "support", "pin",      "punch",   "anvil",   "rolle", "auflage",
-                        "finne",  "stempel", "appui",   "poinçon",  "rouleau", "rodillo", "apoyo", "punzón",
-                        "rull",   "appoggi", "punzone", "coltello", "mesnet",  "支点",    "圧子"});
+  return has_any(name, {"roller", "nose",    "support", "pin",     "punch",    "anvil",   "rolle", "auflage",
+                        "finne",  "stempel", "appui",   "poinçon", "rouleau",  "rodillo", "apoyo", "apoio",
+                        "punzón", "rull",    "appoggi", "punzone", "coltello", "mesnet",  "支点",  "圧子"});
 }
 
 // "10.00000 mm/min", or "10.00000" with the unit in the name, "Span (mm)". [SI]
@@ -85,19 +85,22 @@ ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& fo
   ExportedTest test;
   test.span = agreed(metadata, format, length, [](std::string_view name) {
     return has_any(name, {"span", "stützweite", "spannweite", "auflagerabstand", "auflageabstand", "portée", "entraxe",
-                          "entre appuis", "distance between supports", "support distance", "luce", "支点間"}) &&
+                          "entre appuis", "entre apoyos", "entre apoios", "distance between supports",
+                          "support distance", "luce", "支点間"}) &&
            !has(name, "spannung");
   });
   test.diameter = agreed(metadata, format, length, [](std::string_view name) {
-    return has_any(name, {"diameter", "durchmesser", "diamètre", "diámetro", "diametro", "çap", "直径"}) &&
+    return has_any(name, {"diameter", "durchmesser", "diamètre", "diámetro", "diâmetro", "diametro", "çap", "直径"}) &&
            !is_of_the_rig(name);
   });
   test.width = agreed(metadata, format, length, [](std::string_view name) {
-    return has_any(name, {"width", "breite", "largeur", "anchura", "larghezza", "genişlik", "幅"}) &&
-           !is_of_the_rig(name);
+    return has_any(name,
+                   {"width", "breite", "largeur", "anchura", "ancho", "largura", "larghezza", "genişlik", "幅"}) &&
+           !has(name, "anchor") && !is_of_the_rig(name);
   });
   test.thickness = agreed(metadata, format, length, [](std::string_view name) {
-    return has_any(name, {"thickness", "dicke", "épaisseur", "espesor", "spessore", "kalınlık", "厚さ", "厚み"}) &&
+    return has_any(name, {"thickness", "dicke", "épaisseur", "espesor", "espessura", "spessore", "kalınlık", "厚さ",
+                          "厚み"}) &&
            !is_of_the_rig(name);
   });
   test.rate = agreed(metadata, format, of_speed, [](std::string_view name) {

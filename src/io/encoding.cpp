@@ -175,6 +175,18 @@ std::string utf8_of(std::string bytes) {
   return bytes;
 }
 
+// Without the NUL characters at the end of a line, which some programs write there as they end a string with it.
+std::string without_string_ends(std::string text) {
+  std::size_t kept = 0, nuls = 0;
+  for (const char c : text) {
+    if (c == '\n' || c == '\r') kept -= nuls;
+    nuls = c == '\0' ? nuls + 1 : 0;
+    text[kept++] = c;
+  }
+  text.resize(kept);
+  return text;
+}
+
 }  // namespace
 
 std::string_view name_of(Encoding encoding) { return entry(encoding).name; }
@@ -205,6 +217,7 @@ DecodedText decode(std::string bytes, std::optional<Encoding> wanted) {
     if (taken < bytes.size()) refuse_byte(bytes, taken, encoding);
     decoded.text = std::move(text);
   }
+  if (decoded.text.find('\0') != std::string::npos) decoded.text = without_string_ends(std::move(decoded.text));
   if (const std::size_t nul = decoded.text.find('\0'); nul != std::string::npos)
     throw InputError({.line = line_at(decoded.text, nul),
                       .expected = "text",

@@ -212,7 +212,25 @@ TEST_CASE("measurement: a stage that trembles is held, one that runs back is ref
   REQUIRE(step_of(held, "stage"));
   CHECK(step_of(held, "stage")->value->value == to(1e-9, 0.5e-5));
   columns.stage[200] -= 3e-5;  // and now by 1 %
-  CHECK(complaint([&] { folder.measured(columns, ""); }).find("no smaller than in the previous row") !=
+  CHECK(complaint([&] { folder.measured(columns, ""); }).find("no smaller than the farthest before it, 1.99 mm") !=
+        std::string::npos);
+}
+
+TEST_CASE("measurement: a stage read many times on its way trembles by its resolution, and is held (limit)") {
+  const Folder folder;
+  Columns columns = columns_of({.contact = 0});
+  std::mt19937 random(3);
+  std::uniform_int_distribution<int> tremble(-1, 1);
+  // In steps of 0.3 % of the travel, as of a short way: a reading falls back by up to two of them.
+  constexpr double resolution = 1.2e-5;
+  for (double& stage : columns.stage) stage = resolution * (std::round(stage / resolution) + tremble(random));
+  const Measurement held = folder.measured(columns, "");
+  CHECK(std::is_sorted(held.record.stage.begin(), held.record.stage.end()));
+  REQUIRE(step_of(held, "stage"));
+  CHECK(step_of(held, "stage")->value->value == to(1e-9, 2 * resolution));
+  // No tremble, and no turn, which is 2 %.
+  columns.stage[200] = *std::max_element(columns.stage.begin(), columns.stage.begin() + 200) - 6.3 * resolution;
+  CHECK(complaint([&] { folder.measured(columns, ""); }).find("no smaller than the farthest before it") !=
         std::string::npos);
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "tests/has.h"
 #include "tests/refusal.h"
@@ -14,8 +15,9 @@ using namespace flexslip;
 namespace {
 
 // What is said of a force beside a channel in volts; empty if both are taken as they are.
-std::string said_of(const std::vector<double>& force, const std::vector<double>& volts) {
-  std::string text = "Stroke [mm],Load [N],Aux [V]\n";
+std::string said_of(const std::vector<double>& force, const std::vector<double>& volts,
+                    const std::string& name = "Aux") {
+  std::string text = "Stroke [mm],Load [N]," + name + " [V]\n";
   for (std::size_t i = 0; i < force.size(); ++i)
     text += std::to_string(0.01 * static_cast<double>(i)) + "," + std::to_string(force[i]) + "," +
             std::to_string(volts[i]) + "\n";
@@ -39,6 +41,26 @@ TEST_CASE(
   CHECK(has(said_of(ramp, cell), "column 'Aux' in V, which follows 'Load' (correlation -"));
   CHECK(has(said_of(scatter, cell), "column 'Aux' in V beside 'Load', which holds only noise"));
   CHECK(said_of(ramp, hum).empty());
+  for (const char* name : {"Axial cmd", "Command", "Sollwert", "Temperature"}) CHECK(said_of(ramp, cell, name).empty());
   CHECK(has(message_of([&] { export_in("Stroke [mm],Aux [V]\n0.1,0.5\n0.2,0.6\n0.3,0.7\n", "e.csv"); }),
             "column 'Aux' in V; if it is the force, state its calibration"));
+}
+
+TEST_CASE("column decisions: of one way in two columns the finer is used, of two ways none but as their titles say") {
+  // The crosshead goes down from 1190.5 mm, written with six digits; the travel of the test has another zero.
+  const auto asked_of = [](double bend) {
+    std::string text = "Time [s],Crosshead absolute [mm],Standard force [N],Standard travel [mm]\n";
+    for (int i = 0; i < 60; ++i) {
+      const double way = 0.0033 * i;
+      text += fmt::format("{:.1f},{:.2f},{:.3f},{:.5f}\n", 0.1 * i, 1190.5 - way, 20 * way, way + bend * way * way);
+    }
+    return export_in(text, "e.txt");
+  };
+  const Export one = asked_of(0);
+  CHECK(one.specimens.front().asks.empty());
+  CHECK(column_with(one, one.specimens.front(), ColumnRole::crosshead).name == "Standard travel");
+  REQUIRE(!one.notes.empty());
+  CHECK(has(one.notes.back(), "'Crosshead absolute' is 'Standard travel' rounded to 0.01 mm: the finer is used"));
+  const Export two = asked_of(0.3);  // by 12 µm at the end
+  CHECK(column_with(two, two.specimens.front(), ColumnRole::crosshead).name == "Crosshead absolute");
 }

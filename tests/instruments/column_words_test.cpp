@@ -36,6 +36,20 @@ TEST_CASE("column_words: titles of the machines' manuals and dictionaries mean w
   for (const char* name :
        {"Strain", "Flexure stress", "Crosshead speed", "Ch 2 Torque", "Dehnung", "Load rate", "Size", "Cycle"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::other, name);
+  for (const char* name : {"Load rate", "Axial cmd", "Load err", "Sollwert Kraft", "Valeur de consigne"})
+    CHECK_MESSAGE(names_other_quantity(name), name);
+  for (const char* name : {"Size", "Load", "ch0", "Messwert"}) CHECK_MESSAGE(!names_other_quantity(name), name);
+}
+
+TEST_CASE("column_words: numbered channels and abbreviations mean what the words mean that they stand for") {
+  for (const char* name : {"Force1", "Load 2", "LOAD3", "Kraft1"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::force, name);
+  for (const char* name : {"Disp", "Disp 1", "Displ.", "Desplaz.", "Dépl.", "Depl.", "LVDT2", "LVDT30mm", "Position2"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::displacement, name);
+  CHECK(role_of("Defl.") == ColumnRole::deflection);
+  CHECK(role_of("Time1") == ColumnRole::time);
+  for (const char* name : {"Display", "Dispersion", "Disp. rate", "Loads cell", "Sometimes", "Work1", "1load"})
+    CHECK_MESSAGE(role_of(name) == ColumnRole::other, name);
 }
 
 TEST_CASE("column_words: a title and its unit, as the machines write them") {

@@ -158,3 +158,25 @@ TEST_CASE("layout: a first row on the line of the titles, or of the units, is le
     CHECK(has(file.row_notes.back(), "has titles and the first row"));
   }
 }
+
+TEST_CASE("layout: numbers beside the units of a table are none (table)") {
+  const std::string text = table("Time\tForce\tDeflection\t\t\nSec\tN\tmm\t-0.081\t-5.86",
+                                 [](int row) { return cells("\t")(row) + "\t\t"; });
+  CHECK(is_understood(text));
+  for (const ExportColumn& column : export_in(text, "e.csv").specimens.front().columns)
+    CHECK(column.unit.find('.') == std::string::npos);
+}
+
+TEST_CASE("layout: words of the preamble between blocks of rows are no row with one number (table)") {
+  std::string text = "Counts\t0\t\nTime\tForce\tDeflection\ns\tN\tmm\n";
+  for (int row = 0; row < rows; ++row) {
+    if (row == 8 || row == 16) text += "Counts\t0\t\n";
+    text += cells("\t")(row) + "\n";
+  }
+  CHECK(is_understood(text));
+  const Export file = export_in(text, "e.csv");
+  CHECK(has(file.row_notes.back(), "not rows of 3 cells: lines 12, 21"));
+  // A sensor that failed is a row.
+  const std::size_t at = text.find("Counts", 10);
+  CHECK(export_in(text.replace(at, 6, "Failed"), "e.csv").specimens.front().lines.size() == rows + 1);
+}

@@ -104,6 +104,20 @@ def texture_analyser():
     return ("\n".join(lines) + "\n").encode()
 
 
+def wintest():
+    """TA (Bose) WinTest: the name of the file, which ends with a NUL; channels and units of all sensors, the waveform and the settings of
+    the acquisition; the titles of what was recorded in quotes, a row of units, and a separator behind each row."""
+    bar = "_" * 40
+    lines = ["C:\\WinTest\\TestData\\beam_tdf.CSV\0", "", "Created ,01/02/2024,10:00:00", "", "Channels", "Disp,Load,Axial cmd,Axial err,", "",
+             "Units", "mm,N,V,%,", "", "Movers", "Axial,", "", bar, "****Data Acquisition Setup****", "",
+             "Axial,Step:1,Scan Time: 1,Scan Points: 10,Number of Scans: 4,Time Between Scans: 1,", bar, "",
+             '"Points","Elapsed Time","Disp","Load","Axial cmd",', '"","Sec","mm","N","V",']
+    for i in ROWS:
+        t, d, f = curve(i)
+        lines.append(f"{i + 1},{t:.4f},{d:.3f},{f:.3f},{d / 10:.4f},")
+    return "\r\n".join(lines).encode() + b"\r\n"
+
+
 def no_header():
     """Numbers and nothing else."""
     return "".join(f"{t:.3f},{d:.5f},{f:.4f}\n" for t, d, f in map(curve, ROWS)).encode()
@@ -162,6 +176,7 @@ FIXTURES = {
     "force_gauge.csv": force_gauge(),
     "force_gauge_columns.csv": force_gauge_columns(),
     "texture_analyser.txt": texture_analyser(),
+    "wintest.csv": wintest(),
     "no_header.csv": no_header(),
     "undecidable.txt": undecidable(),
     "voltage.csv": voltage(),

@@ -55,3 +55,17 @@ TEST_CASE("metadata: a dimension of supports and nose is none of the specimen, i
   CHECK(test.span.value() == doctest::Approx(0.017).epsilon(3e-16));
   CHECK(test.diameter.value() == doctest::Approx(0.002).epsilon(3e-16));
 }
+
+TEST_CASE("metadata: the dimensions of a bar in Spanish and Portuguese, and an anchor that is no width") {
+  const std::vector<Metadatum> spanish{
+      {"Ancho [mm]", "10.2", 1}, {"Espesor [mm]", "3.1", 2}, {"Distancia entre apoyos [mm]", "50", 3}};
+  const std::vector<Metadatum> portuguese{
+      {"Largura", "10.2 mm", 1}, {"Espessura", "3.1 mm", 2}, {"Distância entre apoios", "50 mm", 3}};
+  for (const auto& data : {spanish, portuguese}) {
+    const ExportedTest test = test_in(data, {});
+    CHECK(test.width.value() == doctest::Approx(10.2e-3).epsilon(3e-16));
+    CHECK(test.thickness.value() == doctest::Approx(3.1e-3).epsilon(3e-16));
+    CHECK(test.span.value() == doctest::Approx(0.05).epsilon(3e-16));
+  }
+  CHECK_FALSE(test_in(std::vector<Metadatum>{{"Anchor distance", "80 mm", 1}}, {}).width.has_value());
+}

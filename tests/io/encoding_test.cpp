@@ -35,6 +35,13 @@ TEST_CASE("encoding: German, French and Japanese bytes against the code tables")
   CHECK(decode("\xE9", Encoding::cp1252).text == "é");
 }
 
+TEST_CASE("encoding: NUL characters that end a line are none of it") {
+  CHECK(decode(std::string("a.csv\0\r\n1,2\n", 12)).text == "a.csv\r\n1,2\n");
+  CHECK(decode(std::string("a\0\0\nb\n", 6)).text == "a\nb\n");
+  CHECK_THROWS_AS(decode(std::string("a\0b\0\n1,2\n", 9)), InputError);
+  CHECK_THROWS_AS(decode(std::string("1,2\n\0\0", 6)), InputError);
+}
+
 TEST_CASE("encoding: what is no text, or not in the encoding asked for, is refused with its line") {
   const auto line_of = [](const std::string& bytes, std::optional<Encoding> wanted = {}) {
     try {

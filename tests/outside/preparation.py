@@ -264,6 +264,16 @@ class Bar(InFolder):
         self.assertEqual([each["value"] for each in told["preparation"] if each["step"] == "metadata"], [0.064, 0.01, 0.004])
         self.assertEqual([each for each in stated["preparation"] if each["step"] == "metadata"], [])
 
+    def test_limit_no_section_of_a_file_that_states_two(self):
+        """The form of a machine lists diameter, width and thickness, whatever the specimen is."""
+        preamble = ["Span,64,mm", "Diameter,15,mm", "Width,10,mm", "Thickness,4,mm"]
+        flags = ["--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m"]
+        told = self.modulus(bar_test(), *flags, preamble=preamble)
+        self.assertIsNone(told["modulus"])
+        said = [each for each in told["preparation"] if "no section is taken from the file" in each["done"]]
+        self.assertEqual([(each["value"], each["key"]) for each in said], [(0.015, '[specimen] diameter = "…"')])
+        self.assertEqual(self.modulus(bar_test(), *BAR, *flags, preamble=preamble)["modulus"], self.modulus(bar_test(), *BAR, *flags)["modulus"])
+
     def test_outside_three_significant_digits(self):
         path = self.file("bar.csv", bluehill(bar_test()))
         text = self.succeeds("modulus", path, *BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m")
