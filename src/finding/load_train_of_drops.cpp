@@ -9,6 +9,7 @@
 
 #include "data/rounded_drops.h"
 #include "finding/printed.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -39,6 +40,7 @@ std::vector<InDrop> in_drops(T test) {
     const auto beyond = [&](const std::vector<double>& column) {
       return column[after] - column[before] - usual(column);
     };
+    if (!(beyond(record.force) < 0)) continue;
     all.push_back({.farther = beyond(record.deflection),
                    .leap = beyond(record.stage),
                    .way = usual(record.stage),
@@ -82,8 +84,8 @@ std::optional<Finding> deflection_for_stage(T test) {
   if (!(share - surely * error > half)) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("In the {} drops the stage leaps ahead, by {:.2f} times what the load train gives back: "
-                              "the column taken for the stage holds the deflection.",
+      .sentence = fmt::format("In each of the {} drops the column taken for the stage leaps ahead, by {:.2f} of what "
+                              "the load train gives back; a stage moves evenly. It holds the deflection.",
                               drops.size(), share),
       .short_form = "the stage leaps as a deflection does",
       .remedy = "Name that column as the deflection, or the column of the stage.",
@@ -93,7 +95,6 @@ std::optional<Finding> deflection_for_stage(T test) {
 // What the specimen bends in a drop beyond the rows before it is what the load train gives back. Those drops do not fit in which that is off by more
 // than half of what the load train stated makes it, and by more than the stage moves meanwhile.
 std::optional<Finding> other_train_in_drops(T test) {
-  if (rounded_drops(test.analysis.record).lag > 0) return std::nullopt;  // of a force that lags behind
   const double stated = stated_compliance(test);
   const std::size_t drops = test.analysis.drops.drops.size();
   std::size_t misfits = 0;
@@ -103,10 +104,10 @@ std::optional<Finding> other_train_in_drops(T test) {
     misfits += std::abs(drop.farther - stated * drop.relief) > 0.5 * stated * drop.relief + drop.way;
   }
   if (misfits < enough || 2 * misfits < drops) return std::nullopt;
-  const auto middle = compliances.begin() + static_cast<std::ptrdiff_t>(compliances.size() / 2);
-  std::nth_element(compliances.begin(), middle, compliances.end());
-  if (!(*middle > 0)) return std::nullopt;
-  const double train = 1 / *middle;
+  if (rounded_drops(test.analysis.record).lag > 0) return std::nullopt;  // of a force that lags behind
+  const double compliance = median_of(compliances);
+  if (!(compliance > 0)) return std::nullopt;
+  const double train = 1 / compliance;
   const std::string as_on = format_roughly(train, Print(test).as(kind::stiffness));
   return Finding{
       .severity = Severity::refusal,

@@ -9,17 +9,17 @@
 
 namespace flexslip {
 
-// Is there a fit, or drops beside friction that none explains?
+// Was friction sought: is there a fit, or none that explains the record?
 bool has_judged_drops(const FittedTest& test);
 
 // The stiffness stated, "90.65 N/m" or "∞".
 std::string load_train_in_words(const FittedTest& test);
 
-// Domain:     a test that has_judged_drops; nothing below three drops.
+// A stage moves evenly from row to row, a deflection leaps in each drop. Nothing below three drops.
 std::optional<Finding> deflection_for_stage(const FittedTest& test);
 
 // While the force falls, the specimen bends as on another load train.
-// Domain:     likewise.
+// Domain:     a test that has_judged_drops.
 std::optional<Finding> other_train_in_drops(const FittedTest& test);
 
 }  // namespace flexslip

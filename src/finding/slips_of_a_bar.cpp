@@ -55,7 +55,7 @@ std::string most_by_slip_in_words(T test) {
 // "1 of 10 drops is deeper"
 std::string deeper_drops(T test) {
   const std::size_t beyond = beyond_slips(test);
-  if (drops_of(test) == 1) return beyond == 1 ? "the drop is deeper" : "the drop is less deep";
+  if (drops_of(test) == 1) return beyond == 1 ? "the drop is deeper" : "the drop is shallower";
   return fmt::format("{} of {} {} deeper", beyond, format_count(drops_of(test), "drop", "drops"),
                      beyond == 1 ? "is" : "are");
 }

@@ -248,8 +248,14 @@ void judge_drops_of_a_bar(TestAnalysis& analysis) {
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const double fall = analysis.scales.reduced_force(drops[i].force_fall);
     const bool is_beyond = fall > analysis.most_by_slips[i] + surely * analysis.force_noise;
-    analysis.slips[i].verdict = is_beyond ? SlipVerdict::unexplained : SlipVerdict::possible;
-    analysis.slips[i].can_be_crack = true;
+    Slip& slip = analysis.slips[i];
+    slip = {.drop = slip.drop,
+            .verdict = is_beyond ? SlipVerdict::unexplained : SlipVerdict::possible,
+            .S_before = not_a_number,
+            .S_after = not_a_number,
+            .mu_before = not_a_number,
+            .mu_after = not_a_number,
+            .advance_error = not_a_number};
   }
   analysis.slip_summary = summarise(analysis.slips);
 }

@@ -117,17 +117,17 @@ class BeginningFit {
                       (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
       if (!move.allFinite()) return {};
       if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6 && std::abs(move[3]) < 1e-8) break;
-      // So far along it as makes the loss smaller.
+      // Half of it, and again half, until the loss does not grow.
       constexpr double least_part = 1e-3;
-      double part = 1;
+      double part = 1 / std::max({1.0, std::abs(move[0]) / 0.02, std::abs(move[1]) / 0.3, std::abs(move[3]) / 0.02});
       for (; part > least_part; part /= 2) {
         Fitted next = at;
-        next.contact += part * std::clamp(move[0], -0.02, 0.02);
-        next.log_stiffness += part * std::clamp(move[1], -0.3, 0.3);
+        next.contact += part * move[0];
+        next.log_stiffness += part * move[1];
         next.offset += part * move[2];
-        next.depth += part * std::clamp(move[3], -0.02, 0.02);
+        next.depth += part * move[3];
         Curvature there = curvature_at(next, rise, seat);
-        if (loss_of(next, has_seat, offset_error) > at.loss) continue;
+        if (!(loss_of(next, has_seat, offset_error) <= at.loss)) continue;
         at = std::move(next);
         about = std::move(there);
         break;

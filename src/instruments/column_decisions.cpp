@@ -164,7 +164,7 @@ bool is_rounded_to(std::span<const double> coarse, std::span<const double> fine,
       most = std::max(most, difference);
     }
     constexpr double roundings = 1.01;
-    if (most - least <= roundings * step) return true;
+    if (most >= least && most - least <= roundings * step) return true;
   }
   return false;
 }
@@ -184,8 +184,10 @@ Export with_finest(Export file) {
           continue;
         coarse.role = ColumnRole::other;
         fine.role = ColumnRole::crosshead;
-        file.notes.push_back(fmt::format("column {} is {} rounded to {:.3g} {}: the finer is used",
-                                         in_quotes(coarse.name), in_quotes(fine.name), step, fine.unit));
+        std::string note = fmt::format("column {0} is {1} rounded to {2:.3g} {3}: {1} is used", in_quotes(coarse.name),
+                                       in_quotes(fine.name), step, fine.unit);
+        if (std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
+          file.notes.push_back(std::move(note));
         break;
       }
   return file;

@@ -659,11 +659,12 @@ std::vector<double> in_si(const Export& file, const ExportColumn& column, const 
     const std::vector<std::string_view> meant = meant_units(column.unit, kind);
     std::string with = remedy(meant.empty() ? usual_unit : meant.front());
     if (!meant.empty()) with = fmt::format("if {} is meant, {}", fmt::join(meant, " or "), with);
-    throw InputError({.file = file.origin.source,
-                      .field = "column " + in_quotes(column.name),
-                      .expected = fmt::format("a unit of {}", noun(kind)),
-                      .found = std::move(found),
-                      .remedy = is_voltage ? "give that of its load cell, --calibration \"… N/V\"" : std::move(with)});
+    throw InputError(
+        {.file = file.origin.source,
+         .field = "column " + in_quotes(column.name),
+         .expected = fmt::format("a unit of {}", noun(kind)),
+         .found = std::move(found),
+         .remedy = is_voltage ? "state the calibration of the load cell, --calibration \"… N/V\"" : std::move(with)});
   };
   const std::size_t open = column.name.ends_with(')') ? column.name.rfind('(') : std::string::npos;
   const std::string in_brackets =

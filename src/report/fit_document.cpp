@@ -383,11 +383,11 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
 std::vector<Chapter> document_of(const FittedTest& test) {
   const Answer answer = answer_of(test);
   if (!is_fitted(test)) {
-    const std::vector<Block> record{picture(record_figure, test)};
-    return {{"", record},
-            checks_chapter(test, answer),
-            small_deflection_chapter(test),
-            preparation_chapter(test),
+    const Record& record = test.analysis.record;
+    Chapter curve{};
+    if (largest(record.deflection) > 0 && largest(record.force) > 0)
+      curve.blocks.emplace_back(picture(record_figure, test));
+    return {curve, checks_chapter(test, answer), small_deflection_chapter(test), preparation_chapter(test),
             provenance_chapter(test)};
   }
   const bool trusted = is_trusted(answer.standing);

@@ -350,7 +350,7 @@ Plot record_figure(const FittedTest& test) {
   marks.push_back({Mark::line, "measured", {0, 1}, styles::measured});
   if (!drops.rows.empty()) {
     marks.push_back({Mark::line, "drops", {0, 1}, styles::unloading, "Drops"});
-    caption += " Red: its drops.";
+    caption += " Red: the drops.";
   }
   for (PlotTable* table : {&measured, &drops}) data.push_back(std::move(*table));
   return {.name = "record",
@@ -360,7 +360,7 @@ Plot record_figure(const FittedTest& test) {
           .height = 78,
           .data = std::move(data),
           .panels = {{.x = plane.x(1.03),
-                      .y = plane.F.axis(force_label, std::min(0.0, 1.1 * F_least), 1.1 * F_most),
+                      .y = plane.F.axis(force_label, std::min(0.0, 1.1 * F_least), std::max(0.0, 1.1 * F_most)),
                       .marks = std::move(marks)}}};
 }
 

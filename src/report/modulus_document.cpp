@@ -11,8 +11,8 @@
 namespace flexslip {
 namespace {
 
-constexpr double share_worth_a_word = 0.3;  // of the displacement
-constexpr double stiff_material = 450e9;    // [Pa] carbides and diamond are stiffer
+constexpr double train_share_worth_a_word = 0.3;  // of the displacement
+constexpr double stiff_material = 450e9;          // [Pa] carbides and diamond are stiffer
 constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001, load_train_worth_a_word = 0.01;
 constexpr double beginning_worth_a_word = 0.01;  // of the greatest deflection
 
@@ -160,14 +160,16 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     list.emplace_back("The span is not stated: state it to get a bending stiffness.");
   else if (!test.geometry.section)
     list.emplace_back("The section is not stated: state it to get modulus, stress and strain.");
-  if (load_train_counts(test) && numbers.load_train_share > share_worth_a_word)
+  if (load_train_counts(test) && numbers.load_train_share > train_share_worth_a_word)
     list.push_back(fmt::format(
-        "The load train takes {} of the displacement: where its stiffness is off by 1 %, that of the "
-        "specimen is off by {:.1f} %. Measure the deflection itself, or that stiffness.",
+        "The load train takes {} of the displacement: an error of 1 % in its stiffness makes one of {:.1f} % in that "
+        "of "
+        "the specimen. Measure the deflection itself, or the stiffness of the load train.",
         format_percent(numbers.load_train_share), numbers.load_train_share / (1 - numbers.load_train_share)));
   if (numbers.modulus && *numbers.modulus > stiff_material && !test.measurement.test.reduced)
-    list.push_back(fmt::format("Hardly any material is stiffer than {}: check the units of the span and the section.",
-                               three_digits(stiff_material, kind_in(test.measurement.test, kind::pressure))));
+    list.push_back(
+        fmt::format("Hardly any material is stiffer than {}: check the units of force, displacement, span and section.",
+                    three_digits(stiff_material, kind_in(test.measurement.test, kind::pressure))));
   if (supports_count(test))
     list.push_back(
         fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "

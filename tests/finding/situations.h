@@ -65,7 +65,9 @@ inline std::vector<Situation> situations() {
   });
   add("too_few_rows", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
-    test.analysis.record.force.resize(12);
+    test.analysis.drops = {};
+    for (auto* column : {&test.analysis.record.stage, &test.analysis.record.deflection, &test.analysis.record.force})
+      column->resize(12);
   });
   add("gave_way", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;

@@ -162,6 +162,27 @@ TEST_CASE("limit: constant friction has no sawtooth, no drops and no snaps") {
   CHECK(analysis.model.snaps.empty());
 }
 
+TEST_CASE("limit: what the drops of a bar can be is told by what a slip can do, and nothing of friction") {
+  const SimulatedTruth truth{
+      .friction = Friction::constant(0.3), .stiffness = 90, .noise = 1e-4, .step = 2e-4, .deflection = 0.05};
+  ReducedRecord reduced = simulated_record(truth);
+  const std::size_t small = reduced.force.size() / 3, large = 2 * reduced.force.size() / 3;
+  for (std::size_t i = small; i < reduced.force.size(); ++i) {
+    const double lost = i < large ? 0.02 : 0.4;  // [1] of the force
+    reduced.force[i] *= 1 - lost;
+    reduced.deflection[i] = reduced.stage[i] - reduced.force[i] / truth.stiffness;
+  }
+  auto description = description_of(truth);
+  description.fibre = Fibre({.radius = 0, .half_depth = 0.04});
+  const auto analysis = analyse(to_physical(reduced, scales), description);
+  REQUIRE(analysis.status == AnalysisStatus::too_few_points);
+  REQUIRE(analysis.slips.size() == 2);
+  CHECK(analysis.slips[0].verdict == SlipVerdict::possible);
+  CHECK(analysis.slips[1].verdict == SlipVerdict::unexplained);
+  CHECK(analysis.slip_summary.count == 1);
+  for (const Slip& slip : analysis.slips) CHECK(std::isnan(slip.mu_before));
+}
+
 TEST_CASE("limit: a beginning that is mostly noise tells no bending stiffness, and says so") {
   auto truth = toothed();
   truth.noise = 1.5;

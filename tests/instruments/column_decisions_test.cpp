@@ -60,7 +60,8 @@ TEST_CASE("column decisions: of one way in two columns the finer is used, of two
   CHECK(one.specimens.front().asks.empty());
   CHECK(column_with(one, one.specimens.front(), ColumnRole::crosshead).name == "Standard travel");
   REQUIRE(!one.notes.empty());
-  CHECK(has(one.notes.back(), "'Crosshead absolute' is 'Standard travel' rounded to 0.01 mm: the finer is used"));
+  CHECK(
+      has(one.notes.back(), "'Crosshead absolute' is 'Standard travel' rounded to 0.01 mm: 'Standard travel' is used"));
   const Export two = asked_of(0.3);  // by 12 µm at the end
   CHECK(column_with(two, two.specimens.front(), ColumnRole::crosshead).name == "Crosshead absolute");
 }

@@ -8,6 +8,7 @@
 #include "inference/campaign.h"
 #include "io/text.h"
 #include "report/answer_documents.h"
+#include "report/figures.h"
 #include "report/page.h"
 #include "tests/finding/situations.h"
 #include "tests/has.h"
@@ -50,6 +51,21 @@ TEST_CASE("every finding there is: screen, text, page, JSON and campaign print i
     if (on_screen && each.code != "softer_reload")
       CHECK(
           has(campaign_of_one(each.test), html_escaped(is_fitted(each.test) ? finding.short_form : finding.sentence)));
+  }
+}
+
+TEST_CASE("document: every test that has no fit shows its curve, if it has one that rises") {
+  for (const Situation& each : situations()) {
+    if (is_fitted(each.test)) continue;
+    INFO(each.code);
+    const std::vector<Chapter> chapters = document_of(each.test);
+    const bool rises = largest(each.test.analysis.record.force) > 0;
+    REQUIRE(chapters.front().blocks.size() == (rises ? 1 : 0));
+    if (!rises) continue;
+    for (const Panel& panel : record_figure(each.test).panels) {
+      CHECK(panel.x.from < panel.x.to);
+      CHECK(panel.y.from < panel.y.to);
+    }
   }
 }
 
