@@ -29,9 +29,8 @@ struct ScreenStyle {
 // most on a terminal of 100 characters or more (tests/outside/fit.py).
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
-// The rows of an answer and what stands against it, each doubt with its remedy; the checks and the next step, a line.
+// The rows of an answer and what stands against it, each doubt with its remedy.
 Rows rows_of(const Answer& answer);
-std::string last_line_of(const Answer& answer);
 
 // What the rows leave to tell. Of a test of any status; the test must outlive it.
 std::vector<Chapter> document_of(const FittedTest& test);

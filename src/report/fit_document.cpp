@@ -360,11 +360,6 @@ Rows rows_of(const Answer& answer) {
   return rows;
 }
 
-std::string last_line_of(const Answer& answer) {
-  const std::string checks = checks_in_words(answer), next = next_in_words(answer);
-  return checks + (checks.empty() || next.empty() ? "" : " ") + next;
-}
-
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
   constexpr std::size_t max_doubts = 3;
   const std::string shown_name = printable(name);
@@ -374,7 +369,8 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
   Rows rows = rows_of(answer);
   const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, max_doubts);
   rows.resize(rows.size() - left_out);
-  std::string last = last_line_of(answer);
+  const std::string checks = checks_in_words(answer), next = next_in_words(answer);
+  std::string last = checks + (checks.empty() || next.empty() ? "" : " ") + next;
   if (left_out > 0) last = fmt::format("{}: --full. {}", format_count(left_out, "more doubt", "more doubts"), last);
   return (style.colour ? coloured(title, shown_name, answer.verdict) : title) + "\n" +
          in_text({{"", {rows, last}}}, style.width);

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,7 +39,8 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
   const Print print(test);
   const double stiffness = rig_stiffness_of(input);
   Rows rows = rows_of(answer);
-  rows.push_back({"checks", last_line_of(answer)});
+  if (std::string checks = checks_in_words(answer); !checks.empty()) rows.push_back({"checks", std::move(checks)});
+  if (!answer.next.empty()) rows.push_back({"next", answer.next});
   const Rows source{
       {"rig", fmt::format("span {}, load train {}", print.length(1),
                           std::isfinite(stiffness) ? print.own(stiffness, kind::stiffness) : "infinitely stiff")},
