@@ -129,10 +129,15 @@ class Loading {
 
   // Points up to where a fall begins in earnest, on to the last that has hardly lost anything.
   std::size_t begin_of(const Fall& fall) const {
-    std::size_t begin = fall.peak;
-    while (stage_[fall.trough] - stage_[begin] > reach * travel_ && lost_from(begin, fall.trough) < much * most_)
-      ++begin;
-    while (lost_from(begin, fall.trough) < std::min(a_twentieth * most_, fall.at_once)) ++begin;
+    const double loses = std::min(a_twentieth * most_, fall.at_once);
+    const auto first_that_loses = [&](std::size_t from) {
+      while (from < fall.trough && lost_from(from, fall.trough) < loses) ++from;
+      return from;
+    };
+    std::size_t late = fall.peak;
+    while (stage_[fall.trough] - stage_[late] > reach * travel_ && lost_from(late, fall.trough) < much * most_) ++late;
+    std::size_t begin = first_that_loses(late);
+    if (begin == fall.trough) begin = first_that_loses(fall.peak);  // it lost that before, and crept on
     const double level = force_[begin] - std::max(0.003 * most_, 4 * noise_);
     std::size_t last = begin;
     while (last < fall.trough && force_[last + 1] > level) ++last;

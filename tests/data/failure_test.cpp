@@ -129,4 +129,17 @@ TEST_CASE("failure: a record that stops at the break ends with it; one that goes
   }
 }
 
+TEST_CASE("failure: a break within a slow fall that goes on for long after it (once without an end)") {
+  Record record;
+  const auto add = [&](double force) {
+    record.stage.push_back(1e-6 * static_cast<double>(record.stage.size()));
+    record.force.push_back(force);
+    record.deflection.push_back(record.stage.back());
+  };
+  for (int i = 0; i <= 100; ++i) add(0.01 * i);
+  for (int i = 1; i <= 48; ++i) add(1 - 0.01 * i);
+  for (int i = 0; i <= 24; ++i) add(0.44 - 0.01 * i);
+  CHECK(find_failure(record).points == 149);
+}
+
 }  // namespace
