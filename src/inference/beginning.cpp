@@ -89,7 +89,7 @@ class BeginningFit {
     const bool has_seat = seat.force > 0;
     Fitted at = std::move(start);
     at.scatter = scatter;
-    Curvature about = curvature_at(at, rise, seat);
+    Slopes about = slopes_at(at, rise, seat);
     constexpr int steps = 40;
     for (int step = 0; step < steps; ++step) {
       if (scatter == 0) at.scatter = std::max(noise_, deviation_by_median * median_of_sizes(at.residuals));
@@ -118,21 +118,22 @@ class BeginningFit {
       if (!move.allFinite()) return {};
       if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6 && std::abs(move[3]) < 1e-8) break;
       // Half of it, and again half, until the loss does not grow.
-      constexpr double least_part = 1e-3;
+      constexpr int halvings = 10;
       double part = 1 / std::max({1.0, std::abs(move[0]) / 0.02, std::abs(move[1]) / 0.3, std::abs(move[3]) / 0.02});
-      for (; part > least_part; part /= 2) {
+      bool is_better = false;
+      for (int halving = 0; halving < halvings && !is_better; ++halving, part /= 2) {
         Fitted next = at;
         next.contact += part * move[0];
         next.log_stiffness += part * move[1];
         next.offset += part * move[2];
         next.depth += part * move[3];
-        Curvature there = curvature_at(next, rise, seat);
-        if (!(loss_of(next, has_seat, offset_error) <= at.loss)) continue;
+        Slopes there = slopes_at(next, rise, seat);
+        is_better = loss_of(next, has_seat, offset_error) <= at.loss;
+        if (!is_better) continue;
         at = std::move(next);
         about = std::move(there);
-        break;
       }
-      if (!(part > least_part)) break;
+      if (!is_better) break;
     }
     return at;
   }
@@ -141,14 +142,14 @@ class BeginningFit {
   static constexpr double far = 9;         // [scatter²] beyond which a reading hardly counts
   static constexpr double exactly = 1e18;  // the weight of what is known
 
-  using Curvature = std::vector<
-      Eigen::Vector4d>;  // by how much each reading is explained better by contact, stiffness, offset and depth
+  // By how much each residual goes down as contact, ln e, offset and depth go up.
+  using Slopes = std::vector<Eigen::Vector4d>;
 
-  // The residuals of a fit, and what they go down by.
-  Curvature curvature_at(Fitted& at, const Rise& rise, Seat seat) const {
+  // With the residuals of a fit, which are set.
+  Slopes slopes_at(Fitted& at, const Rise& rise, Seat seat) const {
     at.residuals.clear();
     const double e = elementary::exp(at.log_stiffness);
-    Curvature rows;
+    Slopes rows;
     for (std::size_t i = 0; i < looked_.force.size(); ++i) {
       const double force = looked_.force[i] - at.offset;
       const double yields = seat.force > 0 ? -elementary::exp_less_one(-std::max(force, 0.0) / seat.force) : 0;
