@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "data/record.h"
 #include "io/input_error.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
@@ -137,21 +138,14 @@ Export with_displacement(Export file, ColumnRole role) {
 
 // ---- one displacement in two columns
 
-// The smallest step between readings that differ, and how far they go; 0 if none do.
-struct Steps {
-  double smallest = 0, range = 0;
-};
-
-Steps steps_of(std::vector<double> values) {
+std::vector<double> numbers_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  Steps steps{0, values.back() - values.front()};
-  const double rounding = 1e-12 * std::max(std::abs(values.front()), std::abs(values.back()));
-  for (std::size_t i = 1; i < values.size(); ++i)
-    if (const double step = values[i] - values[i - 1]; step > rounding)
-      steps.smallest = steps.smallest == 0 ? step : std::min(steps.smallest, step);
-  return steps;
+  return values;
+}
+
+double step_of(const ExportColumn& column) {
+  const std::vector<double> numbers = numbers_of(column.values);
+  return numbers.empty() ? 0 : resolution_of(numbers);
 }
 
 // Is one column the other, counted from another zero or the other way, and rounded to a step? Then they differ by no more than that.
@@ -178,8 +172,11 @@ Export with_finest(Export file) {
         const bool may_be = coarse.role == ColumnRole::crosshead && coarse.number != fine.number &&
                             (fine.role == ColumnRole::crosshead || fine.role == ColumnRole::displacement);
         if (!may_be || coarse.unit != fine.unit) continue;
-        const auto [step, range] = steps_of(coarse.values);
-        if (step == 0 || range < least_steps * step || step < finer * steps_of(fine.values).smallest ||
+        const double step = step_of(coarse);
+        if (step == 0) continue;
+        const auto numbers = numbers_of(coarse.values);
+        const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+        if (*most - *least < least_steps * step || step < finer * step_of(fine) ||
             !is_rounded_to(coarse.values, fine.values, step))
           continue;
         coarse.role = ColumnRole::other;
