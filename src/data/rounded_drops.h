@@ -9,16 +9,17 @@ namespace flexslip {
 
 struct RoundedDrops {
   std::size_t drops;  // told by so many
-  double
-      lag;  // [rows] time constant of the low-pass that would round them so; 0: they are not rounded, or too few tell
+  // [rows] Time constant of the low-pass that would round them so; 0: they are not rounded, or too few tell.
+  double lag;
 };
 
 // Domain:     one loading without faults (check_record).
-// Method:     A specimen about to snap loses force before the snap, if at any time, and gains it after; what is rounded falls on. Of the steps that fall by
+// Method:     Where friction makes the force fall slowly it does so before a snap; after it the force rises. Behind a low-pass it falls on. Of the steps that fall by
 //             more than five standard deviations below the smooth curve, the deepest of its neighbours each: how much more the two after it fall
 //             than the two before, over its own fall, all of them together. Rounded, if that is above a tenth by 1.3 + 1/drops of its error, of
 //             three drops or more. The lag is that of which a snap at any time between two rows gives as much.
-// Accuracy:   of 483 simulated records on rigs that do not lag 3 are called rounded; of those that lag by a row or two, half are.
+// Accuracy:   of 30 simulated records each at a lag of 0, 1 and 2 rows at most 1, at least 10 and at least 20 are told, their mean lag to 40 %
+//             (tests/data). The bounds are empirical.
 RoundedDrops rounded_drops(const Record& record);
 
 }  // namespace flexslip
