@@ -70,18 +70,28 @@ std::vector<StepSlope> step_slopes(const Record& record) {
   return steps;
 }
 
-// The g that minimises Σ weight |slope - g|: a weighted median.
+// The g that minimises Σ weight |slope - g|: a weighted median. The steps are left in another order.
 double middle_slope(std::span<StepSlope> steps) {
-  std::stable_sort(steps.begin(), steps.end(),
-                   [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
-  const double total = std::accumulate(steps.begin(), steps.end(), 0.0,
-                                       [](double sum, const StepSlope& step) { return sum + step.weight; });
-  double below = 0;
-  for (const StepSlope& step : steps) {
-    below += step.weight;
-    if (below > 0 && below >= 0.5 * total) return step.slope;
+  const auto weight_of = [](std::span<const StepSlope> some) {
+    return std::accumulate(some.begin(), some.end(), 0.0,
+                           [](double sum, const StepSlope& step) { return sum + step.weight; });
+  };
+  const double half = 0.5 * weight_of(steps);
+  if (!(half > 0)) return 0;  // the stage stood still
+  double below = 0;           // the weight of what has been found to be less
+  while (steps.size() > 1) {
+    const std::size_t middle = steps.size() / 2;
+    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(middle), steps.end(),
+                     [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
+    const double lower = weight_of(steps.first(middle));
+    if (below + lower >= half) {
+      steps = steps.first(middle);
+    } else {
+      below += lower;
+      steps = steps.subspan(middle);
+    }
   }
-  return 0;  // the stage stood still
+  return steps.front().slope;
 }
 
 // The same, of a window whose slopes are straightened by a bend [N/m per step] first: without that, the median of a curve that
