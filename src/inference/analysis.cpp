@@ -182,23 +182,20 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
 // Of the share of the work that was friction: of the readings as another statement makes them, at the bending stiffness that the fit then finds.
 Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   const AtFit found = in_units_of_fit(analysis.reduced, analysis);
-  const Supports& supports = analysis.rig.fibre.supports();
+  const auto share_of = [&](const FitProblem& problem) {
+    return measured_energy({.stiffening = 1, .record = problem.record, .rig = problem.rig, .errors = problem.errors},
+                           analysis.drops.drops)
+        .friction_share;
+  };
+  const FitProblem stated{found.record, found.rig, found.errors};
+  const double share = share_of(stated);
   Sensitivities by;
   for (const StatedQuantity quantity : stated_quantities) {
-    const double stiffer = (*analysis.fit.log_stiffness_by)[quantity];
-    const auto share = [&](double more) {
-      FitProblem problem = restated({found.record, found.rig, found.errors}, quantity, more);
-      problem = restated(std::move(problem), StatedQuantity::bending_stiffness, elementary::exp(more * stiffer) - 1);
-      return measured_energy({.stiffening = 1, .record = problem.record, .rig = problem.rig, .errors = problem.errors},
-                             analysis.drops.drops)
-          .friction_share;
-    };
-    constexpr double step =
+    constexpr double more =
         0.001;  // shares are nearly linear in all of them, and readings that come in or go out tell little
-    const bool has_less = (quantity != StatedQuantity::thickness || 2 * supports.half_depth >= step) &&
-                          (quantity != StatedQuantity::support_radius || supports.radius >= step);
-    const double less = has_less ? step : 0;
-    by[quantity] = (share(step) - share(-less)) / (step + less);
+    const double stiffer = elementary::exp(more * (*analysis.fit.log_stiffness_by)[quantity]) - 1;
+    const FitProblem other = restated(restated(stated, quantity, more), StatedQuantity::bending_stiffness, stiffer);
+    by[quantity] = (share_of(other) - share) / more;
   }
   return by;
 }
