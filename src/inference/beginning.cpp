@@ -98,9 +98,9 @@ class BeginningFit {
       Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
       Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
       for (std::size_t i = 0; i < about.size(); ++i) {
-        const double weight = 1 / (1 + square(at.residuals[i]) / (far * scale));
-        normal += (weight / scale) * about[i] * about[i].transpose();
-        gradient += (weight / scale * at.residuals[i]) * about[i];
+        const Eigen::Vector4d weighed = about[i] / (scale + square(at.residuals[i]) / far);
+        normal += weighed * about[i].transpose();
+        gradient += at.residuals[i] * weighed;
       }
       const auto known = prior_of(at, has_seat, offset_error);
       for (Eigen::Index i = 0; i < 4; ++i) {
@@ -150,6 +150,7 @@ class BeginningFit {
     at.residuals.clear();
     const double e = elementary::exp(at.log_stiffness);
     Slopes rows;
+    rows.reserve(looked_.force.size());
     for (std::size_t i = 0; i < looked_.force.size(); ++i) {
       const double force = looked_.force[i] - at.offset;
       const double yields = seat.force > 0 ? -elementary::exp_less_one(-std::max(force, 0.0) / seat.force) : 0;
@@ -172,9 +173,10 @@ class BeginningFit {
   }
 
   double loss_of(const Fitted& at, bool has_seat, double offset_error) const {
-    double loss = 0;
-    for (const double residual : at.residuals)
-      loss += far * elementary::log_of_one_and(square(residual / at.scatter) / far);
+    const double unit = 1 / (far * square(at.scatter));
+    elementary::LogProduct sum;
+    for (const double residual : at.residuals) sum.multiply(1 + unit * square(residual));
+    double loss = far * sum.value();
     for (const Known& known : prior_of(at, has_seat, offset_error)) loss += known.weight * square(known.away);
     return loss;
   }
