@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -112,41 +113,65 @@ class Covariances {
   Square<M> limit_, P_, A_{};
 };
 
+// A number for y and for each column. Local arrays, which nothing else can point to, and sums in four parts: compilers make vectors of both.
+constexpr std::size_t most_series = max_columns + 1;
+using Series = std::array<double, most_series>;
+
+double dot(const double* a, const double* b, std::size_t n) {
+  std::array<double, 4> parts{};
+  std::size_t c = 0;
+  for (; c + 4 <= n; c += 4)
+    for (std::size_t part = 0; part < 4; ++part) parts[part] += a[c + part] * b[c + part];
+  double sum = (parts[0] + parts[2]) + (parts[1] + parts[3]);
+  for (; c < n; ++c) sum += a[c] * b[c];
+  return sum;
+}
+double dot(const Series& a, const Series& b, std::size_t n) { return dot(a.data(), b.data(), n); }
+
+void add(Series& to, double factor, const Series& what, std::size_t n) {
+  for (std::size_t c = 0; c < n; ++c) to[c] += factor * what[c];
+}
+
+// All states A times themselves; g and e do not mix.
+template <int M>
+void carry(std::array<Series, static_cast<std::size_t>(M)>& states, const Square<M>& A, std::size_t n) {
+  constexpr std::size_t G = M - 1;
+  for (std::size_t c = 0; c < n; ++c) {
+    Few<M> next;
+    for (std::size_t i = 0; i < G; ++i) {
+      next[i] = A.at_[i * M] * states[0][c];
+      for (std::size_t k = 1; k < G; ++k) next[i] += A.at_[i * M + k] * states[k][c];
+    }
+    next[G] = A.at_[G * M + G] * states[G][c];
+    for (std::size_t i = 0; i < M; ++i) states[i][c] = next[i];
+  }
+}
+
 // The states of many series at once, a row for each number of the state.
 template <int M>
 class States {
  public:
-  static constexpr int G = M - 1;
+  static constexpr std::size_t G = M - 1;
 
-  explicit States(std::size_t series) : n_(series), m_(static_cast<std::size_t>(M) * series, 0.0), next_(m_) {}
+  explicit States(std::size_t series) : n_(series) {}
 
-  void advance(const Square<M>& A) {
-    for (int i = 0; i < G; ++i)
-      for (std::size_t c = 0; c < n_; ++c) {
-        double sum = A(i, 0) * row(0)[c];
-        for (int k = 1; k < G; ++k) sum = sum + A(i, k) * row(k)[c];
-        next_[static_cast<std::size_t>(i) * n_ + c] = sum;
-      }
-    for (std::size_t c = 0; c < n_; ++c) next_[static_cast<std::size_t>(G) * n_ + c] = A(G, G) * row(G)[c];
-    m_.swap(next_);
-  }
+  void advance(const Square<M>& A) { carry(m_, A, n_); }
 
-  // By what an observation differs from what was expected, for one series.
-  double innovation(double value, double D, std::size_t c) const {
-    if constexpr (G > 0) return value - row(0)[c] - D * row(G)[c];
-    return value - D * row(G)[c];
+  // From what an observation differs from what was expected, which takes the place of its values.
+  void learn(Series& values, double D, const Few<M>& gain) {
+    if constexpr (G > 0) add(values, -1, m_[0], n_);
+    add(values, -D, m_[G], n_);
+    for (std::size_t i = 0; i < M; ++i) add(m_[i], gain[i], values, n_);
   }
-  void learn(const std::array<double, M>& gain, double v, std::size_t c) {
-    for (int i = 0; i < M; ++i) row(i)[c] = row(i)[c] + gain[static_cast<std::size_t>(i)] * v;
+  double* copy_to(double* out) const {
+    for (const Series& row : m_)
+      for (std::size_t c = 0; c < n_; ++c) *out++ = row[c];
+    return out;
   }
-  const std::vector<double>& all() const { return m_; }
 
  private:
-  double* row(int i) { return m_.data() + static_cast<std::size_t>(i) * n_; }
-  const double* row(int i) const { return m_.data() + static_cast<std::size_t>(i) * n_; }
-
   std::size_t n_;
-  std::vector<double> m_, next_;
+  std::array<Series, M> m_{};
 };
 
 // What a function makes of the size of the state.
@@ -270,24 +295,31 @@ double ThetaPrior::slope(const Theta& theta, std::size_t i) const {
 
 namespace {
 
-using Series = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_columns + 1, 1>;
 using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns + 1, max_columns + 1>;
 
-// Of each two series, over all observations.
+// Of each two series, over all observations; four of these at once, as the sums are kept in memory.
 SeriesMatrix products_of(const Eigen::MatrixXd& white) {
   const auto series = static_cast<std::size_t>(white.rows());
-  constexpr std::size_t most = max_columns + 1;
-  std::array<double, most * most> sums{};
-  for (Index k = 0; k < white.cols(); ++k) {
-    const double* const at = white.col(k).data();
+  std::array<Series, most_series> sums{};
+  constexpr Index at_once = 4;
+  Index k = 0;
+  for (; k + at_once <= white.cols(); k += at_once) {
+    const double* const a = white.col(k).data();
+    const double *const b = a + series, *const c = b + series, *const d = c + series;
     for (std::size_t j = 0; j < series; ++j)
-      for (std::size_t i = 0; i <= j; ++i) sums[j * most + i] += at[i] * at[j];
+      for (std::size_t i = 0; i <= j; ++i)
+        sums[j][i] = sums[j][i] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + d[i] * d[j];
+  }
+  for (; k < white.cols(); ++k) {
+    const double* const a = white.col(k).data();
+    for (std::size_t j = 0; j < series; ++j)
+      for (std::size_t i = 0; i <= j; ++i) sums[j][i] += a[i] * a[j];
   }
   SeriesMatrix products(white.rows(), white.rows());
   for (std::size_t j = 0; j < series; ++j)
     for (std::size_t i = 0; i <= j; ++i) {
       const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
-      products(row, column) = products(column, row) = sums[j * most + i];
+      products(row, column) = products(column, row) = sums[j][i];
     }
   return products;
 }
@@ -301,42 +333,44 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   const std::size_t columns = observations.prior.size();
   const std::size_t series = 1 + columns;
   effort_spent += n * series;
-  white_ = Eigen::MatrixXd::Zero(static_cast<Index>(series), static_cast<Index>(n));
+  white_.resize(static_cast<Index>(series), static_cast<Index>(n));
   elementary::LogProduct variances;
   double seen = 0;
   with_state_of<void>(kernel, [&](auto size) {
     constexpr int M = decltype(size)::value;
     const auto p = parameters_of(kernel, at);
-    chain::Steps<M> steps{.steps = std::vector<chain::Step<M>>(n), .rate = p.rate};
+    chain::Steps<M> steps{.steps = std::make_unique_for_overwrite<chain::Step<M>[]>(n), .rate = p.rate};
     Covariances<M> covariances(p);
     States<M> states(series);
-    predicted_.resize(n * M * series);
+    predicted_ = std::make_unique_for_overwrite<double[]>(n * M * series);
+    double* predicted = predicted_.get();
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
       if (k > 0) {
         covariances.advance(observation.place - observations.all[k - 1].place, observation.rows);
         states.advance(covariances.transition());
-        step.transition = covariances.transition().at_;
       }
+      step.transition = covariances.transition().at_;
       step.predicted = covariances.covariance().at_;
-      std::copy(states.all().begin(), states.all().end(),
-                predicted_.begin() + static_cast<std::ptrdiff_t>(k * M * series));
+      predicted = states.copy_to(predicted);
       if (!is_seen(observation)) {
         step.innovation = infinity;
         step.gain = {};
+        white_.col(static_cast<Index>(k)).setZero();
         continue;
       }
       step.innovation = covariances.observe(observation.noise_gain, observation.variance, step.gain);
       const double scale = 1 / std::sqrt(step.innovation);
       variances.multiply(step.innovation);
       seen += 1;
-      for (std::size_t c = 0; c < series; ++c) {
-        const double value = c == 0 ? observations.values[k] : observations.columns[k][static_cast<Index>(c - 1)];
-        const double v = states.innovation(value, observation.noise_gain, c);
-        states.learn(step.gain, v, c);
-        white_(static_cast<Index>(c), static_cast<Index>(k)) = v * scale;
-      }
+      Series v;
+      v[0] = observations.values[k];
+      const double* const h = observations.columns[k].data();
+      for (std::size_t c = 0; c < columns; ++c) v[1 + c] = h[c];
+      states.learn(v, observation.noise_gain, step.gain);
+      double* const white = white_.col(static_cast<Index>(k)).data();
+      for (std::size_t c = 0; c < series; ++c) white[c] = v[c] * scale;
     }
     steps_ = std::move(steps);
   });
@@ -398,7 +432,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
   std::vector<SmoothedObservation> result(n);
   std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
   while (first_place < n && observations_.all[first_place].is_reading()) ++first_place;
-  std::array<double, max_columns + 1> together{};  // y less what the columns explain
+  Series together{};  // y less what the columns explain
   together[0] = 1;
   for (std::size_t c = 1; c < series; ++c) together[c] = -beta_[static_cast<Index>(c - 1)];
   std::visit(
@@ -406,21 +440,19 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
         constexpr int G = M - 1;
         // What the observations from here on say of the state: together, column by column, and how precisely.
         Few<M> r{};
-        std::array<std::array<double, max_columns + 1>, M> of_columns{}, carried{};
-        std::array<double, max_columns + 1> u{}, left{};
+        std::array<Series, M> of_columns{};
+        Series u{}, left{};
         Square<M> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Observation& observation = observations_.all[k];
           const bool variances = k >= first_place;
           const double* const white = white_.data() + k * series;
-          const double* const predicted = predicted_.data() + k * M * series;
+          const double* const predicted = predicted_.get() + k * M * series;
           if (is_seen(observation)) {
             // r <- H v/s + (1 - K H)' r, and so for N
             const double scale = 1 / std::sqrt(step.innovation);
-            double sum = 0;
-            for (std::size_t c = 0; c < series; ++c) sum += white[c] * together[c];
-            sum *= scale;
+            double sum = scale * dot(white, together.data(), series);
             for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
             if (G > 0) r[0] += sum;
             r[G] += observation.noise_gain * sum;
@@ -442,8 +474,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
             }
           }
           const auto mean_of = [&](std::size_t i) {
-            double sum = 0;
-            for (std::size_t c = 0; c < series; ++c) sum += predicted[i * series + c] * together[c];
+            double sum = dot(predicted + i * series, together.data(), series);
             for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j];
             return sum;
           };
@@ -465,23 +496,14 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
               }
             }
             for (std::size_t c = 1; c < series; ++c)
-              for (std::size_t d = 1; d < series; ++d)
-                own += left[c] * left[d] * covariance_(static_cast<Index>(c - 1), static_cast<Index>(d - 1));
+              own += left[c] * dot(&left[1], covariance_.col(static_cast<Index>(c - 1)).data(), series - 1);
             result[k].variance = own;
           }
           if (k == 0) break;
           const Square<M> A{step.transition}, A_transposed = transposed(A);
           r = product(A_transposed, r);
           if (k <= first_place) continue;
-          for (std::size_t i = 0; i < M; ++i) {
-            carried[i].fill(0);
-            for (std::size_t j = 0; j < M; ++j) {
-              const double a = step.transition[j * M + i];
-              if (a == 0) continue;  // g and e do not mix
-              for (std::size_t c = 1; c < series; ++c) carried[i][c] += a * of_columns[j][c];
-            }
-          }
-          std::swap(of_columns, carried);
+          carry(of_columns, A_transposed, series);
           N = product(product(A_transposed, N), A);
         }
       },
@@ -518,51 +540,57 @@ template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
   constexpr int G = M - 1;
   const std::size_t n = observations_.all.size();
-  const Index series = white_.rows(), p = series - 1;
-  effort_spent += n * static_cast<std::size_t>(2 * series);
+  const auto series = static_cast<std::size_t>(white_.rows());
+  effort_spent += n * 2 * series;
   const Parameters parameters = parameters_of(kernel_, at_);
   const Square<M> limit = limit_of<M>(parameters);
   // -2 ln p(y) = Σ ln s + v' Q v/s + ..., s being the variance of what an observation adds to the series and v what it adds: derivatives by the
   // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
-  SeriesMatrix Q(series, series);
-  Q(0, 0) = 1;
-  Q.row(0).tail(p) = -by_readings_.transpose();
-  Q.col(0).tail(p) = -by_readings_;
-  Q.bottomRightCorner(p, p) = by_readings_ * by_readings_.transpose() + covariance_;
-  using Columns = Eigen::Matrix<double, Eigen::Dynamic, M, 0, max_columns + 1, M>;
-  Columns by_states = Columns::Zero(series, M), carried(series, M), known(series, M);
+  std::array<Series, most_series> Q{};
+  Q[0][0] = 1;
+  for (std::size_t c = 1; c < series; ++c) {
+    Q[0][c] = Q[c][0] = -by_readings_[static_cast<Index>(c - 1)];
+    for (std::size_t d = 1; d < series; ++d) {
+      const auto i = static_cast<Index>(c - 1), j = static_cast<Index>(d - 1);
+      Q[c][d] = by_readings_[i] * by_readings_[j] + covariance_(i, j);
+    }
+  }
+  std::array<Series, M> by_states{}, known;
   Square<M> by_covariance{}, by_limit{};
-  Series v(series), by_v(series), weighted(series);
+  Series v, by_v, white, weighted;
   double by_correlation = 0, by_log_length = 0;
   LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
   for (std::size_t k = n; k-- > 0;) {
     const Observation& observation = observations_.all[k];
-    const auto column = static_cast<Index>(k);
     const auto& step = steps.steps[k];
     if (is_seen(observation)) {
       const double size = std::sqrt(step.innovation);
-      v = size * white_.col(column);
-      weighted.setZero();
-      for (Index j = 0; j < series; ++j) weighted += white_(j, column) * Q.col(j);
-      by_v = 2 / size * weighted;
-      Few<M> by_gain;
-      for (int i = 0; i < M; ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        by_gain[at] = v.dot(by_states.col(i));
-        by_v += step.gain[at] * by_states.col(i);
+      for (std::size_t c = 0; c < series; ++c) {
+        white[c] = white_.data()[k * series + c];
+        weighted[c] = 0;
       }
-      if (G > 0) by_states.col(0) -= by_v;
-      by_states.col(G) -= observation.noise_gain * by_v;
+      for (std::size_t c = 0; c < series; ++c) add(weighted, white[c], Q[c], series);
+      for (std::size_t c = 0; c < series; ++c) {
+        v[c] = size * white[c];
+        by_v[c] = 2 / size * weighted[c];
+      }
+      Few<M> by_gain;
+      for (std::size_t i = 0; i < M; ++i) {
+        by_gain[i] = dot(v, by_states[i], series);
+        add(by_v, step.gain[i], by_states[i], series);
+      }
+      if (G > 0) add(by_states[0], -1, by_v, series);
+      add(by_states[G], -observation.noise_gain, by_v, series);
       // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
       for (std::size_t wave = 0; wave < wavelengths.size(); ++wave) {
-        const Index cosine = p - 2 * static_cast<Index>(wavelengths.size() - wave);
+        const std::size_t cosine = series - 2 * (wavelengths.size() - wave);
         const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
-        const Coefficients& h = observations_.columns[k];
-        result.log_wavelengths[wave] -= 0.5 * phase * (by_v[1 + cosine] * h[cosine + 1] - by_v[2 + cosine] * h[cosine]);
+        const double* const h = observations_.columns[k].data() - 1;
+        result.log_wavelengths[wave] -= 0.5 * phase * (by_v[cosine] * h[cosine + 1] - by_v[cosine + 1] * h[cosine]);
       }
       // P - K s K', K = P H'/s, s = H P H' + variance
       const Few<M> with_gain = product(by_covariance, step.gain);
-      const double by_variance = (1 - white_.col(column).dot(weighted) - dot<M>(by_gain, step.gain)) / step.innovation +
+      const double by_variance = (1 - dot(white, weighted, series) - dot<M>(by_gain, step.gain)) / step.innovation +
                                  dot<M>(step.gain, with_gain);
       Few<M> H{};
       if (G > 0) H[0] = 1;
@@ -578,14 +606,17 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     }
     if (k == 0) break;
     const auto& before = steps.steps[k - 1];
-    known = Eigen::Map<const Columns>(predicted_.data() + (column - 1) * M * series, series, M);
+    const double* const predicted = predicted_.get() + (k - 1) * M * series;
+    for (std::size_t i = 0; i < M; ++i)
+      for (std::size_t c = 0; c < series; ++c) known[i][c] = predicted[i * series + c];
     Square<M> away{before.predicted};  // from what is known where nothing is seen
     for (std::size_t i = 0; i < away.at_.size(); ++i) away.at_[i] -= limit.at_[i];
     if (is_seen(observations_.all[k - 1])) {
-      v = std::sqrt(before.innovation) * white_.col(column - 1);
+      const double size = std::sqrt(before.innovation);
+      for (std::size_t c = 0; c < series; ++c) v[c] = size * white_.data()[(k - 1) * series + c];
       for (int i = 0; i < M; ++i) {
         const double gain = before.gain[static_cast<std::size_t>(i)];
-        known.col(i) += gain * v;
+        add(known[static_cast<std::size_t>(i)], gain, v, series);
         for (int j = 0; j < M; ++j) away(i, j) -= before.innovation * gain * before.gain[static_cast<std::size_t>(j)];
       }
     }
@@ -595,14 +626,13 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     for (std::size_t i = 0; i < through.at_.size(); ++i) by_limit.at_[i] += by_covariance.at_[i] - through.at_[i];
     by_covariance = through;
     Square<M> by_A = product(half, away);
-    carried.setZero();
     for (int i = 0; i < M; ++i)
       for (int j = 0; j < M; ++j) {
         if ((i < G) != (j < G)) continue;  // g and e do not mix
-        by_A(i, j) = 2 * by_A(i, j) + by_states.col(i).dot(known.col(j));
-        carried.col(j) += A(i, j) * by_states.col(i);
+        by_A(i, j) =
+            2 * by_A(i, j) + dot(by_states[static_cast<std::size_t>(i)], known[static_cast<std::size_t>(j)], series);
       }
-    by_states.swap(carried);
+    carry(by_states, A_transposed, series);
     if constexpr (G > 0) {
       constexpr auto F = matern::companion<G>();
       const double distance = observation.place - observations_.all[k - 1].place;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <random>
 #include <span>
 #include <variant>
@@ -115,7 +116,7 @@ struct Step {
 };
 template <int M>
 struct Steps {
-  std::vector<Step<M>> steps;
+  std::unique_ptr<Step<M>[]> steps;
   double rate;  // [1/L] of the kernel
 };
 }  // namespace chain
@@ -169,9 +170,9 @@ class Chain {
   Kernel kernel_;
   Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
-  Eigen::MatrixXd white_;            // a column for y and each column, C^(-1/2) of it
-  std::vector<double> predicted_;    // of the state at each observation, series by series
-  Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
+  Eigen::MatrixXd white_;                // a column for y and each column, C^(-1/2) of it
+  std::unique_ptr<double[]> predicted_;  // of the state at each observation, series by series
+  Coefficients beta_, by_readings_;      // of them: the mean, and that without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
   double log_determinant_ = 0;
