@@ -667,6 +667,18 @@ Found hidden_waves(T test) {
       .numbers = {{"shortest_wave", shortest, kind::length}}};
 }
 
+Found soft_rig(T test) {
+  const double hidden = hidden_by_soft_rig(test.analysis.rig.stiffness);
+  if (!(hidden > 0)) return std::nullopt;
+  return Finding{.severity = Severity::condition,
+                 .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest of "
+                                         "its friction unseen: the mean may be off by {:.2f}.",
+                                         hidden),
+                 .short_form = "a load train so soft hides some of it",
+                 .remedy = "A stiffer rig tells friction better.",
+                 .numbers = {{"hidden", hidden, kind::number}}};
+}
+
 Found jumps(T test) {
   const Judgement& judgement = *test.judgement;
   if (!std::isfinite(judgement.stiffness_for_all) || lost_stiffness(judgement)) return std::nullopt;
@@ -738,6 +750,7 @@ constexpr std::array rules{
     Rule{"thickness_not_stated", thickness_not_stated, true},
     Rule{"steady_change", steady_change, true},
     Rule{"hidden_waves", hidden_waves, true},
+    Rule{"soft_rig", soft_rig, true},
     Rule{"jumps", jumps, true},
     Rule{"imaged_length", imaged_length, true},
 };
@@ -983,7 +996,7 @@ std::string friction_in_words(T test) {
                                         Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
-  for (const Found& condition : {steady_change(test), hidden_waves(test)})
+  for (const Found& condition : {steady_change(test), hidden_waves(test), soft_rig(test)})
     if (condition) words += "; " + condition->short_form;
   return words;
 }

@@ -182,6 +182,11 @@ MeanFriction mean_friction(const NormalMixture& mixture) {
   return {{median, 0.5 * (quantile(0.84) - quantile(0.16)), 0, quantile(0.95)}, true};
 }
 
+NormalMixture widened(NormalMixture mixture, double by) {
+  for (NormalPart& part : mixture) part.deviation = elementary::length(part.deviation, by);
+  return mixture;
+}
+
 double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
 
 WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength) {
@@ -275,6 +280,11 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
 
 }  // namespace
 
+double hidden_by_soft_rig(double stiffness) {
+  constexpr double most = 0.13, hides_all = 10, hides_none = 20;
+  return most * std::clamp((hides_none - stiffness) / (hides_none - hides_all), 0.0, 1.0);
+}
+
 std::string_view name_of(ProfileModel model) {
   return name_in_order<ProfileModel::sinusoids>(model, {"roughness", "constant", "drift", "sinusoid", "sinusoids"});
 }
@@ -329,7 +339,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.S_end = posterior.S_end;
   fit.along = passages.along;
   fit.S_middle = fit.along.length_at(passages.S_middle);
-  const auto mean = mean_friction(posterior.mean);
+  const NormalMixture of_mean = widened(posterior.mean, hidden_by_soft_rig(problem.rig.stiffness));
+  const auto mean = mean_friction(of_mean);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;
   const bool rolls_back = fit.along.rolls_back_at(passages.S_middle);  // so that it passes the contacts the other way
@@ -370,7 +381,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.force = run_forward(fit, whole.rig, whole.record.stage);
   fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
   const double s = passages.stiffness_error;
-  fit.of_mu0 = {posterior.mean, FrictionProcess::mean_friction, 0.5};
+  fit.of_mu0 = {of_mean, FrictionProcess::mean_friction, 0.5};
   fit.of_log_stiffness = {posterior.log_stiffness, 0, s};
   const ThetaPrior& prior = process.prior_of_theta();
   fit.of_log_roughness = {posterior.log_roughness, prior.mean[2], prior.deviation[2]};

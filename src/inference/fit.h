@@ -122,6 +122,10 @@ struct FitOptions {
 // order, averaged over the explanations.
 using Sensitivities = PerQuantity<double>;
 
+// [1] By how much a rig as soft as that [EI/L^3] hides the mean friction, a standard deviation: the specimen slips on from crest to crest, too
+// little to be seen. 0.13 at 10 and less, nothing from 20 on, by simulations (docs/validation.md).
+double hidden_by_soft_rig(double stiffness);
+
 enum class FrictionFitStatus {
   ok,
   too_few_points,  // fewer than 20 readings are deep enough to tell of friction: nothing else is valid

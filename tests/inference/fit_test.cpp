@@ -250,6 +250,18 @@ TEST_CASE("identity: two waves are found as two") {
   CHECK(sinusoids.waves[1].wavelength.value == doctest::Approx(0.009).scale(0).epsilon(0.03));
 }
 
+TEST_CASE("limit: a stiff rig hides nothing of the mean, a soft one says how much") {
+  CHECK(hidden_by_soft_rig(20) == 0);
+  CHECK(hidden_by_soft_rig(infinity) == 0);
+  CHECK(hidden_by_soft_rig(9) == hidden_by_soft_rig(6));
+  CHECK(hidden_by_soft_rig(15) < hidden_by_soft_rig(12));
+  const SimulatedTruth truth{.friction = Friction::sinusoid(0.6, 0.3, 10.0 / 1278, 1.0), .stiffness = 8, .noise = 0.03};
+  const auto fit = fit_friction(problem_of(truth));
+  REQUIRE(fit.status == FrictionFitStatus::ok);
+  CHECK(fit.mu0.standard_error > hidden_by_soft_rig(8));
+  CHECK(contains(fit.mu0, mean_over(truth.friction, fit.S_begin, fit.S_end)));
+}
+
 TEST_CASE("limit: hardly any friction is an upper limit") {
   const SimulatedTruth truth{.friction = Friction::constant(0), .noise = 0.05};
   const auto fit = fit_friction(problem_of(truth));
