@@ -200,6 +200,10 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   } else {
     const auto slope = bending_stiffness_of(input, measurement);
     const Scales scales = scales_of(input, slope);
+    if (measurement.straight_is_initial) {
+      description.bending_stiffness = slope.value;
+      description.bending_stiffness_error = slope.relative_error;
+    }
     if (const auto mirrored = mirrored_loops(measurement, scales, rig_of(input, scales))) {
       // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
       constexpr double systematic = 0.02;

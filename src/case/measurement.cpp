@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -720,17 +721,19 @@ std::size_t points_until(std::size_t until, Measurement& result, Preparation& st
   return static_cast<std::size_t>(end - counted.begin());
 }
 
-// Ends a loading before the failure. What is left, in points of the record.
-std::size_t end_of(const Test& input, const Record& all, const Leg& loading, Measurement& result, Preparation& steps) {
+// Ends a loading before the failure, which the way back may tell. What is left, in points of the record.
+std::size_t end_of(const Test& input, const Record& all, const Leg& loading, const Leg& way_back, Measurement& result,
+                   Preparation& steps) {
   if (input.record->failure == FailureRule::none) {
     steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
     return loading.last;
   }
-  const Failure failure = find_failure(points_between(all, loading.first, loading.last));
-  if (failure.status == FailureStatus::found) {
+  const Failure failure = find_failure(points_between(all, loading.first, way_back.last));
+  if (const std::size_t points = loading.first + failure.points;
+      failure.status == FailureStatus::found && points < loading.last) {
     result.end = MeasurementEnd::failure;
-    const std::size_t points = loading.first + failure.points, last = rows_of_points(result.sampling, points);
+    const std::size_t last = rows_of_points(result.sampling, points);
     steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
               KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, result.rows});
     return points;
@@ -765,20 +768,56 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
               RowRange{row(loading.leg.last) + 1, result.rows});
   if (loading.leg.last < points) result.end = MeasurementEnd::turn;
   std::size_t last = loading.leg.last;
-  if (!until) last = end_of(input, all, loading.leg, result, steps);
+  if (!until) {
+    const auto next = std::find_if(legs.begin(), legs.end(), [&](const Leg& leg) { return leg.first >= last; });
+    last = end_of(input, all, loading.leg, next == legs.end() ? loading.leg : *next, result, steps);
+  }
   const bool is_whole = last == loading.leg.last;
   if (legs.size() > 1 && (is_whole || loading.leg.first > 0))
     result.cycles = first_points(all, is_whole ? points : last);
   return {loading.leg.first, last, Direction::loading};
 }
 
+// Does a record whose file counts from the contact begin under a force that none of its specimen could have there?
+bool begins_under_preload(const Record& record, const StraightPart& straight, double contact_error, double noise) {
+  constexpr double surely = 3, of_noise = 4;
+  const double way = std::max(record.deflection.front() + surely * contact_error, 0.0);
+  return record.force.front() > straight.slope.value * way + of_noise * noise;
+}
+
+// Fewer points than a fit needs are bent far enough to tell of friction.
+bool tells_no_friction(const Test& input, const Record& record) {
+  constexpr std::ptrdiff_t enough = 20;
+  const double span = *input.rig->span;
+  const double from = span * friction_told_from(fibre_of(input, Scales(span, 1)));
+  return std::count_if(record.deflection.begin(), record.deflection.end(), [=](double w) { return w > from; }) < enough;
+}
+
+// Do at least so many points lie behind a contact?
+bool leaves(std::size_t points, const Record& record, double contact) {
+  return record.stage.size() >= points && record.stage[record.stage.size() - points] >= contact;
+}
+
+// Does the straight part meet zero force farther behind the contact than friction and supports explain? All before it is then a toe.
+bool begins_with_toe(const Record& record, const StraightPart& straight, const BeamGeometry& geometry, double contact,
+                     double contact_error) {
+  constexpr double surely = 3;
+  const double middle = straight.middle(record);
+  const double error = elementary::length(
+      contact_error, (middle - straight.origin) * straight.slope.standard_error / straight.slope.value);
+  const double steeper = most_steepening(geometry, middle - contact);
+  return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
+}
+
 // What the contact is taken off at, and how certainly.
-void find_zero_displacement(const Test& input, const Record& whole, double stiffness, Measurement& result,
-                            Preparation& steps) {
+void find_zero_displacement(const Test& input, const Record& whole, double stiffness, std::size_t min_points,
+                            Measurement& result, Preparation& steps) {
   const std::optional<ContactRule>& rule = input.record->contact;
   const BeginningOf beginning = beginning_of(input, whole, stiffness);
   const Contact contact = find_contact(whole, beginning);
   result.own_contact = contact;
+  const double usual = usual_contact_error * beginning.span;
+  const std::optional<StraightPart>& straight = result.straight;
   result.begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = rule == ContactRule{ContactWord::find};
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
@@ -792,7 +831,30 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
                       "state the contact, or leave the key out");
   // A baseline is off by its error, where it is led on to the contact.
   const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
-  if (is_asked || (!rule && (result.begins_free || begins_elsewhere))) {
+  const bool is_found =
+      is_asked || (!rule && contact.status == ContactStatus::found &&
+                   (result.begins_free || begins_elsewhere ||
+                    (result.straight_is_initial && begins_under_preload(whole, *straight, usual, result.force_noise))));
+
+  if ((is_asked || !rule) && result.straight_is_initial && leaves(min_points, whole, straight->origin) &&
+      begins_with_toe(whole, *straight, geometry_of(input), is_found ? contact.offset.value : 0,
+                      is_found ? contact.offset.standard_error : usual)) {
+    result.contact = ContactSource::found;
+    result.contact_offset = straight->origin;
+    const double between = contact.status == ContactStatus::found ? straight->origin - contact.offset.value : 0;
+    result.contact_error = elementary::length(usual, between);
+    result.own_contact = counted_from(straight->origin, contact);
+    steps.add(
+        "contact", true,
+        fmt::format("the record begins with a toe: displacements are counted from where the straight part, rows {} "
+                    "to {}, would meet zero force",
+                    result.sampling.rows[result.first + straight->first] + 1,
+                    rows_of_points(result.sampling, result.first + straight->last)),
+        KeyChange{"record", "contact", "\"first row\""},
+        value_in(input, straight->origin, result.contact_error, kind::length));
+    return;
+  }
+  if (is_found) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
     result.contact_error = elementary::length(contact.offset.standard_error, by_baseline);
@@ -812,7 +874,6 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
     result.contact_offset = stated ? stated->value : whole.stage.front();
     result.own_contact = counted_from(result.contact_offset, contact);
   }
-  const double usual = usual_contact_error * beginning.span;
   result.contact_error = stated ? stated->uncertainty.value_or(usual) : usual;
   if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
     const Estimate& own = result.own_contact.offset;
@@ -820,14 +881,8 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
         elementary::length(result.contact_error, std::max(std::abs(own.value) - own.standard_error, 0.0));
   }
   if (!rule) {
-    std::optional<PreparedValue> toe;
-    if (contact.status == ContactStatus::found)
-      toe = value_in(input, contact.offset.value, contact.offset.standard_error, kind::length);
-    steps.add("contact", false,
-              toe ? "displacements are counted from the file's own zero; the value is where the straight first part of "
-                    "the curve would meet zero force"
-                  : "displacements are counted from the file's own zero",
-              KeyChange{"record", "contact", "\"find\""}, toe);
+    steps.add("contact", false, "displacements are counted from the file's own zero",
+              KeyChange{"record", "contact", "\"find\""});
     return;
   }
   steps.add("contact", result.contact_offset != 0,
@@ -894,7 +949,12 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   hold_stage(input, table, whole, std::span(result.sampling.rows).subspan(loading.first), result.cycles.has_value(),
              steps);
   result.force_noise = force_noise(whole);
-  find_zero_displacement(input, whole, stiffness, result, steps);
+  SmallDeflectionOptions options;
+  if (result.is_derived) options.load_train_error = rig_errors_of(result).load_train;
+  result.straight = straight_part(whole, geometry_of(input), options);
+  result.straight_is_initial =
+      result.straight && input.rig && input.rig->span && result.loading.number <= 1 && tells_no_friction(input, whole);
+  find_zero_displacement(input, whole, stiffness, min_points, result, steps);
 
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
   const std::size_t skipped =
@@ -904,6 +964,13 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
     throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", min_points),
                       std::to_string(whole.force.size() - skipped));
   result.record = counted_from(result.contact_offset, std::move(whole), skipped);
+  if (result.straight && result.straight->first >= skipped) {
+    result.straight->first -= skipped;
+    result.straight->last -= skipped;
+    result.straight->origin -= result.contact_offset;
+  } else {
+    result.straight = straight_part(result.record, geometry_of(input), options);
+  }
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
   return result;
 }

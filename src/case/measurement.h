@@ -11,6 +11,7 @@
 #include "case/case_file.h"
 #include "data/contact.h"
 #include "data/record.h"
+#include "data/small_deflection.h"
 #include "inference/beginning.h"
 #include "io/quantity.h"
 
@@ -61,7 +62,7 @@ inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is un
 enum class MeasurementEnd { last_row, until, failure, turn, overload };
 enum class ContactSource {
   stated,       // by the case
-  found,        // where the record itself begins, see find_contact
+  found,        // where the record itself begins, see find_contact, or the straight part behind a toe
   first_point,  // the record begins at the contact: nothing is taken off
 };
 
@@ -92,9 +93,13 @@ struct Measurement {
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off
-  double force_noise = 0;                              // [N] standard deviation of one point
-  Baseline baseline{};                                 // of the force before the contact, where it is not level
-  bool baseline_is_off = false;                        // taken off, as the case asks
+  std::optional<StraightPart> straight{};              // of the record
+  // It is the initial slope, for every command: of a record bent so little that it tells no friction (friction_told_from). Where one is bent farther its
+  // beginning tells more, for friction steepens the rest.
+  bool straight_is_initial = false;
+  double force_noise = 0;        // [N] standard deviation of one point
+  Baseline baseline{};           // of the force before the contact, where it is not level
+  bool baseline_is_off = false;  // taken off, as the case asks
 };
 
 // The record, or of several loadings the first, which starts from a specimen that friction does not hold drawn in.

@@ -203,6 +203,41 @@ TEST_CASE("measurement: a contact is found from the straight beginning where tha
   CHECK(asked.first == 0);
 }
 
+TEST_CASE(
+    "measurement: a toe is taken off where the record tells no friction, and its straight part is the initial slope "
+    "(truth)") {
+  const Folder folder;
+  const auto settling = [](double settles_within, double step) {
+    Columns columns = columns_of({});
+    for (int i = 0; i < rows; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      const double w = step * i, rise = w < settles_within ? w * w / (2 * settles_within) : w - 0.5 * settles_within;
+      columns.stage[row] = w;
+      columns.force[row] = 2e4 * rise + 0.002 * std::sin(1.0 * i * i);
+    }
+    return columns;
+  };
+  constexpr const char* rigid = "stiffness = 'inf'";
+  const Measurement found = folder.measured(settling(0.5e-3, 4e-6), "", rigid);
+  CHECK(found.straight_is_initial);
+  CHECK(step_of(found, "contact")->done.find("begins with a toe") != std::string::npos);
+  CHECK(std::abs(found.contact_offset - 0.25e-3) < 0.01e-3);
+  CHECK(found.straight->slope.value == to(0.01, 2e4));
+  CHECK(std::abs(found.straight->origin) < 1e-12);  // counted from there
+  CHECK(file_row(found, found.straight->first) > 110);
+  CHECK(folder.measured(settling(0.5e-3, 4e-6), "contact = 'first row'\n", rigid).contact_offset == 0);
+  CHECK(folder.measured(settling(0.01e-3, 4e-6), "", rigid).contact_offset == 0);  // within what is usual
+  // A preload: the record begins 0.1 mm after the contact.
+  Columns preloaded = settling(1e-9, 4e-6);
+  for (double& force : preloaded.force) force += 2e4 * 0.1e-3;
+  const Measurement loaded = folder.measured(preloaded, "", rigid);
+  CHECK(loaded.contact == ContactSource::found);
+  CHECK(std::abs(loaded.contact_offset + 0.1e-3) < 4 * loaded.contact_error);
+  CHECK(loaded.first == 0);
+  // Bent to a tenth of the span, where friction may steepen it as much.
+  CHECK_FALSE(folder.measured(settling(0.5e-3, 12e-6), "", rigid).straight_is_initial);
+}
+
 TEST_CASE("measurement: a stage that trembles is held, one that runs back is refused (limit)") {
   const Folder folder;
   Columns columns = columns_of({.contact = 0});
