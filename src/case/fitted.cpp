@@ -277,7 +277,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
 }  // namespace
 
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
-  const Measurement measurement = read_measurement(asked, min_fitted_points);
+  const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
   FittedTest test = fit_measured(measurement, options);
   const bool states_supports = measurement.test.rig->supports || measurement.test.rig->roller_radius;
   const auto radius = test.reduced ? std::nullopt : usual_roller_radius(test.geometry);

@@ -83,8 +83,39 @@ KeyChange switch_to(std::string_view key, std::string_view value) {
   return {"record", key, fmt::format("\"{}\"", value)};
 }
 
-Readings readings_of_table(const Test& input) {
+// How to say it, in the words of who states the test: a key of his case file, or a flag where there is none.
+std::string to_say(const Test& test, const KeyChange& change) {
+  if (!test.source.empty()) return fmt::format("write {} = {} into [{}]", change.name, change.value, change.section);
+  const bool is_word = change.value.find(' ') == std::string::npos && change.value.front() == '"';
+  return fmt::format("pass {} {}", flag_of(change.name),
+                     is_word ? change.value.substr(1, change.value.size() - 2) : change.value);
+}
+
+// What the file and the test leave open, each with its remedy. Of a rig, `stiffness` is the question that its stiffness answers; none if it is not asked.
+std::vector<std::string> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
+                                             const std::optional<double>& span_of_file) {
+  std::vector<std::string> questions;
+  if (!stiffness.empty() && !(input.rig && input.rig->stiffness))
+    questions.push_back(fmt::format("{} {}", stiffness, to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
+  if (needs.span && !span_of_file && !(input.rig && input.rig->span))
+    questions.push_back("how far are the supports apart? " + to_say(input, KeyChange{"rig", "span", "\"… mm\""}));
+  return questions;
+}
+
+// Where more than one question is open, all of them are asked at once; one alone is asked by what needs its answer.
+void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
+  if (questions.size() < 2) return;
+  fault.problem = fmt::format("leaves {} questions open{}", questions.size(), where);
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    fault.problem += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
+  throw InputError(std::move(fault));
+}
+
+Readings readings_of_table(const Test& input, const Needs& needs) {
   const RecordInput& asked = *input.record;
+  const bool is_stage = asked.stage && !asked.deflection;
+  require_one_at_most(questions_about_rig(input, needs, is_stage ? "how stiff is the load train?" : "", {}),
+                      {.file = asked.given ? "the record" : asked.file});
   std::vector<WantedColumn> wanted;
   std::vector<Reading> columns;
   const auto want = [&](const std::optional<std::string>& title, Reading reading, const Kind& kind) {
@@ -104,9 +135,10 @@ Readings readings_of_table(const Test& input) {
       InputFault fault = error.fault;
       // The titles are not on the first line: a preamble may stand there.
       if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
-      fault.remedy =
-          "if it is the export of a testing machine, write displacement = \"crosshead\" or \"deflection\" into "
-          "[record], or pass --displacement, instead of column titles; flexslip read shows what the file holds";
+      fault.remedy = fmt::format(
+          "if it is the export of a testing machine, {} (or \"deflection\") instead of column titles; flexslip read "
+          "shows what the file holds",
+          to_say(input, switch_to("displacement", "crosshead")));
       throw InputError(fault);
     }
   }();
@@ -155,20 +187,15 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   throw InputError({.file = file.origin.source,
                     .expected = "one specimen, or the number of one",
                     .found = fmt::format("{} specimens", count),
-                    .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
+                    .remedy = to_say(input, KeyChange{"record", "specimen", "1"})});
 }
 
 // The column with a role; the key that names it is what a file that has none, or several, is asked for.
-const ExportColumn& column_for(std::string_view key, const Export& file, const ExportedSpecimen& specimen,
-                               ColumnRole role) {
-  return column_with(file, specimen, role,
-                     fmt::format("write {} = \"…\" into [record], or pass {}: the name of the column, or its number in "
-                                 "the file, from 1",
-                                 key, flag_of(key)));
-}
-
-const ExportColumn& displacement_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
-  return column_for("displacement_column", file, specimen, role);
+const ExportColumn& column_for(std::string_view key, const Test& input, const Export& file,
+                               const ExportedSpecimen& specimen, ColumnRole role) {
+  return column_with(
+      file, specimen, role,
+      to_say(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
 }
 
 struct FoundDisplacement {
@@ -177,23 +204,27 @@ struct FoundDisplacement {
   bool is_stated;
 };
 
-FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, const ExportedSpecimen& specimen) {
+FoundDisplacement displacement_of(const Test& input, const Export& file, const ExportedSpecimen& specimen) {
+  const RecordInput& asked = *input.record;
+  const auto displacement_with = [&](ColumnRole role) -> const ExportColumn& {
+    return column_for("displacement_column", input, file, specimen, role);
+  };
   if (asked.displacement) {
     const ColumnRole role = role_of(*asked.displacement);
     const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
-    return {displacement_with(file, specimen, found), *asked.displacement, true};
+    return {displacement_with(found), *asked.displacement, true};
   }
   // A deflectometer comes first: ISO 178 prefers it.
   for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
-    if (has_role(specimen, role_of(kind))) return {displacement_with(file, specimen, role_of(kind)), kind, false};
-  const ExportColumn& column = displacement_with(file, specimen, ColumnRole::displacement);
+    if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
+  const ExportColumn& column = displacement_with(ColumnRole::displacement);
   throw InputError(
       {.file = file.origin.source,
        .field = fmt::format("column {}", in_quotes(column.name)),
        .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
        .found = "a name that does not say which",
-       .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: it is then "
-                 "corrected for the stiffness of the load train, as a modulus requires (ISO 178); write "
+       .remedy = to_say(input, switch_to("displacement", "crosshead")) +
+                 ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
 
@@ -256,46 +287,64 @@ std::vector<ExportColumn> asked_columns(const RecordInput& asked, const Exported
   return columns;
 }
 
-// Where a file leaves more than one question open, all of them are asked at once; one alone is asked by what needs its answer.
-void require_answers(const Test& input, const Export& file) {
+// Flags of an evaluation, in the words of who states the test: "--force COLUMN", or "force = "COLUMN" into [record]".
+std::string in_words_of(const Test& input, std::string_view flags) {
+  if (input.source.empty()) return "pass " + std::string(flags);
+  std::vector<std::string> keys;
+  for (std::size_t at = flags.find("--"); at != std::string_view::npos;) {
+    const std::size_t next = flags.find(" --", at), space = flags.find(' ', at);
+    std::string name(flags.substr(at + 2, space - at - 2));
+    std::replace(name.begin(), name.end(), '-', '_');
+    std::string value(flags.substr(space + 1, next - space - 1));
+    if (value.front() != '"' && value.find_first_not_of("0123456789") != std::string::npos) value = '"' + value + '"';
+    keys.push_back(name + " = " + value);
+    at = next == std::string_view::npos ? next : next + 1;
+  }
+  return fmt::format("write {} into [record]", fmt::join(keys, " and "));
+}
+
+void require_answers(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   const std::size_t count = file.specimens.size();
   const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
   std::vector<std::string> questions;
-  if (count > 1 && !asked.specimen) questions.push_back(fmt::format("which of the {} specimens? --specimen 1", count));
-  for (const OpenQuestion& each : questions_of(asked_columns(asked, file.specimens[chosen - 1])))
-    if (!each.with_test.empty()) questions.push_back(each.words + " " + each.with_test);
-  if (questions.size() < 2) return;
-  std::string words =
-      fmt::format("leaves {} questions open{}", questions.size(),
-                  file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    words += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
-  throw InputError({.file = file.origin.source,
-                    .remedy = (file.unplaced.empty() ? "" : file.unplaced + "; ") +
-                              "a case file says the same with keys of these names in [record]",
-                    .problem = std::move(words)});
+  if (count > 1 && !asked.specimen)
+    questions.push_back(
+        fmt::format("which of the {} specimens? {}", count, to_say(input, KeyChange{"record", "specimen", "1"})));
+  const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
+  for (const OpenQuestion& each : questions_of(columns))
+    if (!each.with_test.empty()) questions.push_back(each.words + " " + in_words_of(input, each.with_test));
+  const auto has = [&](ColumnRole role) {
+    return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
+  };
+  const std::string_view stiffness = has(ColumnRole::deflection) ? ""
+                                     : has(ColumnRole::crosshead)
+                                         ? "how stiff is the load train?"
+                                         : "how stiff is the load train, if the displacement is the crosshead's?";
+  for (std::string& each : questions_about_rig(input, needs, stiffness, file.test.span))
+    questions.push_back(std::move(each));
+  require_one_at_most(questions, {.file = file.origin.source, .remedy = file.unplaced},
+                      file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
 }
 
 // A column in SI, whose unit a case says in its title.
-std::vector<double> in_si_of(const Export& file, const ExportColumn& column, const Kind& kind, std::string_view key) {
+std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
+                             std::string_view key) {
   return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
-    const std::string title = fmt::format("\"{} [{}]\"", column.name, unit);
-    return fmt::format("name the column with its unit: pass {} {}, or write {} = {} into [record]", flag_of(key), title,
-                       key, title);
+    return "name the column with its unit: " + to_say(input, switch_to(key, fmt::format("{} [{}]", column.name, unit)));
   });
 }
 
-Readings readings_from(const Test& input, const Export& file) {
+Readings readings_from(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
-  require_answers(input, file);
+  require_answers(input, needs, file);
   const ExportedSpecimen& specimen = specimen_of(input, file);
-  const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
-  const ExportColumn& force = column_for("force", file, specimen, ColumnRole::force);
+  const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
+  const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
   const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
-  std::vector<double> displacements = in_si_of(file, column, kind::length, "displacement_column");
-  std::vector<double> forces = in_si_of(file, force, kind::force, "force");
+  std::vector<double> displacements = in_si_of(input, file, column, kind::length, "displacement_column");
+  std::vector<double> forces = in_si_of(input, file, force, kind::force, "force");
   const RowsLeftOut missing =
       rows_without_numbers(file, specimen, {&column, &force}, until ? until->row : specimen.lines.size());
   Readings readings{.test = input,
@@ -326,10 +375,10 @@ Readings readings_from(const Test& input, const Export& file) {
   return readings;
 }
 
-Readings readings_of_export(const Test& input) {
+Readings readings_of_export(const Test& input, const Needs& needs) {
   const Export file = read_export(input.record->file, options_of(*input.record));
   try {
-    return readings_from(input, file);
+    return readings_from(input, needs, file);
   } catch (const InputError& error) {
     throw with_other_sheets(error, file.origin);
   }
@@ -339,9 +388,9 @@ Readings readings_of_export(const Test& input) {
 // say themselves what they are.
 // Fails:      InputError, besides what read_table and read_export throw: a displacement of which neither case nor file says what it
 //             is one of, several specimens of which none is chosen, one that is not there.
-Readings read_readings(const Test& input) {
+Readings read_readings(const Test& input, const Needs& needs) {
   try {
-    return input.record->is_export() ? readings_of_export(input) : readings_of_table(input);
+    return input.record->is_export() ? readings_of_export(input, needs) : readings_of_table(input, needs);
   } catch (const InputError& error) {
     if (error.fault.key != "record.sheet") throw;
     throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
@@ -373,9 +422,8 @@ double stiffness_for(const Test& input, const Readings& readings) {
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
-                      "write the stiffness of your load train into [rig] as stiffness = \"… N/m\", or pass "
-                      "--stiffness; write \"inf\" if the displacement is that of the specimen's midpoint or already "
-                      "corrected; --stage, --deflection and --force name columns");
+                      to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
+                          "; \"inf\" if the displacement is that of the specimen's midpoint or already corrected");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
@@ -894,11 +942,12 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
 
 }  // namespace
 
-Measurement read_measurement(const Test& asked, std::size_t min_points) {
+Measurement read_measurement(const Test& asked, const Needs& needs) {
+  const std::size_t min_points = needs.points;
   if (min_points < least_noise_points)
     throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", min_points));
   if (!asked.record) throw missing(asked, "record");
-  Readings readings = read_readings(asked);
+  Readings readings = read_readings(asked, needs);
   Table& table = readings.table;
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),

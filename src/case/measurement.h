@@ -112,11 +112,17 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 // Row of the file, counted from 1, before that at which the next point begins, or its last row.
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 
+// What whoever evaluates a record needs of it.
+struct Needs {
+  std::size_t points;  // at least
+  bool span = false;   // of the case, or of the file: asked for with all else that is open
+};
+
 // Reads the record of a case and prepares it, in the order of Preparation.
-// Domain:     at least min_points points, 11 or more; std::invalid_argument otherwise.
+// Domain:     11 points or more; std::invalid_argument otherwise.
 // Fails:      InputError, besides what read_readings throws, for too few points, a record without a loading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
 //             where the force does not rise straight.
-Measurement read_measurement(const Test& asked, std::size_t min_points);
+Measurement read_measurement(const Test& asked, const Needs& needs);
 
 }  // namespace flexslip
