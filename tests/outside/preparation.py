@@ -212,6 +212,22 @@ class Loading(InFolder):
             self.assertEqual(run("fit", path, *flags).returncode, 0)
             self.assertIn("friction cannot be told", fit["verdict"]["sentence"])
 
+    def test_identity_the_thickness_that_turns_the_verdict_of_a_bar_is_where_it_turns(self):
+        draw = random.Random(8)
+        rows = [(0.01 * i, 0.01 * i, STIFFNESS * 1e-3 * 0.01 * i * (0.9 if i > 250 else 1) + draw.gauss(0, 0.02)) for i in range(400)]
+        path = self.file("bar.csv", bluehill(rows, 1))
+        flags = ("--span", "64 mm", "--width", "10 mm", "--displacement", "deflection", "--supports", "edges", "--stiffness", "inf")
+        fit = lambda height: self.json("fit", path, *flags, "--height", f"{height} mm")
+        words = lambda found: next(row["words"] for row in found["answer"] if row["label"] == "slip or crack")
+        thin = fit(4)
+        self.assertEqual(thin["verdict"]["code"], "crack")
+        turns = float(re.search(r"; it could be a slip from a thickness of ([\d.]+) mm on", words(thin)).group(1))
+        for height, code, word in ((0.99 * turns, "crack", "could be a slip"), (1.01 * turns, "undecided", "it would be deeper")):
+            found = fit(height)
+            self.assertEqual(found["verdict"]["code"], code)
+            self.assertIn(word, words(found))
+        self.assertNotIn("thickness", words(fit(2.5 * turns)))
+
 
 class Bar(InFolder):
     def modulus(self, columns, *arguments, which=0, preamble=()):
