@@ -231,13 +231,13 @@ Fields<CategoryOf> category_answer_fields() {
 
 Fields<CampaignTest> failure_fields() {
   return name_fields()
-      .words("reason", "reason why there is no answer", &CampaignTest::reason)
+      .words("reason", "reason why there is no answer, or the answer", &CampaignTest::reason)
       .words("file", "file that describes the test", &CampaignTest::file);
 }
 
 using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
 
-// The tests with an answer, or those without.
+// The tests with a fit, or those without.
 SomeTests tests_of(const Campaign& campaign, bool answered) {
   SomeTests some;
   for (const CampaignTest& test : campaign.tests)
@@ -294,7 +294,8 @@ Fields<Campaign> all_fields() {
       .number("shared_error",
               "standard deviation of the mean friction by load train, span and gain, which tests on one rig share",
               &Campaign::shared_error)
-      .list("failures", "tests without an answer", failure_fields(), failures_of)
+      .list("failures", "tests without a fit: without an answer, or bent too little to tell friction", failure_fields(),
+            failures_of)
       .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }

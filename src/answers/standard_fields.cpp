@@ -148,9 +148,9 @@ Fields<StandardTest> modulus_fields() {
               [](const StandardTest& t) { return t.numbers.chord_in_toe; })
       .group("window", "straight part of the curve", window_fields())
       .own_quantity("origin", kind::length,
-                    "deflection at which the straight part would meet zero force, not before the record begins; "
-                    "deflections and strains count from it",
-                    [](const StandardTest& t) { return t.numbers.origin; })
+                    "displacement in the file at which the straight part would meet zero force, not before the record "
+                    "begins; deflections and strains count from it",
+                    [](const StandardTest& t) { return t.measurement.contact_offset + t.numbers.origin; })
       .own_quantity("greatest_force", kind::force, "greatest force",
                     [](const StandardTest& t) { return t.numbers.greatest.force; })
       .own_quantity("deflection", kind::length, "deflection at the greatest force, from the origin",

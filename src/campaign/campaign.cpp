@@ -70,6 +70,10 @@ std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, d
   return curve;
 }
 
+bool is_answered(const CampaignTest& test) {
+  return test.verdict != word_of(VerdictCode::check_input) && test.verdict != word_of(VerdictCode::no_answer);
+}
+
 CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
   const Answer answer = answer_of(test);
   CampaignTest kept{.name = test.name,
@@ -84,7 +88,9 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .materials = test.materials,
                     .standard = standard_of(test)};
   if (!is_fitted(test)) {
-    kept.reason = fmt::format("{} {}", answer.findings.front().sentence, answer.next);
+    kept.reason = is_answered(answer.verdict.code)
+                      ? sentence_of(answer.verdict)
+                      : fmt::format("{} {}", answer.findings.front().sentence, answer.next);
     return kept;
   }
   kept.summary = summary_of(test.name, test.analysis, test.judgement.value(), answer.standing);

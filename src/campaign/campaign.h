@@ -50,6 +50,9 @@ struct CampaignTest {
   std::optional<StandardSummary> standard{};  // where span and section are known, and the record tells a modulus
 };
 
+// Is the question about its drops answered?
+bool is_answered(const CampaignTest& test);
+
 // The curve without friction of a specimen of some bending stiffness [N m^2] on the supports of the test, from the straight specimen to its greatest
 // deflection or beyond: deflection and force in SI. Empty if it was not bent.
 std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, double bending_stiffness);

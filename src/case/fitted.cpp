@@ -200,6 +200,10 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   } else {
     const auto slope = bending_stiffness_of(input, measurement);
     const Scales scales = scales_of(input, slope);
+    if (measurement.straight_is_initial) {
+      description.bending_stiffness = slope.value;
+      description.bending_stiffness_error = slope.relative_error;
+    }
     if (const auto mirrored = mirrored_loops(measurement, scales, rig_of(input, scales))) {
       // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
       constexpr double systematic = 0.02;
@@ -273,7 +277,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
 }  // namespace
 
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
-  const Measurement measurement = read_measurement(asked, min_fitted_points);
+  const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
   FittedTest test = fit_measured(measurement, options);
   const bool states_supports = measurement.test.rig->supports || measurement.test.rig->roller_radius;
   const auto radius = test.reduced ? std::nullopt : usual_roller_radius(test.geometry);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -82,8 +83,39 @@ KeyChange switch_to(std::string_view key, std::string_view value) {
   return {"record", key, fmt::format("\"{}\"", value)};
 }
 
-Readings readings_of_table(const Test& input) {
+// How to say it, in the words of who states the test: a key of his case file, or a flag where there is none.
+std::string to_say(const Test& test, const KeyChange& change) {
+  if (!test.source.empty()) return fmt::format("write {} = {} into [{}]", change.name, change.value, change.section);
+  const bool is_word = change.value.find(' ') == std::string::npos && change.value.front() == '"';
+  return fmt::format("pass {} {}", flag_of(change.name),
+                     is_word ? change.value.substr(1, change.value.size() - 2) : change.value);
+}
+
+// What the file and the test leave open, each with its remedy. Of a rig, `stiffness` is the question that its stiffness answers; none if it is not asked.
+std::vector<std::string> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
+                                             const std::optional<double>& span_of_file) {
+  std::vector<std::string> questions;
+  if (!stiffness.empty() && !(input.rig && input.rig->stiffness))
+    questions.push_back(fmt::format("{} {}", stiffness, to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
+  if (needs.span && !span_of_file && !(input.rig && input.rig->span))
+    questions.push_back("how far are the supports apart? " + to_say(input, KeyChange{"rig", "span", "\"… mm\""}));
+  return questions;
+}
+
+// Where more than one question is open, all of them are asked at once; one alone is asked by what needs its answer.
+void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
+  if (questions.size() < 2) return;
+  fault.problem = fmt::format("leaves {} questions open{}", questions.size(), where);
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    fault.problem += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
+  throw InputError(std::move(fault));
+}
+
+Readings readings_of_table(const Test& input, const Needs& needs) {
   const RecordInput& asked = *input.record;
+  const bool is_stage = asked.stage && !asked.deflection;
+  require_one_at_most(questions_about_rig(input, needs, is_stage ? "how stiff is the load train?" : "", {}),
+                      {.file = asked.given ? "the record" : asked.file});
   std::vector<WantedColumn> wanted;
   std::vector<Reading> columns;
   const auto want = [&](const std::optional<std::string>& title, Reading reading, const Kind& kind) {
@@ -103,9 +135,10 @@ Readings readings_of_table(const Test& input) {
       InputFault fault = error.fault;
       // The titles are not on the first line: a preamble may stand there.
       if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
-      fault.remedy =
-          "if it is the export of a testing machine, write displacement = \"crosshead\" or \"deflection\" into "
-          "[record], or pass --displacement, instead of column titles; flexslip read shows what the file holds";
+      fault.remedy = fmt::format(
+          "if it is the export of a testing machine, {} (or \"deflection\") instead of column titles; flexslip read "
+          "shows what the file holds",
+          to_say(input, switch_to("displacement", "crosshead")));
       throw InputError(fault);
     }
   }();
@@ -154,20 +187,15 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   throw InputError({.file = file.origin.source,
                     .expected = "one specimen, or the number of one",
                     .found = fmt::format("{} specimens", count),
-                    .remedy = "write specimen = 1 into [record], or pass --specimen 1"});
+                    .remedy = to_say(input, KeyChange{"record", "specimen", "1"})});
 }
 
 // The column with a role; the key that names it is what a file that has none, or several, is asked for.
-const ExportColumn& column_for(std::string_view key, const Export& file, const ExportedSpecimen& specimen,
-                               ColumnRole role) {
-  return column_with(file, specimen, role,
-                     fmt::format("write {} = \"…\" into [record], or pass {}: the name of the column, or its number in "
-                                 "the file, from 1",
-                                 key, flag_of(key)));
-}
-
-const ExportColumn& displacement_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role) {
-  return column_for("displacement_column", file, specimen, role);
+const ExportColumn& column_for(std::string_view key, const Test& input, const Export& file,
+                               const ExportedSpecimen& specimen, ColumnRole role) {
+  return column_with(
+      file, specimen, role,
+      to_say(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
 }
 
 struct FoundDisplacement {
@@ -176,23 +204,27 @@ struct FoundDisplacement {
   bool is_stated;
 };
 
-FoundDisplacement displacement_of(const RecordInput& asked, const Export& file, const ExportedSpecimen& specimen) {
+FoundDisplacement displacement_of(const Test& input, const Export& file, const ExportedSpecimen& specimen) {
+  const RecordInput& asked = *input.record;
+  const auto displacement_with = [&](ColumnRole role) -> const ExportColumn& {
+    return column_for("displacement_column", input, file, specimen, role);
+  };
   if (asked.displacement) {
     const ColumnRole role = role_of(*asked.displacement);
     const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
-    return {displacement_with(file, specimen, found), *asked.displacement, true};
+    return {displacement_with(found), *asked.displacement, true};
   }
   // A deflectometer comes first: ISO 178 prefers it.
   for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
-    if (has_role(specimen, role_of(kind))) return {displacement_with(file, specimen, role_of(kind)), kind, false};
-  const ExportColumn& column = displacement_with(file, specimen, ColumnRole::displacement);
+    if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
+  const ExportColumn& column = displacement_with(ColumnRole::displacement);
   throw InputError(
       {.file = file.origin.source,
        .field = fmt::format("column {}", in_quotes(column.name)),
        .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
        .found = "a name that does not say which",
-       .remedy = "write displacement = \"crosshead\" into [record], or pass --displacement crosshead: it is then "
-                 "corrected for the stiffness of the load train, as a modulus requires (ISO 178); write "
+       .remedy = to_say(input, switch_to("displacement", "crosshead")) +
+                 ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
 
@@ -255,46 +287,64 @@ std::vector<ExportColumn> asked_columns(const RecordInput& asked, const Exported
   return columns;
 }
 
-// Where a file leaves more than one question open, all of them are asked at once; one alone is asked by what needs its answer.
-void require_answers(const Test& input, const Export& file) {
+// Flags of an evaluation, in the words of who states the test: "--force COLUMN", or "force = "COLUMN" into [record]".
+std::string in_words_of(const Test& input, std::string_view flags) {
+  if (input.source.empty()) return "pass " + std::string(flags);
+  std::vector<std::string> keys;
+  for (std::size_t at = flags.find("--"); at != std::string_view::npos;) {
+    const std::size_t next = flags.find(" --", at), space = flags.find(' ', at);
+    std::string name(flags.substr(at + 2, space - at - 2));
+    std::replace(name.begin(), name.end(), '-', '_');
+    std::string value(flags.substr(space + 1, next - space - 1));
+    if (value.front() != '"' && value.find_first_not_of("0123456789") != std::string::npos) value = '"' + value + '"';
+    keys.push_back(name + " = " + value);
+    at = next == std::string_view::npos ? next : next + 1;
+  }
+  return fmt::format("write {} into [record]", fmt::join(keys, " and "));
+}
+
+void require_answers(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   const std::size_t count = file.specimens.size();
   const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
   std::vector<std::string> questions;
-  if (count > 1 && !asked.specimen) questions.push_back(fmt::format("which of the {} specimens? --specimen 1", count));
-  for (const OpenQuestion& each : questions_of(asked_columns(asked, file.specimens[chosen - 1])))
-    if (!each.with_test.empty()) questions.push_back(each.words + " " + each.with_test);
-  if (questions.size() < 2) return;
-  std::string words =
-      fmt::format("leaves {} questions open{}", questions.size(),
-                  file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    words += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
-  throw InputError({.file = file.origin.source,
-                    .remedy = (file.unplaced.empty() ? "" : file.unplaced + "; ") +
-                              "a case file says the same with keys of these names in [record]",
-                    .problem = std::move(words)});
+  if (count > 1 && !asked.specimen)
+    questions.push_back(
+        fmt::format("which of the {} specimens? {}", count, to_say(input, KeyChange{"record", "specimen", "1"})));
+  const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
+  for (const OpenQuestion& each : questions_of(columns))
+    if (!each.with_test.empty()) questions.push_back(each.words + " " + in_words_of(input, each.with_test));
+  const auto has = [&](ColumnRole role) {
+    return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
+  };
+  const std::string_view stiffness = has(ColumnRole::deflection) ? ""
+                                     : has(ColumnRole::crosshead)
+                                         ? "how stiff is the load train?"
+                                         : "how stiff is the load train, if the displacement is the crosshead's?";
+  for (std::string& each : questions_about_rig(input, needs, stiffness, file.test.span))
+    questions.push_back(std::move(each));
+  require_one_at_most(questions, {.file = file.origin.source, .remedy = file.unplaced},
+                      file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
 }
 
 // A column in SI, whose unit a case says in its title.
-std::vector<double> in_si_of(const Export& file, const ExportColumn& column, const Kind& kind, std::string_view key) {
+std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
+                             std::string_view key) {
   return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
-    const std::string title = fmt::format("\"{} [{}]\"", column.name, unit);
-    return fmt::format("name the column with its unit: pass {} {}, or write {} = {} into [record]", flag_of(key), title,
-                       key, title);
+    return "name the column with its unit: " + to_say(input, switch_to(key, fmt::format("{} [{}]", column.name, unit)));
   });
 }
 
-Readings readings_from(const Test& input, const Export& file) {
+Readings readings_from(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
-  require_answers(input, file);
+  require_answers(input, needs, file);
   const ExportedSpecimen& specimen = specimen_of(input, file);
-  const auto [column, kind, is_stated] = displacement_of(asked, file, specimen);
-  const ExportColumn& force = column_for("force", file, specimen, ColumnRole::force);
+  const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
+  const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
   const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
-  std::vector<double> displacements = in_si_of(file, column, kind::length, "displacement_column");
-  std::vector<double> forces = in_si_of(file, force, kind::force, "force");
+  std::vector<double> displacements = in_si_of(input, file, column, kind::length, "displacement_column");
+  std::vector<double> forces = in_si_of(input, file, force, kind::force, "force");
   const RowsLeftOut missing =
       rows_without_numbers(file, specimen, {&column, &force}, until ? until->row : specimen.lines.size());
   Readings readings{.test = input,
@@ -325,10 +375,10 @@ Readings readings_from(const Test& input, const Export& file) {
   return readings;
 }
 
-Readings readings_of_export(const Test& input) {
+Readings readings_of_export(const Test& input, const Needs& needs) {
   const Export file = read_export(input.record->file, options_of(*input.record));
   try {
-    return readings_from(input, file);
+    return readings_from(input, needs, file);
   } catch (const InputError& error) {
     throw with_other_sheets(error, file.origin);
   }
@@ -338,9 +388,9 @@ Readings readings_of_export(const Test& input) {
 // say themselves what they are.
 // Fails:      InputError, besides what read_table and read_export throw: a displacement of which neither case nor file says what it
 //             is one of, several specimens of which none is chosen, one that is not there.
-Readings read_readings(const Test& input) {
+Readings read_readings(const Test& input, const Needs& needs) {
   try {
-    return input.record->is_export() ? readings_of_export(input) : readings_of_table(input);
+    return input.record->is_export() ? readings_of_export(input, needs) : readings_of_table(input, needs);
   } catch (const InputError& error) {
     if (error.fault.key != "record.sheet") throw;
     throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
@@ -372,9 +422,8 @@ double stiffness_for(const Test& input, const Readings& readings) {
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
-                      "write the stiffness of your load train into [rig] as stiffness = \"… N/m\", or pass "
-                      "--stiffness; write \"inf\" if the displacement is that of the specimen's midpoint or already "
-                      "corrected; --stage, --deflection and --force name columns");
+                      to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
+                          "; \"inf\" if the displacement is that of the specimen's midpoint or already corrected");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
@@ -720,17 +769,19 @@ std::size_t points_until(std::size_t until, Measurement& result, Preparation& st
   return static_cast<std::size_t>(end - counted.begin());
 }
 
-// Ends a loading before the failure. What is left, in points of the record.
-std::size_t end_of(const Test& input, const Record& all, const Leg& loading, Measurement& result, Preparation& steps) {
+// Ends a loading before the failure, which the way back may tell. What is left, in points of the record.
+std::size_t end_of(const Test& input, const Record& all, const Leg& loading, const Leg& way_back, Measurement& result,
+                   Preparation& steps) {
   if (input.record->failure == FailureRule::none) {
     steps.add("end", false, "failure was not looked for, as stated: all rows are used",
               KeyChange{"record", "failure", "\"find\""});
     return loading.last;
   }
-  const Failure failure = find_failure(points_between(all, loading.first, loading.last));
-  if (failure.status == FailureStatus::found) {
+  const Failure failure = find_failure(points_between(all, loading.first, way_back.last));
+  if (const std::size_t points = loading.first + failure.points;
+      failure.status == FailureStatus::found && points < loading.last) {
     result.end = MeasurementEnd::failure;
-    const std::size_t points = loading.first + failure.points, last = rows_of_points(result.sampling, points);
+    const std::size_t last = rows_of_points(result.sampling, points);
     steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
               KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, result.rows});
     return points;
@@ -765,20 +816,56 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
               RowRange{row(loading.leg.last) + 1, result.rows});
   if (loading.leg.last < points) result.end = MeasurementEnd::turn;
   std::size_t last = loading.leg.last;
-  if (!until) last = end_of(input, all, loading.leg, result, steps);
+  if (!until) {
+    const auto next = std::find_if(legs.begin(), legs.end(), [&](const Leg& leg) { return leg.first >= last; });
+    last = end_of(input, all, loading.leg, next == legs.end() ? loading.leg : *next, result, steps);
+  }
   const bool is_whole = last == loading.leg.last;
   if (legs.size() > 1 && (is_whole || loading.leg.first > 0))
     result.cycles = first_points(all, is_whole ? points : last);
   return {loading.leg.first, last, Direction::loading};
 }
 
+// Does a record whose file counts from the contact begin under a force that none of its specimen could have there?
+bool begins_under_preload(const Record& record, const StraightPart& straight, double contact_error, double noise) {
+  constexpr double surely = 3, of_noise = 4;
+  const double way = std::max(record.deflection.front() + surely * contact_error, 0.0);
+  return record.force.front() > straight.slope.value * way + of_noise * noise;
+}
+
+// Fewer points than a fit needs are bent far enough to tell of friction.
+bool tells_no_friction(const Test& input, const Record& record) {
+  constexpr std::ptrdiff_t enough = 20;
+  const double span = *input.rig->span;
+  const double from = span * friction_told_from(fibre_of(input, Scales(span, 1)));
+  return std::count_if(record.deflection.begin(), record.deflection.end(), [=](double w) { return w > from; }) < enough;
+}
+
+// Do at least so many points lie behind a contact?
+bool leaves(std::size_t points, const Record& record, double contact) {
+  return record.stage.size() >= points && record.stage[record.stage.size() - points] >= contact;
+}
+
+// Does the straight part meet zero force farther behind the contact than friction and supports explain? All before it is then a toe.
+bool begins_with_toe(const Record& record, const StraightPart& straight, const BeamGeometry& geometry, double contact,
+                     double contact_error) {
+  constexpr double surely = 3;
+  const double middle = straight.middle(record);
+  const double error = elementary::length(
+      contact_error, (middle - straight.origin) * straight.slope.standard_error / straight.slope.value);
+  const double steeper = most_steepening(geometry, middle - contact);
+  return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
+}
+
 // What the contact is taken off at, and how certainly.
-void find_zero_displacement(const Test& input, const Record& whole, double stiffness, Measurement& result,
-                            Preparation& steps) {
+void find_zero_displacement(const Test& input, const Record& whole, double stiffness, std::size_t min_points,
+                            Measurement& result, Preparation& steps) {
   const std::optional<ContactRule>& rule = input.record->contact;
   const BeginningOf beginning = beginning_of(input, whole, stiffness);
   const Contact contact = find_contact(whole, beginning);
   result.own_contact = contact;
+  const double usual = usual_contact_error * beginning.span;
+  const std::optional<StraightPart>& straight = result.straight;
   result.begins_free = result.baseline.points > 0 || begins_before_contact(whole, contact, result.force_noise);
   const bool is_asked = rule == ContactRule{ContactWord::find};
   // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
@@ -792,7 +879,30 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
                       "state the contact, or leave the key out");
   // A baseline is off by its error, where it is led on to the contact.
   const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
-  if (is_asked || (!rule && (result.begins_free || begins_elsewhere))) {
+  const bool is_found =
+      is_asked || (!rule && contact.status == ContactStatus::found &&
+                   (result.begins_free || begins_elsewhere ||
+                    (result.straight_is_initial && begins_under_preload(whole, *straight, usual, result.force_noise))));
+
+  if ((is_asked || !rule) && result.straight_is_initial && leaves(min_points, whole, straight->origin) &&
+      begins_with_toe(whole, *straight, geometry_of(input), is_found ? contact.offset.value : 0,
+                      is_found ? contact.offset.standard_error : usual)) {
+    result.contact = ContactSource::found;
+    result.contact_offset = straight->origin;
+    const double between = contact.status == ContactStatus::found ? straight->origin - contact.offset.value : 0;
+    result.contact_error = elementary::length(usual, between);
+    result.own_contact = counted_from(straight->origin, contact);
+    steps.add(
+        "contact", true,
+        fmt::format("the record begins with a toe: displacements are counted from where the straight part, rows {} "
+                    "to {}, would meet zero force",
+                    result.sampling.rows[result.first + straight->first] + 1,
+                    rows_of_points(result.sampling, result.first + straight->last)),
+        KeyChange{"record", "contact", "\"first row\""},
+        value_in(input, straight->origin, result.contact_error, kind::length));
+    return;
+  }
+  if (is_found) {
     result.contact = ContactSource::found;
     result.contact_offset = contact.offset.value;
     result.contact_error = elementary::length(contact.offset.standard_error, by_baseline);
@@ -812,7 +922,6 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
     result.contact_offset = stated ? stated->value : whole.stage.front();
     result.own_contact = counted_from(result.contact_offset, contact);
   }
-  const double usual = usual_contact_error * beginning.span;
   result.contact_error = stated ? stated->uncertainty.value_or(usual) : usual;
   if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
     const Estimate& own = result.own_contact.offset;
@@ -820,14 +929,8 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
         elementary::length(result.contact_error, std::max(std::abs(own.value) - own.standard_error, 0.0));
   }
   if (!rule) {
-    std::optional<PreparedValue> toe;
-    if (contact.status == ContactStatus::found)
-      toe = value_in(input, contact.offset.value, contact.offset.standard_error, kind::length);
-    steps.add("contact", false,
-              toe ? "displacements are counted from the file's own zero; the value is where the straight first part of "
-                    "the curve would meet zero force"
-                  : "displacements are counted from the file's own zero",
-              KeyChange{"record", "contact", "\"find\""}, toe);
+    steps.add("contact", false, "displacements are counted from the file's own zero",
+              KeyChange{"record", "contact", "\"find\""});
     return;
   }
   steps.add("contact", result.contact_offset != 0,
@@ -839,11 +942,12 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
 
 }  // namespace
 
-Measurement read_measurement(const Test& asked, std::size_t min_points) {
+Measurement read_measurement(const Test& asked, const Needs& needs) {
+  const std::size_t min_points = needs.points;
   if (min_points < least_noise_points)
     throw std::invalid_argument(fmt::format("the noise of {} points cannot be estimated", min_points));
   if (!asked.record) throw missing(asked, "record");
-  Readings readings = read_readings(asked);
+  Readings readings = read_readings(asked, needs);
   Table& table = readings.table;
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),
@@ -894,7 +998,12 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
   hold_stage(input, table, whole, std::span(result.sampling.rows).subspan(loading.first), result.cycles.has_value(),
              steps);
   result.force_noise = force_noise(whole);
-  find_zero_displacement(input, whole, stiffness, result, steps);
+  SmallDeflectionOptions options;
+  if (result.is_derived) options.load_train_error = rig_errors_of(result).load_train;
+  result.straight = straight_part(whole, geometry_of(input), options);
+  result.straight_is_initial =
+      result.straight && input.rig && input.rig->span && result.loading.number <= 1 && tells_no_friction(input, whole);
+  find_zero_displacement(input, whole, stiffness, min_points, result, steps);
 
   const auto begin = std::lower_bound(whole.stage.begin(), whole.stage.end(), result.contact_offset);
   const std::size_t skipped =
@@ -904,6 +1013,13 @@ Measurement read_measurement(const Test& asked, std::size_t min_points) {
     throw wrong_value(input, "record.contact", fmt::format("at least {} rows of readings after contact", min_points),
                       std::to_string(whole.force.size() - skipped));
   result.record = counted_from(result.contact_offset, std::move(whole), skipped);
+  if (result.straight && result.straight->first >= skipped) {
+    result.straight->first -= skipped;
+    result.straight->last -= skipped;
+    result.straight->origin -= result.contact_offset;
+  } else {
+    result.straight = straight_part(result.record, geometry_of(input), options);
+  }
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
   return result;
 }

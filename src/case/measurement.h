@@ -11,6 +11,7 @@
 #include "case/case_file.h"
 #include "data/contact.h"
 #include "data/record.h"
+#include "data/small_deflection.h"
 #include "inference/beginning.h"
 #include "io/quantity.h"
 
@@ -61,7 +62,7 @@ inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is un
 enum class MeasurementEnd { last_row, until, failure, turn, overload };
 enum class ContactSource {
   stated,       // by the case
-  found,        // where the record itself begins, see find_contact
+  found,        // where the record itself begins, see find_contact, or the straight part behind a toe
   first_point,  // the record begins at the contact: nothing is taken off
 };
 
@@ -92,9 +93,13 @@ struct Measurement {
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off
-  double force_noise = 0;                              // [N] standard deviation of one point
-  Baseline baseline{};                                 // of the force before the contact, where it is not level
-  bool baseline_is_off = false;                        // taken off, as the case asks
+  std::optional<StraightPart> straight{};              // of the record
+  // It is the initial slope, for every command: of a record bent so little that it tells no friction (friction_told_from). Where one is bent farther its
+  // beginning tells more, for friction steepens the rest.
+  bool straight_is_initial = false;
+  double force_noise = 0;        // [N] standard deviation of one point
+  Baseline baseline{};           // of the force before the contact, where it is not level
+  bool baseline_is_off = false;  // taken off, as the case asks
 };
 
 // The record, or of several loadings the first, which starts from a specimen that friction does not hold drawn in.
@@ -107,11 +112,17 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 // Row of the file, counted from 1, before that at which the next point begins, or its last row.
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 
+// What whoever evaluates a record needs of it.
+struct Needs {
+  std::size_t points;  // at least
+  bool span = false;   // of the case, or of the file: asked for with all else that is open
+};
+
 // Reads the record of a case and prepares it, in the order of Preparation.
-// Domain:     at least min_points points, 11 or more; std::invalid_argument otherwise.
+// Domain:     11 points or more; std::invalid_argument otherwise.
 // Fails:      InputError, besides what read_readings throws, for too few points, a record without a loading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found
 //             where the force does not rise straight.
-Measurement read_measurement(const Test& asked, std::size_t min_points);
+Measurement read_measurement(const Test& asked, const Needs& needs);
 
 }  // namespace flexslip

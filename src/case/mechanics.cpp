@@ -483,9 +483,18 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test) {
   throw missing(test, test.specimen->bending_stiffness ? "specimen.bending_stiffness" : "specimen.modulus");
 }
 
+BeamGeometry geometry_of(const Test& test) { return {test.rig ? test.rig->span : std::nullopt, section_of(test)}; }
+
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(test)) return *stated;
   const double span = span_of(test);
+  if (const auto& straight = measurement.straight; measurement.straight_is_initial) {
+    constexpr double of_one = 0.3;  // standard deviation of a friction that is as likely any up to 1
+    const double bend = of_one * most_steepening(geometry_of(test), straight->middle(measurement.record));
+    const double error = elementary::length(elementary::length(usual_stiffness_error, bend),
+                                            straight->slope.standard_error / straight->slope.value);
+    return {straight->slope.value * span * span * span / 48, error, StiffnessSource::initial_slope};
+  }
   const auto slope = stiffness_from_slope(first_loading(measurement), span);
   if (!slope.found)
     throw InputError({.file = measurement.file,

@@ -50,7 +50,11 @@ struct BendingStiffnessUsed {
 // Does the test state its bending stiffness, or leave it to the fit?
 bool states_stiffness(const Test& test);
 
-// The bending stiffness that a test states; or, where it leaves that to the fit, the one from the initial slope of the record.
+// What a test says of its specimen as a beam.
+BeamGeometry geometry_of(const Test& test);
+
+// The bending stiffness that a test states; or, where it leaves that to the fit, the one from the initial slope of the record: that of its straight part
+// where it tells no friction, or else of its beginning.
 // Fails:      InputError if it states none; if the force does not rise where the record begins.
 BendingStiffnessUsed bending_stiffness_of(const Test& test);
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement);

@@ -42,14 +42,15 @@ void widen(ShareRange& range, double share) { range = {std::min(range.least, sha
 
 }  // namespace
 
-BeamGeometry geometry_of(const Test& input) { return {input.rig ? input.rig->span : std::nullopt, section_of(input)}; }
-
 SmallDeflection small_deflection_of(const Measurement& measurement, const std::optional<ForceWindow>& window) {
   const Test& test = measurement.test;
+  const BeamGeometry geometry = geometry_of(test);
   SmallDeflectionOptions options{.window = window};
   if (measurement.is_derived) options.load_train_error = rig_errors_of(measurement).load_train;
   if (test.reduced) options.greatest_modulus = infinity;
-  return small_deflection(measurement.record, geometry_of(test), options);
+  return small_deflection(measurement.record,
+                          window ? straight_part(measurement.record, geometry, options) : measurement.straight,
+                          geometry, options);
 }
 
 std::optional<ShareRange> friction_range_of(const std::vector<std::string>& words) {

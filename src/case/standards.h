@@ -10,9 +10,6 @@
 
 namespace flexslip {
 
-// What a case says of its specimen as a beam.
-BeamGeometry geometry_of(const Test& input);
-
 // As small_deflection, of a load train as certain as the case says, or as is usual.
 SmallDeflection small_deflection_of(const Measurement& measurement, const std::optional<ForceWindow>& window = {});
 

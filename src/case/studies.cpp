@@ -75,7 +75,7 @@ EquilibriumPortrait portrait_of(const EquilibriumStudy& study) {
 }
 
 InvertedTest invert_test(const Test& asked, const OtherSupports& other) {
-  Measurement measurement = read_measurement(asked, min_inverted_points);
+  Measurement measurement = read_measurement(asked, {.points = min_inverted_points, .span = true});
   const Test& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   const Scales scales = scales_of(input, stiffness);
@@ -114,7 +114,7 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
 ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,
                            const std::optional<ShareRange>& friction) {
   constexpr std::size_t min_points_of_line = 11;  // they tell the noise
-  Measurement measurement = read_measurement(input, min_points_of_line);
+  Measurement measurement = read_measurement(input, {.points = min_points_of_line});
   const BeamGeometry geometry = geometry_of(measurement.test);
   const SmallDeflection numbers = small_deflection_of(measurement, window);
   const SupportsGain supports =

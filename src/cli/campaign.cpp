@@ -63,7 +63,7 @@ void run_campaign_command(const CampaignRequest& request) {
   write_words(
       request.output, [&] { return campaign_json(run.campaign); }, [&] { return campaign_text(run.campaign); });
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
-                                            [](const CampaignTest& test) { return !test.summary; });
+                                            [](const CampaignTest& test) { return !is_answered(test); });
   for (const Shareable parameter : shareables_named(request.shared))
     for (const auto& shared : run.campaign.shared)
       if (shared.name == name_of(parameter) && shared.tests < 2)
@@ -100,7 +100,8 @@ void add_campaign_command(CLI::App& app) {
   command.footer(
       "A table has a column for each key of a case file that differs between tests: \"file\", \"diameter [um]\", "
       "\"until\".\n"
-      "A test that cannot be computed is listed with the reason, and the exit code is 1. If a run is interrupted, the\n"
+      "A test without an answer (CHECK INPUT, NO ANSWER) is listed with the reason, and the exit code is 1. If a run "
+      "is interrupted, the\n"
       "same command with the same --report continues where it stopped. The results are identical for any number of\n"
       "jobs.\n\n"
       "Examples:\n"

@@ -43,7 +43,8 @@ void run_fit(const FitRequest& request) {
         return (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
                (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report));
       });
-  if (const std::string why = why_no_answer(test); !why.empty()) throw CalculationFailed(why);
+  if (const auto code = answer_of(test).verdict.code; !is_answered(code))
+    throw CalculationFailed(fmt::format("{}: {}; the answer says why", test.measurement.file, word_of(code)));
 }
 
 }  // namespace
@@ -70,8 +71,8 @@ void add_fit_command(CLI::App& app) {
       "with their intervals, every slip and snap, the energy account, what was assumed, and the files. Rows are those\n"
       "of the file, counted from 1 without its header.\n"
       "Without gnuplot the report holds the scripts and data of the figures but no pictures, and the exit code is 0.\n"
-      "The exit code is 1 if nothing could be fitted. What was fitted and cannot be trusted has exit code 0: the\n"
-      "verdict says so, in --json verdict.code.\n\n"
+      "The exit code is 0 if the question about the drops is answered (SLIP, UNDECIDED, CRACK, NO DROPS), 1 if not\n"
+      "(CHECK INPUT, NO ANSWER); in --json it is verdict.code.\n\n"
       "Examples:\n"
       "  flexslip fit examples/simulated/case.toml --report report\n"
       "  flexslip fit test.csv --span \"1278 um\" --stiffness \"90.6 N/m\" --diameter \"34.8 um\" \\\n"

@@ -98,7 +98,8 @@ int run(int argc, char** argv) {
       "                            computes what a test would measure\n\n"
       "Exit status:\n"
       "  0  done\n"
-      "  1  the calculation did not succeed; what could be calculated is written\n"
+      "  1  the calculation did not succeed, or the verdict is CHECK INPUT or NO ANSWER; what could\n"
+      "     be calculated is written\n"
       "  2  the input or the call was wrong\n"
       "  130  interrupted; what was done is kept");
   for (const auto add_command :

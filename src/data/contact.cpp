@@ -60,8 +60,14 @@ InitialLine line_between(const Record& record, double from, double up_to) {
 }  // namespace
 
 InitialLine initial_line(const Record& record) {
-  constexpr double from = 0.02, up_to = 0.15;  // [maximum force]
-  const InitialLine contact = line_between(record, from, up_to);
+  constexpr double from = 0.02;  // [maximum force]
+  double up_to = 0.15;
+  InitialLine contact = line_between(record, from, up_to);
+  for (const double farther : {0.2, 0.25, 0.3}) {
+    if (contact.status != ContactStatus::too_few_points) break;
+    up_to = farther;
+    contact = line_between(record, from, up_to);
+  }
   if (contact.status != ContactStatus::found) return contact;
   // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
   const double middle = 0.5 * (from + up_to);

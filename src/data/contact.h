@@ -24,7 +24,8 @@ struct InitialLine {
 };
 
 // The straight beginning of a loading curve, force = slope (deflection - offset), between 0.02 and 0.15 of the maximum force: below, the
-// contact may still be settling; above, curves of large deflection are no longer straight.
+// contact may still be settling; above, curves of large deflection are no longer straight. A record with fewer than 5 points there, as one
+// that begins under a preload, is looked at up to 0.3.
 // Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
 //         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). Where the upper half of the range meets
 //         zero force later than the lower one, by four standard errors, the contact settles: the line is then that of the upper

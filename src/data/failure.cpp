@@ -108,6 +108,13 @@ class Loading {
     return falls_[fall].at_once >= std::max(least * most_, 4 * before);
   }
 
+  // Nothing follows the loading, or at once less than half the maximum.
+  bool bears_nothing_more() const {
+    for (std::size_t i = points_; i < force_.size() && stage_[points_ - 1] - stage_[i] <= window * travel_; ++i)
+      if (force_[i] < 0.5 * most_) return true;
+    return points_ == force_.size();
+  }
+
   // The fall from which the force never comes back to half its maximum, or with which the record ends; falls_.size() if it survived.
   std::size_t last_fall() const {
     std::size_t low = points_;
@@ -122,8 +129,8 @@ class Loading {
       return is_break ? static_cast<std::size_t>(through - falls_.begin()) : falls_.size();
     }
     constexpr std::size_t next_to_the_end = 3;
-    const bool ends_so = !falls_.empty() && points_ == force_.size() &&
-                         points_ - falls_.back().trough <= next_to_the_end && stands_out(falls_.size() - 1, a_tenth);
+    const bool ends_so = !falls_.empty() && bears_nothing_more() && points_ - falls_.back().trough <= next_to_the_end &&
+                         stands_out(falls_.size() - 1, a_tenth);
     return ends_so ? falls_.size() - 1 : falls_.size();
   }
 

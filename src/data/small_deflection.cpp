@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "data/drops.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -35,18 +36,8 @@ void require(bool holds, const char* what, double value) {
   throw std::invalid_argument(message.str());
 }
 
-std::ptrdiff_t as_difference(std::size_t points) { return static_cast<std::ptrdiff_t>(points); }
-
 struct PointRange {
   std::size_t first, last;  // [first, last)
-};
-
-struct Straight {
-  ForceWindow window;
-  std::size_t first, last;
-  Estimate slope;
-  double origin;
-  double load_train_share;
 };
 
 // [N] Error of a force reading, by its neighbours: few rows on a curve tell it, which force_noise takes for straight. Of a force that often repeats itself
@@ -58,8 +49,8 @@ double noise_of(const Record& record) {
 }
 
 // The line through points [first, last).
-std::optional<Straight> line_of(const Record& record, std::size_t first, std::size_t last, double noise,
-                                double load_train_error) {
+std::optional<StraightPart> line_of(const Record& record, std::size_t first, std::size_t last, double noise,
+                                    double load_train_error) {
   const std::size_t n = last - first;
   const auto F = std::span(record.force).subspan(first, n);
   const auto w = std::span(record.deflection).subspan(first, n);
@@ -70,16 +61,18 @@ std::optional<Straight> line_of(const Record& record, std::size_t first, std::si
   const double scatter = std::max(slope_error(line, correlation_lost_to_line(line.residuals), max_correlation), least);
   const double share = 1 - line.z.slope;
   const double of_load_train = line.slope * share / line.z.slope * load_train_error;
-  return Straight{{},
-                  first,
-                  last,
-                  normal_estimate(line.slope, elementary::length(scatter, of_load_train)),
-                  line.z.mean_y - line.y.mean_y / line.slope,
-                  share};
+  return StraightPart{.window = {},
+                      .window_force = 0,
+                      .first = first,
+                      .last = last,
+                      .slope = normal_estimate(line.slope, elementary::length(scatter, of_load_train)),
+                      .origin = line.z.mean_y - line.y.mean_y / line.slope,
+                      .before_beginning = 0,
+                      .load_train_share = share};
 }
 
-std::optional<Straight> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
-                                    double noise, double load_train_error) {
+std::optional<StraightPart> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
+                                        double noise, double load_train_error) {
   const auto force = std::span(record.force).first(points);
   std::size_t last = 0;
   while (last < points && force[last] <= window.up_to * most) ++last;
@@ -144,8 +137,18 @@ class Stretches {
   double noise_;
 };
 
-std::optional<Straight> steepest(const Record& record, std::size_t points, double most, double noise,
-                                 double load_train_error) {
+// The points up to the first drop that begins high enough for a stretch before it.
+std::size_t points_before_teeth(const Record& record, std::size_t points, double most) {
+  const Drops found = find_drops(first_points(record, points));
+  if (found.status != DropStatus::ok) return points;
+  for (const Drop& drop : found.drops)
+    if (record.force[drop.before] - record.force.front() >= least_rise * most) return drop.before + 1;
+  return points;
+}
+
+std::optional<StraightPart> steepest(const Record& record, std::size_t points, double most, double noise,
+                                     double load_train_error) {
+  points = points_before_teeth(record, points, most);
   const Stretches stretches(record, points, noise);
   const auto& force = record.force;
   // Stretches begin and end at the points at which the force gets to a level, and at their neighbours: one row alone may lie between two levels.
@@ -202,14 +205,10 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
   return Chord{normal_estimate(slope, error), from, to, slope * span * span * span / (48 * second_moment(section))};
 }
 
-// Is the straight part, at a deflection, so much steeper than the chord that this lies in the toe? Friction of 1 makes a specimen steeper by
-// 4.8 w/L, and fixed supports by 27 R w/L², of the usual radius and half the thickness together (theory.md, "Rollers and thickness").
+// Is the straight part, at a deflection, so much steeper than the chord that this lies in the toe?
 bool lies_in_toe(const Chord& chord, const Estimate& slope, double deflection, const BeamGeometry& geometry) {
-  const double span = *geometry.span;
-  const double R = usual_roller_radius(geometry).value_or(0) + 0.5 * depth(*geometry.section);
-  const double steeper = (4.8 + 27 * R / span) * deflection / span;
   const double error = elementary::length(chord.stiffness.standard_error, slope.standard_error);
-  return slope.value - clearly * error > (1 + steeper) * chord.stiffness.value;
+  return slope.value - clearly * error > (1 + most_steepening(geometry, deflection)) * chord.stiffness.value;
 }
 
 // [1] Of the travel of the stage up to a point.
@@ -229,42 +228,60 @@ std::optional<double> usual_roller_radius(const BeamGeometry& geometry) {
   return *geometry.span >= least_spans * usual ? std::optional(usual) : std::nullopt;
 }
 
-SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
-                                 const SmallDeflectionOptions& options) {
+double most_steepening(const BeamGeometry& geometry, double deflection) {
+  if (!geometry.span) return 0;
+  const double R = usual_roller_radius(geometry).value_or(0) + (geometry.section ? 0.5 * depth(*geometry.section) : 0);
+  return (4.8 + 27 * R / *geometry.span) * deflection / *geometry.span;
+}
+
+double StraightPart::middle(const Record& record) const {
+  return std::midpoint(record.deflection[first], record.deflection[last - 1]);
+}
+
+std::optional<StraightPart> straight_part(const Record& record, const BeamGeometry& geometry,
+                                          const SmallDeflectionOptions& options) {
   if (options.window) {
     require(options.window->from >= 0 && options.window->from < options.window->up_to, "window from",
             options.window->from);
     require(options.window->up_to <= 1, "window up to", options.window->up_to);
   }
   if (geometry.span) require(*geometry.span > 0 && std::isfinite(*geometry.span), "span", *geometry.span);
+  if (record.force.size() < min_points) return std::nullopt;
+  auto small = std::max_element(record.force.begin(), record.force.end()) - record.force.begin() + 1;
+  if (geometry.span)  // the points before the deflection is large
+    small = std::find_if(record.deflection.begin(), record.deflection.begin() + small,
+                         [limit = max_deflection * *geometry.span](double w) { return w > limit; }) -
+            record.deflection.begin();
+  const auto points = static_cast<std::size_t>(small);
+  if (points < min_points) return std::nullopt;
+  const double most = *std::max_element(record.force.begin(), record.force.begin() + small);
+  if (!(most > 0)) return std::nullopt;
+  const double noise = noise_of(record);
+  auto straight = options.window ? straight_in(record, points, most, *options.window, noise, options.load_train_error)
+                                 : steepest(record, points, most, noise, options.load_train_error);
+  if (!straight) return straight;
+  straight->window_force = most;
+  straight->before_beginning = std::max(record.deflection.front() - straight->origin, 0.0);
+  straight->origin += straight->before_beginning;
+  return straight;
+}
 
+SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
+                                 const SmallDeflectionOptions& options) {
+  return small_deflection(record, straight_part(record, geometry, options), geometry, options);
+}
+
+SmallDeflection small_deflection(const Record& record, const std::optional<StraightPart>& straight,
+                                 const BeamGeometry& geometry, const SmallDeflectionOptions& options) {
   SmallDeflection result{};
   result.status = SmallDeflectionStatus::no_straight_part;
   if (record.force.size() < min_points) return result;
   const auto greatest =
       static_cast<std::size_t>(std::max_element(record.force.begin(), record.force.end()) - record.force.begin());
-  const double most = record.force[greatest];
-  if (!(most > 0)) return result;
-  const std::size_t points = greatest + 1;
-  std::size_t small = points;  // of them, the ones before the deflection is large
-  if (geometry.span) {
-    const double limit = max_deflection * *geometry.span;
-    const auto beyond = std::find_if(record.deflection.begin(), record.deflection.begin() + as_difference(points),
-                                     [=](double w) { return w > limit; });
-    small = static_cast<std::size_t>(beyond - record.deflection.begin());
-  }
-  result.load_train_share = load_train_share(record, greatest);
-  const double reference =
-      small > 0 ? *std::max_element(record.force.begin(), record.force.begin() + as_difference(small)) : 0;
-  const double noise = noise_of(record);
-  const double load_train_error = options.load_train_error;
-  std::optional<Straight> straight;
-  if (small >= min_points)
-    straight = options.window ? straight_in(record, small, reference, *options.window, noise, load_train_error)
-                              : steepest(record, small, reference, noise, load_train_error);
-  if (straight) result.load_train_share = straight->load_train_share;
-  const double share = result.load_train_share;
-  if (share * load_train_error > largest_error * (1 - share) ||
+  if (!(record.force[greatest] > 0)) return result;
+  const double share = straight ? straight->load_train_share : load_train_share(record, greatest);
+  result.load_train_share = share;
+  if (share * options.load_train_error > largest_error * (1 - share) ||
       (straight && straight->slope.standard_error > largest_error * straight->slope.value)) {
     result.status = SmallDeflectionStatus::uncertain;
     return result;
@@ -281,12 +298,12 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
 
   result.status = SmallDeflectionStatus::ok;
   result.window = straight->window;
-  result.window_force = reference;
+  result.window_force = straight->window_force;
   result.first = straight->first;
   result.last = straight->last;
   result.stiffness = straight->slope;
-  result.origin = std::max(straight->origin, record.deflection.front());
-  result.before_beginning = result.origin - straight->origin;
+  result.origin = straight->origin;
+  result.before_beginning = straight->before_beginning;
   const auto reached = [&](std::size_t point) {
     LoadReached at{record.force[point], record.deflection[point] - result.origin, {}, {}};
     if (!geometry.span || !section) return at;
@@ -303,9 +320,10 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   result.shear_share = shear_share(*section, L);
   // A record that begins under a force that bends the specimen further than the chord's lower strain does not cover it.
   if (result.before_beginning < strain_from * L * L / (6 * depth(*section)))
-    result.chord = chord_of(record, points, result.origin, share, load_train_error, noise, L, *section);
-  const double middle = std::midpoint(record.deflection[straight->first], record.deflection[straight->last - 1]);
-  result.chord_in_toe = result.chord && lies_in_toe(*result.chord, result.stiffness, middle - result.origin, geometry);
+    result.chord =
+        chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
+  result.chord_in_toe =
+      result.chord && lies_in_toe(*result.chord, result.stiffness, straight->middle(record) - result.origin, geometry);
   if (result.chord_in_toe) result.chord.reset();
   return result;
 }

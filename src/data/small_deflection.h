@@ -38,6 +38,34 @@ struct BeamGeometry {
 // [m] The radius of the supports that ISO 178 asks for; none of what is no bar: not thicker than 1 mm, or on a span below eight of that radius.
 std::optional<double> usual_roller_radius(const BeamGeometry& geometry);
 
+// [1] By how much friction of 1 and supports of the usual radius steepen the curve up to a deflection [m]: 4.8 w/L and 27 R w/L² (theory.md, "Rollers and
+// thickness"), R with half the thickness. 0 without a span.
+double most_steepening(const BeamGeometry& geometry, double deflection);
+
+// The stretch of a loading that tells the stiffness of a specimen.
+struct StraightPart {
+  ForceWindow window;
+  double window_force;      // [N] that the window is in shares of
+  std::size_t first, last;  // points [first, last) it is drawn through
+  Estimate slope;           // [N/m] dF/dw0
+  double origin;            // [m] the deflection at which it would meet zero force; not before the record begins
+  double before_beginning;  // [m] by how much it would be
+  double load_train_share;  // [1] of the stage's travel over it
+
+  double middle(const Record& record) const;  // [m] deflection
+};
+
+// Domain:     a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1; std::invalid_argument otherwise.
+// Fails:      none where every stretch has fewer than 3 points, or the force does not rise.
+// Max error:  that of its slope is of the scatter about the line, correlated scatter allowed for (AR(1)), at least that of the readings' noise, and of the
+//             load train. The steepest stretch is up to 2 errors too steep where all are alike.
+// Method:     force and deflection are both regressed on the stage; the slope is the ratio. Of all stretches of three points or more over a quarter of the
+//             greatest force, at a deflection below a tenth of the span, the one counts whose slope less three errors is greatest: the steepest one
+//             that is not steep by chance. One half as long is as likely to be the sticking of a sawtooth; and none goes on behind a drop from
+//             above a quarter of the greatest force: that is how a tooth rises, not the specimen.
+std::optional<StraightPart> straight_part(const Record& record, const BeamGeometry& geometry,
+                                          const SmallDeflectionOptions& options = {});
+
 // The chord of ISO 178, between the flexural strains 0.05 % and 0.25 %.
 struct Chord {
   Estimate stiffness;                     // [N/m]
@@ -68,12 +96,10 @@ struct SmallDeflection {
   double window_force;            // [N] that the window is in shares of
   std::size_t first, last;        // points [first, last) it was drawn through
   Estimate stiffness;             // [N/m] dF/dw0
-  double
-      origin;  // [m] the deflection at which the straight part meets zero force, the end of the toe, where strain counts from; not before
-               // the record begins
-  double before_beginning;                  // [m] by how much it would be
-  LoadReached greatest;                     // at the greatest force
-  LoadReached end;                          // at the last point: of a record whose failure was taken off, at break
+  double origin;                  // [m] the end of the toe, where strain counts from, see StraightPart
+  double before_beginning;        // [m] see StraightPart
+  LoadReached greatest;           // at the greatest force
+  LoadReached end;                // at the last point: of a record whose failure was taken off, at break
   std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
   std::optional<Chord>
       chord;              // where span and section are known, the record covers both strains, and it is not in the toe
@@ -82,15 +108,12 @@ struct SmallDeflection {
   std::optional<double> shear_share;  // [1] what shear adds to a deflection (section.h)
 };
 
-// Domain: a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1;
-//         std::invalid_argument otherwise.
-// Max error:  the error is that of the scatter about the line, correlated scatter allowed for (AR(1)), at least that of the readings' noise, and of the
-//         load train; it knows nothing of the dimensions of the specimen. The steepest stretch is up to 2 errors too steep where all are alike.
-// Method: force and deflection are both regressed on the stage, as in initial_line; the slope is the ratio. Of all stretches of three points or more over
-//         a quarter of the greatest force the one counts whose slope less three errors is greatest: the steepest one that is not steep by
-//         chance. One half as long is as likely to be the sticking of a sawtooth. The chord is drawn between the points where the record first reaches the
-//         two strains, by linear interpolation; its error is that of two readings. It lies in the toe where the straight part is steeper beyond
-//         the errors than friction of 1 or wide supports explain.
+// Domain: a record of straight_part, and what that tells of it.
+// Max error:  that of straight_part; it knows nothing of the dimensions of the specimen.
+// Method: the chord is drawn between the points where the record first reaches the two strains, by linear interpolation; its error is
+//         that of two readings. It lies in the toe where the straight part is steeper beyond the errors than most_steepening explains.
+SmallDeflection small_deflection(const Record& record, const std::optional<StraightPart>& straight,
+                                 const BeamGeometry& geometry, const SmallDeflectionOptions& options);
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options = {});
 

@@ -18,6 +18,7 @@
 #include "finding/printed.h"
 #include "finding/slips_of_a_bar.h"
 #include "inference/process_mode.h"
+#include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -43,9 +44,14 @@ const Check* check_of(T test, CheckKind kind) {
   return found == checks.end() ? nullptr : &*found;
 }
 
+// A stiffness that was stated is not that of the initial slope.
+bool contradicts_slope(T test) {
+  return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope;
+}
+
 // A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
 bool presumes_too_much(T test) {
-  return test.analysis.stiffness_implausible || test.analysis.model_implausible || lost_stiffness(*test.judgement);
+  return contradicts_slope(test) || test.analysis.model_implausible || lost_stiffness(*test.judgement);
 }
 
 Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
@@ -219,7 +225,7 @@ Found wrong_load_train(T test) {
   if (!has_judged_drops(test)) return std::nullopt;
   if (Found found = other_train_in_drops(test)) return found;
   const double times = analysis.stiffness_over_slope;
-  if (std::isfinite(analysis.rig.stiffness) || !analysis.stiffness_implausible || !(times > 1) ||
+  if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
       !likely_slip_of_units(times).empty())
     return std::nullopt;
   constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
@@ -240,7 +246,7 @@ Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
   const bool is_judged =
       is_fitted(test) || analysis.status == AnalysisStatus::not_explained || (seeks_drops(test) && !is_slender(test));
-  if (!is_judged || !analysis.stiffness_implausible || wrong_load_train(test)) return std::nullopt;
+  if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
       .severity = Severity::refusal,
@@ -542,7 +548,7 @@ Found unexpected_stiffness(T test) {
   const std::string sentence = fmt::format(
       "The bending stiffness of the fit is {} that {}, {:.1f} times the error of the difference (limit {:g}).",
       above_or_below(number_of(*check, "fitted_over_nominal")),
-      test.analysis.stiffness_from_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
+      test.stiffness == StiffnessSource::initial_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
       max_stiffness_errors);
   return checked(
       test, *check, sentence, sentence,
@@ -1014,6 +1020,23 @@ std::string_view source_of(StiffnessSource source) {
   return name_in_order<StiffnessSource::mirror>(source, {"stated", "stated", "initial slope", "loops"});
 }
 
+// What modulus would say where the beginning, which friction bends least, is not as steep; empty unless the stiffness is the beginning's.
+std::string straight_part_in_words(T test) {
+  const SmallDeflection& numbers = test.small_deflection;
+  if (test.stiffness != StiffnessSource::initial_slope || test.measurement.straight_is_initial ||
+      !numbers.bending_stiffness)
+    return "";
+  const double error = *numbers.bending_stiffness * numbers.stiffness.standard_error / numbers.stiffness.value;
+  const double EI = test.analysis.scales.bending_stiffness();
+  constexpr double clearly = 2;
+  if (std::abs(*numbers.bending_stiffness - EI) <
+      clearly * elementary::length(error, EI * test.analysis.bending_stiffness_error))
+    return "";
+  return fmt::format("; the steepest part, rows {} to {}, which friction may have steepened: {}",
+                     file_row(test, numbers.first), last_file_row(test.measurement, numbers.last - 1),
+                     readable(*numbers.bending_stiffness, error, Print(test).as(kind::bending_stiffness)));
+}
+
 std::string stiffness_in_words(T test, bool tells) {
   const TestAnalysis& analysis = test.analysis;
   const Print print(test);
@@ -1021,10 +1044,10 @@ std::string stiffness_in_words(T test, bool tells) {
   const Kind stiffness = print.as(kind::bending_stiffness);
   const std::string beforehand =
       fmt::format("{}: {}", source_of(test.stiffness), readable(EI, EI * analysis.bending_stiffness_error, stiffness));
-  if (!tells) return "EI " + beforehand;
+  if (!tells) return "EI " + beforehand + straight_part_in_words(test);
   const Estimate& fitted = analysis.fit.bending_stiffness;
-  std::string words =
-      fmt::format("EI {} ({})", readable(EI * fitted.value, EI * fitted.standard_error, stiffness), beforehand);
+  std::string words = fmt::format("EI {} ({}{})", readable(EI * fitted.value, EI * fitted.standard_error, stiffness),
+                                  beforehand, straight_part_in_words(test));
   if (test.section_moment)
     words +=
         fmt::format(", E {}", readable(EI * fitted.value / *test.section_moment,

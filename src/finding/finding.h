@@ -50,6 +50,11 @@ enum class VerdictCode { slip, undecided, crack, no_drops, check_input, no_answe
 std::string_view name_of(VerdictCode code);  // "check_input"
 std::string_view word_of(VerdictCode code);  // "CHECK INPUT"
 
+// Is the question about the drops answered? Then fit exits with 0, and a campaign whose tests all are; else with 1.
+constexpr bool is_answered(VerdictCode code) {
+  return code != VerdictCode::check_input && code != VerdictCode::no_answer;
+}
+
 struct Verdict {
   VerdictCode code;
   std::vector<std::string> parts;  // what belongs to it: numbers, or the sentence of the finding that it rests on

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <string>
 #include <vector>
 
 #include <fmt/format.h>
@@ -60,6 +62,42 @@ std::string deeper_drops(T test) {
                      beyond == 1 ? "is" : "are");
 }
 
+// Would a drop be deeper than any slip if the specimen were so many times as thick? By the rule of the analysis.
+bool is_one_beyond(T test, double times) {
+  constexpr double surely = 4;  // of the noise of a reading
+  const TestAnalysis& analysis = test.analysis;
+  Supports supports = analysis.rig.fibre.supports();
+  supports.half_depth *= times;
+  const std::vector<double> most = most_by_slips(analysis.reduced, analysis.drops.drops, supports);
+  for (std::size_t i = 0; i < most.size(); ++i) {
+    const double fall = analysis.scales.reduced_force(analysis.drops.drops[i].force_fall);
+    if (fall > most[i] + surely * analysis.force_noise) return true;
+  }
+  return false;
+}
+
+// "; it could be a slip from a thickness of 2.4 mm on": where half or twice the thickness would turn the verdict, by which.
+std::string thickness_in_words(T test) {
+  const double half_depth = test.analysis.rig.fibre.supports().half_depth;
+  if (drops_of(test) == 0 || !(half_depth > 0)) return "";
+  constexpr double far = 2;
+  constexpr int halvings = 12;  // to a thousandth
+  const bool is_beyond = is_one_beyond(test, 1);
+  // The thicker it is, the more a slip can do.
+  double same = 1, other = is_beyond ? far : 1 / far;
+  if (is_one_beyond(test, other) == is_beyond) return "";
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::midpoint(same, other);
+    (is_one_beyond(test, middle) == is_beyond ? same : other) = middle;
+  }
+  const std::string thickness = Print(test).length(2 * half_depth * other);
+  const bool is_one = drops_of(test) == 1;
+  return is_beyond
+             ? fmt::format("; {} from a thickness of {} on", is_one ? "it could be a slip" : "all could be slips",
+                           thickness)
+             : fmt::format("; below a thickness of {} {} be deeper", thickness, is_one ? "it would" : "one would");
+}
+
 // "2 drops (650 mN and 1.25 N)"
 std::string drops_with_sizes(T test) {
   constexpr std::size_t shown = 3;
@@ -101,7 +139,7 @@ std::optional<Finding> gave_way(T test) {
 }
 
 std::string slips_of_a_bar_in_words(T test) {
-  return fmt::format("{}; {}", most_by_slip_in_words(test), deeper_drops(test));
+  return fmt::format("{}; {}{}", most_by_slip_in_words(test), deeper_drops(test), thickness_in_words(test));
 }
 
 // Of a specimen that is bent too little to tell friction: what its drops are can still be told.

@@ -147,6 +147,20 @@ InputError missing_column(const Opened& opened, const Header& header, const std:
                      .part = TablePart::title});
 }
 
+// What stands behind the last underscore of a name that states no unit elsewhere: "m" of "w_s_m".
+std::string_view end_of(std::string_view name) {
+  const std::size_t at = name.rfind('_');
+  return at == std::string_view::npos || at == 0 ? std::string_view{} : name.substr(at + 1);
+}
+
+// Is a name that is asked for without a unit that of a column whose unit is the end of its name?
+bool is_before_end(const ColumnTitle& asked, const Kind& kind, std::string_view name) {
+  const std::string_view end = end_of(name);
+  if (!asked.unit.empty() || end.empty() || name.substr(0, name.size() - end.size() - 1) != asked.name) return false;
+  const std::optional<Unit> unit = unit_named(end);
+  return unit && unit->dimension == kind.dimension && kind.name != kind::number.name;
+}
+
 std::vector<Source> sources_of(const Opened& opened, const Header& header, const std::vector<WantedColumn>& wanted) {
   std::vector<Source> sources;
   for (const WantedColumn& each : wanted) {
@@ -154,7 +168,8 @@ std::vector<Source> sources_of(const Opened& opened, const Header& header, const
     std::vector<std::size_t> by_text, by_name, by_name_before_unit;
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
       const HeaderCell& cell = header.cells[i];
-      if (cell.name_before_unit() == asked.name) by_name_before_unit.push_back(i);
+      if (cell.name_before_unit() == asked.name || is_before_end(asked, each.kind, cell.title.name))
+        by_name_before_unit.push_back(i);
       if (cell.text == trimmed(each.title)) by_text.push_back(i);
       if (cell.title.name == asked.name || cell.text == asked.name) by_name.push_back(i);
     }
@@ -189,12 +204,6 @@ bool is_unit_line(const Opened& opened, const std::vector<Source>& sources, std:
     (word ? words : numbers) = true;
   }
   return words && !numbers;
-}
-
-// What stands behind the last underscore of a name that states no unit elsewhere: "m" of "w_s_m".
-std::string_view end_of(std::string_view name) {
-  const std::size_t at = name.rfind('_');
-  return at == std::string_view::npos || at == 0 ? std::string_view{} : name.substr(at + 1);
 }
 
 // The unit of a wanted column, on which all that state one agree, and what is said of it.

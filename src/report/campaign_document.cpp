@@ -94,18 +94,19 @@ std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_
   return fmt::format("{} {}", out, names.size() == 1 ? is : are);
 }
 
-bool is_failure(const CampaignTest& test) { return !test.summary; }
+// Without a row in the table.
+bool is_failure(const CampaignTest& test) { return !test.summary && !is_answered(test); }
 // One whose friction is told and still is not counted: a crack, a wrong input and no answer are counted as what they are.
 bool is_suspect(const CampaignTest& test) {
   return test.summary && test.summary->suspect && is_trusted(test.summary->standing) &&
          test.verdict != word_of(VerdictCode::crack);
 }
 
-// "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some.
+// "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some. What could not be evaluated has no verdict.
 std::string verdicts_in_words(const Campaign& campaign) {
   const auto count = [&](VerdictCode code) {
     return std::count_if(campaign.tests.begin(), campaign.tests.end(),
-                         [&](const CampaignTest& test) { return test.verdict == word_of(code); });
+                         [&](const CampaignTest& test) { return !is_failure(test) && test.verdict == word_of(code); });
   };
   std::string words =
       fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
@@ -347,7 +348,14 @@ PrintedTable shared_rows(const Campaign& campaign) {
 Rows failure_rows(const Campaign& campaign) {
   Rows rows;
   for (const auto& test : campaign.tests)
-    if (!test.summary) rows.push_back({printable(test.name), test.reason});
+    if (is_failure(test)) rows.push_back({printable(test.name), test.reason});
+  return rows;
+}
+
+Rows rows_without_friction(const Campaign& campaign) {
+  Rows rows;
+  for (const auto& test : campaign.tests)
+    if (!test.summary && is_answered(test)) rows.push_back({printable(test.name), test.reason});
   return rows;
 }
 
@@ -478,6 +486,7 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
                  {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
                 {"Between specimens", {specimen_rows(campaign)}}};
   chapters.push_back({"Shared by several tests", {shared_rows(campaign)}});
+  chapters.push_back({"Bent too little to tell friction", {rows_without_friction(campaign)}});
   chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
   if (has_answers)
     for (const Chapter& chapter : {Chapter{"A surface that would explain it", {surface_of_waves(campaign)}},

@@ -92,8 +92,8 @@ Plot distribution_figure(const Campaign& campaign) {
   }
   const double space = std::max(1.0, 0.07 * (last - first));
   const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  const Axis x{numbers.empty() ? "Test, counted in the order of the table" : "Test number", "", first - space,
-               last + space};
+  Axis x{numbers.empty() ? "Test, counted in the order of the table" : "Test number", "", first - space, last + space};
+  x.counts = true;
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},

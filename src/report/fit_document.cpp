@@ -409,10 +409,8 @@ std::string fit_text(const FittedTest& test) {
 }
 
 std::string why_no_answer(const FittedTest& test) {
-  if (is_fitted(test)) return "";
   const Answer answer = answer_of(test);
-  const bool tells = answer.verdict.code != VerdictCode::no_answer && answer.verdict.code != VerdictCode::check_input;
-  if (tells) return "";
+  if (is_answered(answer.verdict.code)) return "";
   return fmt::format("{}: {} {}", test.measurement.file, answer.findings.front().sentence, answer.next);
 }
 

@@ -93,7 +93,8 @@ Rows number_rows(const StandardTest& test) {
                   fmt::format("rows {} to {}, from {:.0f} % to {:.0f} % of {}", file_row(measurement, numbers.first),
                               last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
                               100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)))});
-  rows.push_back({"toe, where deflection and strain count from", readable(numbers.origin, as(kind::length))});
+  rows.push_back({"toe, where deflection and strain count from",
+                  readable(measurement.contact_offset + numbers.origin, as(kind::length))});
   if (load_train_counts(test))
     rows.push_back(
         {"share of the displacement that the load train takes", percent_to_two_digits(numbers.load_train_share)});
@@ -177,10 +178,9 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
                     percent_to_two_digits(*test.supports.alone)));
   if (test.supports.friction) list.push_back(friction_in_words(test, *test.supports.friction));
   if (numbers.before_beginning > beginning_worth_a_word * numbers.greatest.deflection)
-    list.push_back(
-        fmt::format("The straight part would meet zero force {} before the record begins, so deflection and strain "
-                    "count from its beginning.",
-                    readable(numbers.before_beginning, kind_in(test.measurement.test, kind::length))));
+    list.emplace_back(
+        "The straight part would meet zero force before the record begins, so deflection and strain count from its "
+        "beginning.");
   if (numbers.chord_in_toe)
     list.emplace_back(
         "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: use the "

@@ -142,6 +142,7 @@ std::vector<Tick> logarithmic_ticks(double from, double to, double length, doubl
 
 void decide_ticks(Axis& axis, double length, double closest) {
   axis.ticks = (axis.logarithmic ? logarithmic_ticks : linear_ticks)(axis.from, axis.to, length, closest);
+  if (axis.counts) std::erase_if(axis.ticks, [](const Tick& tick) { return tick.at != std::round(tick.at); });
 }
 
 double widest_number(const Axis& axis) {

@@ -118,7 +118,7 @@ struct Axis {
   std::string label;
   std::string unit{};  // "" of a plain number
   double from = as_the_data, to = as_the_data;
-  bool logarithmic = false;  // both ends above 0
+  bool logarithmic = false, counts = false;  // both ends above 0; ticks at whole numbers only
   // Decided by laid_out:
   std::vector<Tick> ticks{};
   bool has_numbers = true;  // none where a neighbour has them

@@ -79,7 +79,7 @@ class Folder {
         lines.find("stage =") != std::string::npos || lines.find("deflection =") != std::string::npos;
     const std::string text = fmt::format("[rig]\nspan = '40 mm'\n{}\n[record]\nfile = 'test.csv'\n{}{}", rig,
                                          names_columns ? "" : "stage = 'stage'\nforce = 'force'\n", lines);
-    return read_measurement(read_case(text, (path_ / "case.toml").string()), 30);
+    return read_measurement(read_case(text, (path_ / "case.toml").string()), {.points = 30});
   }
 
   // Reads an export of a bar that bends by 50 µm a row under 1 N more, with what stands above its rows, and in some of them another force.
@@ -95,7 +95,7 @@ class Folder {
     data.close();
     const std::string text =
         fmt::format("[rig]\nspan = '40 mm'\nstiffness = 'inf'\n[record]\nfile = 'test.csv'\n{}", lines);
-    return read_measurement(read_case(text, (path_ / "case.toml").string()), 11);
+    return read_measurement(read_case(text, (path_ / "case.toml").string()), {.points = 11});
   }
 
  private:
@@ -203,6 +203,41 @@ TEST_CASE("measurement: a contact is found from the straight beginning where tha
   CHECK(asked.first == 0);
 }
 
+TEST_CASE(
+    "measurement: a toe is taken off where the record tells no friction, and its straight part is the initial slope "
+    "(truth)") {
+  const Folder folder;
+  const auto settling = [](double settles_within, double step) {
+    Columns columns = columns_of({});
+    for (int i = 0; i < rows; ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      const double w = step * i, rise = w < settles_within ? w * w / (2 * settles_within) : w - 0.5 * settles_within;
+      columns.stage[row] = w;
+      columns.force[row] = 2e4 * rise + 0.002 * std::sin(1.0 * i * i);
+    }
+    return columns;
+  };
+  constexpr const char* rigid = "stiffness = 'inf'";
+  const Measurement found = folder.measured(settling(0.5e-3, 4e-6), "", rigid);
+  CHECK(found.straight_is_initial);
+  CHECK(step_of(found, "contact")->done.find("begins with a toe") != std::string::npos);
+  CHECK(std::abs(found.contact_offset - 0.25e-3) < 0.01e-3);
+  CHECK(found.straight->slope.value == to(0.01, 2e4));
+  CHECK(std::abs(found.straight->origin) < 1e-12);  // counted from there
+  CHECK(file_row(found, found.straight->first) > 110);
+  CHECK(folder.measured(settling(0.5e-3, 4e-6), "contact = 'first row'\n", rigid).contact_offset == 0);
+  CHECK(folder.measured(settling(0.01e-3, 4e-6), "", rigid).contact_offset == 0);  // within what is usual
+  // A preload: the record begins 0.1 mm after the contact.
+  Columns preloaded = settling(1e-9, 4e-6);
+  for (double& force : preloaded.force) force += 2e4 * 0.1e-3;
+  const Measurement loaded = folder.measured(preloaded, "", rigid);
+  CHECK(loaded.contact == ContactSource::found);
+  CHECK(std::abs(loaded.contact_offset + 0.1e-3) < 4 * loaded.contact_error);
+  CHECK(loaded.first == 0);
+  // Bent to a tenth of the span, where friction may steepen it as much.
+  CHECK_FALSE(folder.measured(settling(0.5e-3, 12e-6), "", rigid).straight_is_initial);
+}
+
 TEST_CASE("measurement: a stage that trembles is held, one that runs back is refused (limit)") {
   const Folder folder;
   Columns columns = columns_of({.contact = 0});
@@ -240,12 +275,12 @@ TEST_CASE("measurement: all that a file leaves open is asked at once, in the wor
     return complaint([&] { folder.exported(above, lines); });
   };
   const std::string many = asked("Time,Extension,Load\nS,MM,KN\n", "");
-  CHECK(
-      many.find("leaves 3 questions open: (1) is 'Extension' that of the crosshead or the deflection of the specimen? "
-                "--displacement crosshead|deflection (2) what is the unit of 'Extension', which says 'MM': mm? "
-                "--displacement-column \"Extension [mm]\" (3) what is the unit of 'Load', which says 'KN': kN? --force "
-                "\"Load [kN]\"") != std::string::npos);
-  CHECK(asked("Time [s],Deflection [mm],Load\n", "").find("pass --force \"Load [N]\", or write force = \"Load [N]\"") !=
+  CHECK(many.find(
+            "leaves 3 questions open: (1) is 'Extension' that of the crosshead or the deflection of the specimen? "
+            "write displacement = \"crosshead|deflection\" into [record] (2) what is the unit of 'Extension', which "
+            "says 'MM': mm? write displacement_column = \"Extension [mm]\" into [record] (3) what is the unit of "
+            "'Load', which says 'KN': kN? write force = \"Load [kN]\" into [record]") != std::string::npos);
+  CHECK(asked("Time [s],Deflection [mm],Load\n", "").find("unit: write force = \"Load [N]\" into [record]") !=
         std::string::npos);
   CHECK(asked("Time,Extension,Load\nS,MM,KN\n",
               "displacement = 'crosshead'\ndisplacement_column = 'Extension [mm]'\nforce = 'Load [kN]'\n") == "");
@@ -273,8 +308,7 @@ TEST_CASE("measurement: a stage without a load-train stiffness is refused, a def
   const std::string refusal = complaint([&] { folder.measured(Machine{}, "", ""); });
   CHECK(refusal.find("stiffness of the load train") != std::string::npos);
   CHECK(refusal.find("\"inf\"") != std::string::npos);
-  CHECK(refusal.find("write the stiffness of your load train into [rig] as stiffness = \"… N/m\"") !=
-        std::string::npos);
+  CHECK(refusal.find("write stiffness = \"… N/m\" into [rig]") != std::string::npos);
   CHECK(refusal.find("90.65") == std::string::npos);
   const Measurement measured = folder.measured(Machine{}, "deflection = 'deflection'\nforce = 'force'\n", "");
   CHECK(measured.record.stage == measured.record.deflection);

@@ -54,6 +54,13 @@ TEST_CASE(
   CHECK(settling <= 2);
 }
 
+TEST_CASE("contact: a record that begins under a preload is looked at farther up (truth known)") {
+  const Record whole = straight_test(40, 0, 0, 1);
+  const InitialLine contact = initial_line(points_between(whole, 4, 40));  // two points below 0.15 of the force
+  REQUIRE(contact.status == ContactStatus::found);
+  CHECK(std::abs(contact.slope.value - 60) < 1e-9);
+}
+
 TEST_CASE("contact: where there is no contact to find, the status says so (limit)") {
   CHECK(initial_line({}).status == ContactStatus::too_few_points);
   CHECK(initial_line(straight_test(8, 0, 0, 1)).status == ContactStatus::too_few_points);

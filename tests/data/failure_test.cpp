@@ -53,6 +53,18 @@ TEST_CASE("failure: what survives has no failure (limit)") {
   for (std::size_t i = 0; i < 300; ++i) arch.force[i] -= i > 200 ? 0.06 * arch.force[i] : 0;
   CHECK(survives(arch));
 
+  Record turned =
+      straight_test(100, 0, 0, 1);  // it slips by a quarter as the stage turns back, and bears the rest on the way
+  turned.force.back() *= 0.75;
+  for (std::size_t i = 99; i-- > 50;) {
+    turned.stage.push_back(turned.stage[i]);
+    turned.deflection.push_back(turned.deflection[i]);
+    turned.force.push_back(0.7 * turned.force[i]);
+  }
+  CHECK(survives(turned));
+  for (std::size_t i = 100; i < turned.force.size(); ++i) turned.force[i] *= 0.2;  // read in the midst of a break
+  CHECK(find_failure(turned).points == 99);
+
   Record unloaded = straight_test(100, 0, 0, 1);  // loaded and taken back at a stroke
   unloaded.stage.push_back(0);
   unloaded.deflection.push_back(0);

@@ -162,6 +162,19 @@ TEST_CASE("small_deflection: the straight part of a curve that rounds off is whe
   }
 }
 
+TEST_CASE("small_deflection: teeth are not the straight part, however steep they rise (truth known)") {
+  // From 6 mm on a tooth every half millimetre, and all of them together twice as steep as the specimen.
+  const auto sawtooth = [](double w) {
+    return k * (w < 6e-3 ? w : 6e-3 + 3 * (w - 6e-3) - 0.5e-3 * std::floor((w - 6e-3) / 0.5e-3));
+  };
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const auto straight = straight_part(in_steps(0.02e-3, 12e-3, 0.1, seed, sawtooth), {});
+    REQUIRE(straight);
+    CHECK(straight->slope.value == to(0.01, k));
+    CHECK(straight->origin < 0.1e-3);
+  }
+}
+
 TEST_CASE("small_deflection: the toe does not lie before the record begins (limit)") {
   // Begun under a preload; and bent down from the first row on.
   const auto preloaded = [](double w) { return k * (w + 1e-3); };

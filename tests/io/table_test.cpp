@@ -132,6 +132,14 @@ TEST_CASE("table: a unit may be the end of a column's name, and it is said so") 
   CHECK(table.columns[2].values == Values{3});
   REQUIRE(table.notes.size() == 2);
   CHECK(table.notes[1] == "the unit of 'F_mN' is the end of its name, mN");
+  // The name without it will do, where it is that of one column, and another unit is not asked for.
+  CHECK(read("w_s_mm,F_mN\n1,2\n", {{"w_s", kind::length}, {"F", kind::force}}).columns[0].values == Values{1e-3});
+  CHECK(read("F_N,F_mN\n1,2\n", {{"F_mN", kind::force}}).columns[0].values == Values{2e-3});
+  CHECK(complaint("F_N,F_mN\n1,2\n", {{"F", kind::force}}) ==
+        "t.csv:1: column 'F': expected one column, found 2 of this name; rename them");
+  for (const char* other : {"w_s [m]", "w"})
+    CHECK(complaint("w_s_mm,F_mN\n1,2\n", {{other, kind::length}}).find("the file has 'w_s_mm' and 'F_mN'") !=
+          std::string::npos);
   CHECK(read("w_m\nmm\n1\n", {{"w_m", kind::length}}).columns[0].values == Values{1e-3});  // stated elsewhere
   CHECK(has(complaint("w_s,F\n1,2\n", {{"w_s", kind::length}}), "expected a unit of length, found none"));
   CHECK(complaint("F_N,w_m\n1,2\n", {{"F_N", kind::length}}) ==

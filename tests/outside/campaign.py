@@ -3,6 +3,7 @@
 import csv
 import hashlib
 import json
+import math
 import os
 import pathlib
 import random
@@ -66,6 +67,24 @@ step = "2 um"
         self.assertEqual([failure["name"] for failure in answer["failures"]], ["broken"])
         self.assertIn("broken.toml:2: [rig] span", answer["failures"][0]["reason"])
 
+    def test_bars_that_tell_no_friction_are_answered_as_fit_answers_them(self):
+        noise = random.Random(3)
+        folder = self.folder / "bars"
+        folder.mkdir()
+        for name, loss in ("whole", 0), ("broken", 0.3):
+            rows = (f"{0.01 * i},{0.26 * i * (1 - loss * (i > 250)) + noise.gauss(0, 0.02)}" for i in range(400))
+            (folder / f"{name}.csv").write_text("\n".join(("w [mm],F [N]", *rows)) + "\n")
+        common = self.file("common.toml", '[specimen]\nwidth = "10 mm"\nheight = "4 mm"\nmodulus = "fit"\n'
+                           '[rig]\nspan = "64 mm"\nstiffness = "inf"\n[record]\nstage = "w"\nforce = "F"\n')
+        text = " ".join(self.succeeds("campaign", folder, "--common", common).split())
+        self.assertIn("2 tests: 0 slip, 0 undecided, 1 crack, 1 without drops.", text)
+        self.assertNotIn("could not be evaluated", text)
+        (folder / "empty.csv").write_text("w [mm],F [N]\n")
+        result = run("campaign", folder, "--common", common)
+        self.assertEqual(result.returncode, 1)
+        text = " ".join(result.stdout.split())
+        self.assertIn("3 tests: 0 slip, 0 undecided, 1 crack, 1 without drops. No test tells friction. empty could not be evaluated.", text)
+
     def test_the_screen_is_at_most_a_hundred_columns_wide(self):
         lines = self.succeeds("campaign", self.simulated(3), "--quiet").splitlines()
         self.assertGreater(len(lines), 10)
@@ -75,7 +94,7 @@ step = "2 um"
         folder = self.simulated(2)
         for i in range(2):
             case = folder / f"t{i:02}.toml"
-            case.write_text(case.read_text().replace('bending_stiffness = "1e-9 N m^2"', f'diameter = "{30 + 4 * i} um"\nmodulus = "25 GPa"'))
+            case.write_text(case.read_text().replace('bending_stiffness = "1e-9 N m^2"', f'diameter = "{30 + 4 * i} um"\nmodulus = "{1e-9 / (math.pi / 64 * (30e-6 + 4e-6 * i) ** 4)} Pa"'))
         report = self.folder / "report"
         self.succeeds("campaign", folder, "--report", report, "--quiet")
         answer = json.loads((report / "campaign.json").read_text())

@@ -196,8 +196,17 @@ class Options(InFolder):
                      "--stage", "stage", "--force", "force", "--report", self.folder / "report")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("flexslip read", result.stdout)
+        self.assertIn("NO ANSWER; the answer says why", result.stderr)
+        self.assertNotIn("flexslip read", result.stderr)  # said once
         self.assertGreater(len((self.folder / "report/figures/record-measured.csv").read_text().splitlines()), 100)
         self.assertIn("Figure 1", (self.folder / "report/report.html").read_text(encoding="utf-8"))
+
+    def test_an_input_to_check_exits_with_1_though_something_was_fitted(self):
+        for form in ((), ("--json",)):
+            result = run("fit", CASE, "--set", 'rig.stiffness="inf"', *form)
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertIn("CHECK INPUT; the answer says why", result.stderr)
+            self.assertIn("check_input" if form else "CHECK INPUT", result.stdout)
 
     def test_without_a_fit_it_says_that_nothing_is_drawn(self):
         self.file("straight.csv", "w [um],F [mN]\n" + "".join(f"{0.5 * i},{0.0245 * i}\n" for i in range(80)))
@@ -303,7 +312,7 @@ step = "2 um"
         self.assertLessEqual(max(map(len, plain.splitlines())), 72)
 
     def test_suspect_limit(self):
-        self.assertTrue(self.json("fit", CASE, "--suspect-limit", "0.4")["suspect"])
+        self.assertTrue(json.loads(run("fit", CASE, "--suspect-limit", "0.4", "--json").stdout)["suspect"])
 
     def test_wrong_calls(self):
         self.refused("fit", DATA, says=["--stage"])

@@ -212,6 +212,22 @@ class Loading(InFolder):
             self.assertEqual(run("fit", path, *flags).returncode, 0)
             self.assertIn("friction cannot be told", fit["verdict"]["sentence"])
 
+    def test_identity_the_thickness_that_turns_the_verdict_of_a_bar_is_where_it_turns(self):
+        draw = random.Random(8)
+        rows = [(0.01 * i, 0.01 * i, STIFFNESS * 1e-3 * 0.01 * i * (0.9 if i > 250 else 1) + draw.gauss(0, 0.02)) for i in range(400)]
+        path = self.file("bar.csv", bluehill(rows, 1))
+        flags = ("--span", "64 mm", "--width", "10 mm", "--displacement", "deflection", "--supports", "edges", "--stiffness", "inf")
+        fit = lambda height: self.json("fit", path, *flags, "--height", f"{height} mm")
+        words = lambda found: next(row["words"] for row in found["answer"] if row["label"] == "slip or crack")
+        thin = fit(4)
+        self.assertEqual(thin["verdict"]["code"], "crack")
+        turns = float(re.search(r"; it could be a slip from a thickness of ([\d.]+) mm on", words(thin)).group(1))
+        for height, code, word in ((0.99 * turns, "crack", "could be a slip"), (1.01 * turns, "undecided", "it would be deeper")):
+            found = fit(height)
+            self.assertEqual(found["verdict"]["code"], code)
+            self.assertIn(word, words(found))
+        self.assertNotIn("thickness", words(fit(2.5 * turns)))
+
 
 class Bar(InFolder):
     def modulus(self, columns, *arguments, which=0, preamble=()):
@@ -247,13 +263,14 @@ class Bar(InFolder):
 
     def test_limit_a_displacement_of_unknown_kind_is_asked_for(self):
         path = self.file("bar.csv", bluehill(bar_test()))
-        self.refused("modulus", path, *BAR, says=["'Extension'", "--displacement crosshead", '"deflection"', "ISO 178"])
+        self.refused("modulus", path, *BAR, says=["2 questions", "'Extension'", "--displacement crosshead|deflection", "--stiffness"])
+        self.refused("modulus", path, *BAR, "--stiffness", "inf", says=["'Extension'", "--displacement crosshead", '"deflection"', "ISO 178"])
         self.refused("modulus", path, *BAR, "--displacement", "crosshead", says=["--stiffness", '"inf"'])
 
     def test_limit_titles_of_a_file_with_a_preamble(self):
         path = self.file("bar.csv", bluehill(bar_test(), preamble=["Operator,somebody"]))
         self.refused("fit", path, "--stage", "Extension [mm]", "--force", "Load [N]", "--span", "64 mm", "--stiffness", "inf",
-                     says=["displacement = ", "flexslip read"])
+                     says=["--displacement crosshead", "flexslip read"])
 
     def test_identity_span_and_section_of_the_file(self):
         preamble = ["Support span : Support span,64,mm", "Width : Width,10,mm", "Thickness : Thickness,4,mm"]
@@ -432,14 +449,29 @@ class RealMachines(InFolder):
     def test_outside_femur(self):
         found = self.check("cellscale_femur/A023Data.csv", (1, 2), rows=38, stiffness=71.7)
         tube = self.json("modulus", INSTRUMENTS / "cellscale_femur/A023Data.csv", "--displacement", "crosshead", "--stiffness", "inf", "--span", "8 mm", "--diameter", "1.5 mm", "--wall", "0.2 mm")
-        self.assertTrue(tube["chord_in_toe"])
+        self.assertIsNone(tube["chord"])
         self.assertAlmostEqual(tube["modulus"]["value"], 4.39e9, delta=0.05 * 4.39e9)
+        self.assertAlmostEqual(tube["origin"]["value"], step(tube, "contact")["value"], places=12)  # one toe, one number
         self.assertEqual(step(found, "end")["rows"], [36, 38])  # 15.4 N, then 9.7 N, then nothing
 
     def test_outside_blades(self):
         self.check("bluehill_blades/WSR8001_july25_lateral.csv", (1, 2), rows=3004, stiffness=141.2)
-        found = self.check("bluehill_blades/cyclic_Specimen_RawData_1.csv", (1, 2), rows=222, stiffness=3.64)
+        found = self.check("bluehill_blades/cyclic_Specimen_RawData_1.csv", (1, 2), rows=222, stiffness=1.476)
         self.assertIn("turns back after row 114", step(found, "loading")["done"])
+        self.assertIsNone(found["at_break"])  # it slips as it turns, and bears 70 N on the way back
+
+    def test_outside_fit_and_modulus_have_one_initial_slope(self):
+        """Where a record tells no friction; a toe, a preload, a few rows that begin under load."""
+        flags = ("--displacement", "crosshead", "--stiffness", "inf", "--diameter")
+        for name, diameter, *more in (("cellscale_femur/A023Data.csv", "1.5 mm", "--span", "12 mm"),
+                                      ("bluehill3_maize/1267_Specimen_RawData_1.csv", "3 mm", "--span", "17 mm"),
+                                      ("bluehill3_maize/1267_Specimen_RawData_2.csv", "3 mm", "--span", "17 mm"),
+                                      ("mts_testsuite_femur/C18-L-M-RF.txt", "1.5 mm", "--span", "8 mm", "--force", "2")):
+            with self.subTest(name):
+                modulus = self.json("modulus", INSTRUMENTS / name, *flags, diameter, *more)["bending_stiffness"]["value"]
+                fit = self.json("fit", INSTRUMENTS / name, *flags, diameter, *more)
+                self.assertEqual(fit["nominal_bending_stiffness"]["source"], "initial_slope")
+                self.assertAlmostEqual(fit["nominal_bending_stiffness"]["nominal"] / modulus, 1, places=9)
 
     def test_outside_a_force_in_volts_is_refused(self):
         result = run("modulus", INSTRUMENTS / "mts_testsuite_femur/C18-L-M-RF.txt", "--displacement", "crosshead", "--stiffness", "inf")

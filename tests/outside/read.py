@@ -118,8 +118,12 @@ class Remedies(InFolder):
 
     def test_all_open_questions_come_at_once(self):
         path = self.record("Time,Extension,Load")
-        self.refused("modulus", path, "--span", "64 mm", says=["leaves 3 questions open", "(1) is 'Extension'", "(2) what is the unit of 'Extension'",
+        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["leaves 3 questions open", "(1) is 'Extension'", "(2) what is the unit of 'Extension'",
                                                               "(3) what is the unit of 'Load'"])
+        self.refused("fit", path, says=["leaves 5 questions open", "(4) how stiff is the load train, if", '--stiffness "', "(5) how far are the supports apart?", '--span "'])
+        case = self.file("case.toml", f'[record]\nfile = "{path}"\n')
+        self.refused("fit", case, says=['write displacement = "crosshead|deflection" into [record]', 'write stiffness = "', 'write span = "'])
+        self.assertNotIn("--", run("fit", case).stderr)
         self.succeeds("modulus", path, "--span", "64 mm", "--width", "10 mm", "--height", "4 mm", "--displacement", "deflection",
                       "--displacement-column", "Extension [mm]", "--force", "Load [N]")
 

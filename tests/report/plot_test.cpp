@@ -86,6 +86,16 @@ TEST_CASE("plot, identity: an axis has the data, and ticks within") {
   for (const Tick& tick : y.ticks) CHECK((tick.at >= y.from && tick.at <= y.to));
 }
 
+TEST_CASE("plot, limit: an axis that counts has whole numbers only, however short it is") {
+  for (const auto& [from, to] : {std::pair{10.0, 12.0}, {0.0, 3.0}, {0.4, 40.0}}) {
+    Axis x{"Test", "", from, to};
+    x.counts = true;
+    const auto ticks = laid_out(with({{.x = x, .y = {"y"}, .marks = {}}})).panels[0].x.ticks;
+    CHECK(ticks.size() >= 3);
+    for (const Tick& tick : ticks) CHECK(tick.at == std::round(tick.at));
+  }
+}
+
 TEST_CASE("plot, by hand: ticks of long and of short logarithmic axes, and numbers in print") {
   const auto texts = [](double from, double to) {
     std::string out;
