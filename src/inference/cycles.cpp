@@ -140,8 +140,13 @@ std::vector<LoopLegs> pair_legs(std::span<const Leg> legs) {
   return loops;
 }
 
+// Where a force shows that the nose is on the specimen: one that was bent far stays drawn in, and the nose leaves it on the way back.
+struct Bounds {
+  double min_deflection, min_force;  // [L], [EI/L^2]
+};
+
 // The points of a record under a calibration; `columns` are the contacts of its legs.
-std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double min_deflection, std::span<const Leg> legs,
+std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, const Bounds& bounds, std::span<const Leg> legs,
                           const Calibration& calibration, std::span<const std::size_t> columns) {
   std::vector<Point> points;
   points.reserve(record.force.size());
@@ -152,7 +157,7 @@ std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, double mi
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i) {
       const double w = record.deflection[i] - contact;
       const double F = record.force[i] * scale;
-      if (!(w > min_deflection && F > 0)) continue;
+      if (!(w > bounds.min_deflection && record.force[i] > bounds.min_force)) continue;
       const auto state = rig.fibre.state_from_force(w, F);
       if (state.status != FibreStatus::ok) continue;
       const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
@@ -638,15 +643,16 @@ bool is_far_out(const Calibration& calibration, const CyclesOptions& options) {
 
 Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options, std::span<const Leg> legs) {
   const double reading = reading_noise(record, legs);
-  Fit fit{
-      .status = CyclesStatus::too_few_points,
-      .calibration = {0, {0}},
-      .covariance = {},
-      .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
-      .asymmetry = normal_estimate(not_a_number, not_a_number),
-      .points = locate(record, rig, options.min_deflection, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
-      .loops = pair_legs(legs),
-      .blocks = {}};
+  constexpr double surely = 4;
+  const Bounds bounds{options.min_deflection, surely * reading};
+  Fit fit{.status = CyclesStatus::too_few_points,
+          .calibration = {0, {0}},
+          .covariance = {},
+          .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
+          .asymmetry = normal_estimate(not_a_number, not_a_number),
+          .points = locate(record, rig, bounds, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
+          .loops = pair_legs(legs),
+          .blocks = {}};
 
   // As the record stands: which loops have a mirror, and is there anything to measure?
   mark_stuck(fit.points, legs, reading);
@@ -669,7 +675,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   std::vector<bool> used(record.force.size());  // which points count, and which of them slide, once that is settled
   std::vector<bool> slides(record.force.size());
   for (std::size_t iteration = 0; iteration < max_iterations; ++iteration) {
-    fit.points = locate(record, rig, options.min_deflection, legs, fit.calibration, columns);
+    fit.points = locate(record, rig, bounds, legs, fit.calibration, columns);
     if (iteration < settling) {
       mark_stuck(fit.points, legs, reading);
       std::fill(used.begin(), used.end(), false);

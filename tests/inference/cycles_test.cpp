@@ -12,6 +12,7 @@
 
 #include <doctest/doctest.h>
 
+#include "bending_test/history.h"
 #include "fibre/elastica.h"
 
 namespace flexslip {
@@ -298,6 +299,28 @@ TEST_CASE("limit: an unloading too short to slide back leaves bounds, and no cal
     }
   CHECK(found.log_stiffness.value == 0);
   CHECK(found.log_stiffness.standard_error == CyclesOptions{}.stiffness_error);
+}
+
+TEST_CASE("limit: where the nose has left a specimen that stays drawn in, nothing is called sliding") {
+  const Friction friction = Friction::constant(0.5);
+  const Rig rig{100};
+  const auto stages = programme({0.001, 0.3, 0.003, 0.66, 0.003}, 1.0 / 640);
+  const History history = follow_in_steps({friction, rig}, stages);
+  Simulated simulated{.record = {}, .S = {}, .q = {}, .rig = rig};
+  for (const PathPoint& point : history.path) {
+    simulated.record.stage.push_back(point.stage);
+    simulated.record.deflection.push_back(point.w);
+    simulated.record.force.push_back(point.F);
+  }
+  const auto found = measure_cycles(with_noise(simulated, data_noise, 3), rig);
+  REQUIRE(found.status == CyclesStatus::ok);
+  REQUIRE(found.loops.size() == 2);
+  constexpr double error = 0.05;
+  for (const auto& loop : found.loops)
+    for (const double mu : loop.table.mu) CHECK(std::abs(mu - 0.5) < error);
+  CHECK(std::abs(found.loops[0].mu_in.value - 0.5) < error);
+  CHECK(std::abs(found.loops[0].mu_out.value - 0.5) < error);
+  CHECK(found.loops[1].places == 0);
 }
 
 TEST_CASE("limit: a single loading gives friction at the EI assumed") {
