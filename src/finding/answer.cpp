@@ -262,7 +262,7 @@ Found wrong_stiffness(T test) {
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
   return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
                  .remedy =
                      "Check the columns (flexslip read FILE shows them), their units, the span, the section, the "
@@ -290,7 +290,7 @@ Found no_sliding(T test) {
       "Check the modulus, the section, the span, the contact and the load train. If they are right, the specimen gave "
       "way: unload and load once more.";
   return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction between 0 and 2 explains this record{}.", by_how_much(test)),
+                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
                  .remedy = remedy};
 }
@@ -674,7 +674,7 @@ Found hidden_waves(T test) {
 }
 
 Found soft_rig(T test) {
-  const double hidden = hidden_by_soft_rig(test.analysis.rig.stiffness);
+  const double hidden = test.analysis.fit.hidden_by_rig;
   if (!(hidden > 0)) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest of "
@@ -923,8 +923,7 @@ std::string drops_in_words(T test) {
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const bool has_spacing = is_fitted(test) && slips.count >= enough && !lost_stiffness(*test.judgement);
-  return fmt::format("{} in {}, the largest {}{}{}", drops_of(test), used,
-                     Print(test).own(largest_drop(analysis), kind::force),
+  return fmt::format("{} in {}, {}{}{}", drops_of(test), used, sizes_in_words(test),
                      has_spacing ? fmt::format(", one per {} of the specimen",
                                                format_roughly(analysis.scales.physical_length(slips.median_spacing),
                                                               Print(test).as(kind::length)))

@@ -103,8 +103,7 @@ std::string drops_with_sizes(T test) {
   constexpr std::size_t shown = 3;
   const auto& drops = test.analysis.drops.drops;
   const std::string all = format_count(drops.size(), "drop", "drops");
-  if (drops.size() > shown)
-    return fmt::format("{}, the largest {}", all, Print(test).own(deepest_of(drops).force_fall, kind::force));
+  if (drops.size() > shown) return fmt::format("{}, {}", all, sizes_in_words(test));
   std::string sizes;
   for (std::size_t i = 0; i < drops.size(); ++i)
     sizes += fmt::format("{}{}",
@@ -118,6 +117,17 @@ std::string drops_with_sizes(T test) {
 }  // namespace
 
 bool seeks_drops(T test) { return std::isfinite(test.analysis.force_noise); }
+
+std::string sizes_in_words(T test) {
+  const auto& drops = test.analysis.drops.drops;
+  const double largest = deepest_of(drops).force_fall;
+  constexpr double small = 0.1;
+  const auto small_ones = static_cast<std::size_t>(
+      std::count_if(drops.begin(), drops.end(), [&](const Drop& drop) { return drop.force_fall < small * largest; }));
+  return fmt::format(
+      "the largest {}{}", Print(test).own(largest, kind::force),
+      2 * small_ones > drops.size() ? fmt::format(", {} of them below a tenth of that", small_ones) : "");
+}
 
 bool is_slender(T test) { return 2 * test.analysis.rig.fibre.supports().half_depth <= least_height_of_a_bar; }
 

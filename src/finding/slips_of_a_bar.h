@@ -1,4 +1,4 @@
-// What is told of the drops of a specimen that is bent too little to tell its friction.
+// How large the drops are, and what is told of those of a specimen that is bent too little to tell its friction.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,10 @@ namespace flexslip {
 
 // Were drops looked for in a test?
 bool seeks_drops(const FittedTest& test);
+
+// "the largest 850 mN", and how many are small beside it, where that is most: "the largest 850 mN, 8 of them below a tenth of that".
+// Domain:     a test with drops.
+std::string sizes_in_words(const FittedTest& test);
 
 // So slender that a span or a unit is wrong, where it is bent too little.
 bool is_slender(const FittedTest& test);

@@ -339,7 +339,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.S_end = posterior.S_end;
   fit.along = passages.along;
   fit.S_middle = fit.along.length_at(passages.S_middle);
-  const NormalMixture of_mean = widened(posterior.mean, hidden_by_soft_rig(problem.rig.stiffness));
+  fit.hidden_by_rig = hidden_by_soft_rig(problem.rig.stiffness);
+  const NormalMixture of_mean = widened(posterior.mean, fit.hidden_by_rig);
   const auto mean = mean_friction(of_mean);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;

@@ -129,7 +129,7 @@ double hidden_by_soft_rig(double stiffness);
 enum class FrictionFitStatus {
   ok,
   too_few_points,  // fewer than 20 readings are deep enough to tell of friction: nothing else is valid
-  not_explained,  // fewer than 20 of them, or than two in three, are such as friction between 0 and 2 gives, or the fibre passes nothing: nothing else is valid
+  not_explained,  // fewer than 20 of them, or than two in three, are such as some friction gives (Passages), or the fibre passes nothing: nothing else is valid
 };
 
 struct FrictionFit {
@@ -138,12 +138,13 @@ struct FrictionFit {
   std::size_t readings;   // that tell of friction
   double S_begin, S_end;  // [L] the fibre seen, by what has been drawn in
   ContactTravel along;    // where its contacts were then
-  double S_middle;     // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
-  Estimate mu0;        // [1] mean of μ over the fibre seen
-  bool mu0_is_bound;   // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
-  Estimate drift;      // [1/L] dμ/dS, S between the contacts; 0 of a constant
-  Estimate roughness;  // [1] standard deviation of μ about its mean; 0 of the paper's models
-  Estimate length;     // [L] correlation length of it along the fibre; likewise
+  double S_middle;    // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
+  Estimate mu0;       // [1] mean of μ over the fibre seen
+  bool mu0_is_bound;  // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
+  double hidden_by_rig = 0;    // [1] what of its error is that of a soft rig
+  Estimate drift;              // [1/L] dμ/dS, S between the contacts; 0 of a constant
+  Estimate roughness;          // [1] standard deviation of μ about its mean; 0 of the paper's models
+  Estimate length;             // [L] correlation length of it along the fibre; likewise
   Estimate bending_stiffness;  // [1] relative to the nominal one
   // Of mu0, and of ln bending_stiffness; none of a constant.
   std::optional<Sensitivities> friction_by{}, log_stiffness_by{};

@@ -172,7 +172,7 @@ inline std::vector<Situation> situations() {
     test.analysis.fit.wave_claimed = false;
     test.analysis.fit.shortest_wave = 0.1;
   });
-  add("soft_rig", Severity::condition, [](FittedTest& test) { test.analysis.rig.stiffness = 12; });
+  add("soft_rig", Severity::condition, [](FittedTest& test) { test.analysis.fit.hidden_by_rig = 0.1; });
   add("jumps", Severity::note, [](FittedTest& test) {
     test.judgement->jumped = 0.6;
     test.judgement->stiffness_for_all = 300;
