@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/Core>
 #include <Eigen/Dense>
 
 #include "inference/matern.h"

@@ -197,7 +197,7 @@ class Remedies(InFolder):
 
     def test_a_missing_stiffness_is_asked_for_without_the_number_of_another_rig(self):
         said = self.says(READINGS, stiffness=None)
-        self.assertIn('stiffness = "… N/m"', said)
+        self.assertIn('pass --stiffness "… N/m"', said)
         self.assertNotIn("90.65", said)
 
     def test_a_record_steeper_than_its_load_train_is_told_by_how_much(self):
