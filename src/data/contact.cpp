@@ -184,7 +184,7 @@ Baseline find_baseline(std::span<const double> displacement, std::span<const dou
   if (n == 0) return {};
   const double begin = displacement.front(), way = displacement[n - 1] - begin;
   Baseline best;
-  double least = INFINITY;
+  double least = infinity;
   const auto try_it = [&](const auto& shape, double settling) {
     const Line line = line_through(
         n, [&](std::size_t i) { return shape(displacement[i] - begin); }, [&](std::size_t i) { return force[i]; });

@@ -17,6 +17,7 @@
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"
 #include "fibre/supported_state.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -147,7 +148,7 @@ class ContactTravel {
   double first_ = 0, last_ = 0, step_ = 0;  // of σ
   std::vector<Value> knots_;                // none on edges
   double turn_at_ = 0;                      // σ of the least length
-  double turn_ = -INFINITY;                 // [L] of it
+  double turn_ = -infinity;                 // [L] of it
 };
 
 }  // namespace flexslip

@@ -771,7 +771,7 @@ bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops 
 
 // [1] Of the bending stiffness, what the rises say is lost; NaN where they are not judged.
 double lost_by_rises(const SlipOrCrack& rises) {
-  if (!rises.judged) return NAN;
+  if (!rises.judged) return not_a_number;
   const auto& best = std::min({rises.cracks, rises.cracks_constant, rises.cracks_running},
                               [](const auto& a, const auto& b) { return a.bic < b.bic; });
   return 1 - best.left;

@@ -12,6 +12,7 @@
 #include "data/names.h"
 #include "finding/printed.h"
 #include "inference/rig_shifts.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -135,7 +136,7 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
     if (!statement.may_be_there || !(deviation > 0)) continue;
     const double unit = changes_in_spans(quantity) ? analysis.scales.span() : 1;
     const double friction = (*analysis.fit.friction_by)[quantity];
-    const double work = analysis.fit.mu0_is_bound ? NAN : (*analysis.work_by)[quantity];
+    const double work = analysis.fit.mu0_is_bound ? not_a_number : (*analysis.work_by)[quantity];
     const std::string step =
         statement.is_there ? error_in_words(test, quantity, statement.error) : format_roughly(deviation * unit, length);
     all.push_back({.quantity = name_of(quantity),

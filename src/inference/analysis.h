@@ -30,7 +30,7 @@ bool may_slide(const Record& record, const Scales& scales, const Rig& rig, doubl
 
 // The force over that without friction at the same deflection, past the deflection judged_from.
 struct OverFrictionless {
-  double median = NAN, least = NAN;  // [1] NaN without such points
+  double median = not_a_number, least = not_a_number;  // [1] NaN without such points
 };
 
 // Max error:  1e-4.
@@ -98,7 +98,7 @@ struct Replay {
 // Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four
 // fifths between the other two. NaN without points.
 struct FrictionRead {
-  double median = NAN, low80 = NAN, high80 = NAN;  // [1]
+  double median = not_a_number, low80 = not_a_number, high80 = not_a_number;  // [1]
 };
 
 enum class AnalysisStatus {
@@ -121,9 +121,9 @@ struct TestAnalysis {
   bool stiffness_implausible;            // they differ by more than 40 % and twice its error
   Record record;
   ReducedRecord reduced;
-  double force_noise = NAN;    // [EI/L^2] of one reading
-  MeasurementErrors errors{};  // as fitted with
-  RigErrors rig_errors{};      // likewise
+  double force_noise = not_a_number;  // [EI/L^2] of one reading
+  MeasurementErrors errors{};         // as fitted with
+  RigErrors rig_errors{};             // likewise
   Drops drops{};
   std::vector<double>
       most_by_slips{};  // [EI/L^2] of each of them (slip_limit.h), of a bar bent too little to tell friction

@@ -10,6 +10,7 @@
 #include "inference/analysis.h"
 #include "inference/judgement.h"
 #include "inference/population.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -25,14 +26,14 @@ struct TestSummary {
   SawtoothCategory category;
   bool suspect;  // its standing is suspect or untrusted
   Standing standing;
-  CrackVerdict drops_verdict;   // on its drops, of which there may be none
-  double cracks_alone = NAN;    // [1] probability that they alone made them; NaN where nothing tells
-  ProfileModel model;           // that was fitted
-  Estimate mu0;                 // [1] mean friction over the fibre seen
-  bool mu0_is_bound;            // the record does not tell it from none: mu0.high is its upper limit
-  FrictionRead friction_read;   // [1]
-  Estimate roughness;           // [1] 0 of a model without
-  Estimate correlation_length;  // [m] likewise
+  CrackVerdict drops_verdict;          // on its drops, of which there may be none
+  double cracks_alone = not_a_number;  // [1] probability that they alone made them; NaN where nothing tells
+  ProfileModel model;                  // that was fitted
+  Estimate mu0;                        // [1] mean friction over the fibre seen
+  bool mu0_is_bound;                   // the record does not tell it from none: mu0.high is its upper limit
+  FrictionRead friction_read;          // [1]
+  Estimate roughness;                  // [1] 0 of a model without
+  Estimate correlation_length;         // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
   std::optional<Estimate> amplitude{};   // [1]
   std::optional<Estimate> wavelength{};  // [m]
@@ -92,10 +93,10 @@ struct CategorySummary {
 
 // What the drops of all tests say together.
 struct CracksTogether {
-  std::size_t tests = 0;    // with a probability; 0: nothing else is valid
-  double log_odds = NAN;    // [1] ln of the odds that cracks alone made the drops of all, each even beforehand
-  double share = NAN;       // [1] of specimens in which they did: the median of what is left of a uniform prior
-  double share_high = NAN;  // [1] 95 % lie below
+  std::size_t tests = 0;           // with a probability; 0: nothing else is valid
+  double log_odds = not_a_number;  // [1] ln of the odds that cracks alone made the drops of all, each even beforehand
+  double share = not_a_number;     // [1] of specimens in which they did: the median of what is left of a uniform prior
+  double share_high = not_a_number;  // [1] 95 % lie below
 };
 
 // Domain:     probabilities of TestSummary::cracks_alone; those that are NaN tell nothing.

@@ -118,7 +118,7 @@ double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
     probability = with_reload(probability, {judgement.loss_needed, judgement.loss, judgement.loss_error});
   const bool outside =
       most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
-  return outside && verdict_of(probability) != CrackVerdict::cracks ? NAN : probability;
+  return outside && verdict_of(probability) != CrackVerdict::cracks ? not_a_number : probability;
 }
 
 CrackVerdict verdict_on(const Judgement& judgement) {

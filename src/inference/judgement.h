@@ -6,6 +6,7 @@
 
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -30,22 +31,23 @@ struct FrictionIfLost {
 
 // What the drops and a reload say of the specimen, all weighed together.
 struct Judgement {
-  CrackVerdict drops;             // by the rises, and by the reload where there is one
-  double cracks_alone = NAN;      // [1] probability that they alone made the drops, likewise; NaN where nothing tells
+  CrackVerdict drops;  // by the rises, and by the reload where there is one
+  double cracks_alone =
+      not_a_number;               // [1] probability that they alone made the drops, likewise; NaN where nothing tells
   bool drops_are_cracks = false;  // there are some, and they are
   std::size_t impossible = 0;     // drops that cannot be slips
   bool softer_reload = false;     // the last comparable one has lost stiffness
   bool changed_reload = false;    // it is softer or stiffer by more than its error, and by a twentieth
   // [1] Of stiffness, from the loading analysed to the last comparable one after it; where there is none, from the first to that analysed. NaN without.
-  double loss = NAN, loss_error = NAN;
+  double loss = not_a_number, loss_error = not_a_number;
   double loss_needed =
-      NAN;  // [1] of stiffness, by cracks alone to make the drops; NaN where no loading comes after that analysed
+      not_a_number;  // [1] of stiffness, by cracks alone to make the drops; NaN where no loading comes after that analysed
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
   bool few_rows = false;  // most rises between drops have fewer than five
   double jumped = 0;      // [1] of the length seen, that passed in slips
   // [EI/L^3] of a rig on which the mean of the fit does not snap, where more than half of the length seen passed in slips; NaN otherwise
-  double stiffness_for_all = NAN;
+  double stiffness_for_all = not_a_number;
   // For losses of a tenth and a fifth, or for what the reload leaves open; none of a specimen that lost stiffness.
   std::vector<FrictionIfLost> if_lost{};
 };

@@ -520,7 +520,7 @@ SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span
   out.features.margin = std::min({out.cracks.bic, out.cracks_constant.bic, out.cracks_running.bic}) -
                         std::min(out.slip.bic, out.slip_and_cracks.bic);
   out.features.loss_margin = out.slip.bic - out.slip_and_cracks.bic;
-  out.cracks_alone = is_like_calibrated(record, rig) ? cracks_alone(out.features) : NAN;
+  out.cracks_alone = is_like_calibrated(record, rig) ? cracks_alone(out.features) : not_a_number;
   out.verdict = verdict_of(out.cracks_alone);
   return out;
 }

@@ -19,6 +19,7 @@
 #include "bending_test/rig.h"
 #include "data/drops.h"
 #include "data/record.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -64,7 +65,7 @@ double with_reload(double cracks_alone, const ReloadedLoss& loss);
 struct SlipOrCrack {
   bool judged;  // three rises of three rows or more after drops: nothing below is valid otherwise
   CrackVerdict verdict = CrackVerdict::cannot_be_told;
-  double cracks_alone = NAN;  // [1] probability; NaN outside of what it was calibrated for
+  double cracks_alone = not_a_number;  // [1] probability; NaN outside of what it was calibrated for
   RiseFeatures features;
   RiseExplanation cracks_constant, cracks, cracks_running;  // F0, F, G
   RiseExplanation slip, slip_and_cracks;                    // S, B

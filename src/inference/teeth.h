@@ -47,14 +47,14 @@ struct Tooth {
   Estimate position;           // [1] p, its error from scatter
   double position_systematic;  // [1] from EI, contact and load train together: common to all teeth of a test
   ToothVerdict verdict = ToothVerdict::undecided;
-  double compliant_position = NAN;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
+  double compliant_position = not_a_number;  // [1] p of a stuck fibre on supports of the compliance fitted; NaN without
 };
 
 // NaN of fewer than two teeth, and where no positive compliance describes any.
 struct SupportCompliance {
   // [L^3/EI] C, both supports together, from scatter; in um/mN: times L^3/EI in [m/N], times 1000
-  Estimate estimate = normal_estimate(NAN, NAN);
-  double p_value = NAN;  // [1] of slopes that scatter so much about it, if the fibre were stuck on each tooth
+  Estimate estimate = normal_estimate(not_a_number, not_a_number);
+  double p_value = not_a_number;  // [1] of slopes that scatter so much about it, if the fibre were stuck on each tooth
 
   bool is_found() const { return std::isfinite(estimate.value); }
 };

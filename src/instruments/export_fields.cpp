@@ -14,6 +14,7 @@
 #include "io/quantity.h"
 #include "io/table.h"
 #include "io/text_file.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -72,11 +73,12 @@ Fields<ExportColumn> column_fields() {
              [](C column) { return words_for(column.role).name; })
       .any("first", "content of the first row",
            [end](C column) {
-             return end(column, column.values.empty() ? NAN : column.values.front(),
+             return end(column, column.values.empty() ? not_a_number : column.values.front(),
                         [&] { return column.words.front(); });
            })
       .any("last", "content of the last row", [end](C column) {
-        return end(column, column.values.empty() ? NAN : column.values.back(), [&] { return column.words.back(); });
+        return end(column, column.values.empty() ? not_a_number : column.values.back(),
+                   [&] { return column.words.back(); });
       });
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "numerics/elementary.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 #include "result/table.h"
@@ -70,7 +71,7 @@ Plot distribution_figure(const Campaign& campaign) {
   PlotTable tests{"tests",
                   {"test", "category (0 clear; 1 nominal; 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
                    length.column("wavelength"), length.column("low"), length.column("high"), "wave claimed"}};
-  double first = INFINITY, last = -INFINITY, shortest = INFINITY, longest = 0, highest = 1;
+  double first = infinity, last = -infinity, shortest = infinity, longest = 0, highest = 1;
   std::set<SawtoothCategory> with_tests, with_waves;
   for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
     if (!campaign.tests[i].summary) continue;

@@ -12,6 +12,7 @@
 #include "finding/printed.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 
@@ -92,7 +93,8 @@ Chapter friction_chapter(T test, const Answer& answer) {
   const TestAnalysis& analysis = test.analysis;
   const Supports& supports = analysis.rig.fibre.supports();
   const Print print(test);
-  const double modulus = test.section_moment ? analysis.scales.bending_stiffness() / *test.section_moment : NAN;
+  const double modulus =
+      test.section_moment ? analysis.scales.bending_stiffness() / *test.section_moment : not_a_number;
   const Estimate& EI = analysis.fit.bending_stiffness;
   return {
       "Friction",

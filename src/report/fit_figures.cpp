@@ -426,7 +426,7 @@ Plot boxes_figure(const FittedTest& test) {
   for (const CyclicPoint& point : friction.points) {
     const double x = slid(point.S), error = two_sided_95 * point.standard_error;
     const double motion = point.motion == LegMotion::in ? 0 : point.motion == LegMotion::out ? 1 : 2;
-    const double mu = motion == 0 ? point.q : motion == 1 ? -point.q : NAN;
+    const double mu = motion == 0 ? point.q : motion == 1 ? -point.q : not_a_number;
     points.rows.push_back(
         {x, point.q, mu, mu - error, mu + error, motion, static_cast<double>(loop_of(point.leg) + 1)});
     x_max = std::max(x_max, x);

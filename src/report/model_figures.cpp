@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "numerics/elementary.h"
 #include "report/figures.h"
 #include "result/frame.h"
 
@@ -408,7 +409,7 @@ Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPo
   const auto first_deflection = [](const DesignResult& result) {  // [units of the case]
     return result.outcome && result.outcome->first_snap
                ? result.units->scales.physical_length(result.outcome->first_snap->w)
-               : NAN;
+               : not_a_number;
   };
   double deepest = 0;
   for (const auto& point : points) deepest = std::fmax(deepest, first_deflection(point.result));
@@ -470,7 +471,7 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
     const auto [left, right] = x.cell(point.values[0]);
     const auto [low, high] = y.cell(point.values[1]);
     const auto& outcome = point.result.outcome;
-    const double share = outcome && outcome->drops > 0 ? drop_share(*outcome) : NAN;
+    const double share = outcome && outcome->drops > 0 ? drop_share(*outcome) : not_a_number;
     designs.rows.push_back({x(point.values[0]), left, right, y(point.values[1]), low, high, share});
     most = std::fmax(most, share);
   }

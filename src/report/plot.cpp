@@ -8,6 +8,7 @@
 
 #include "data/names.h"
 #include "io/text.h"
+#include "numerics/elementary.h"
 
 namespace flexslip {
 namespace {
@@ -66,7 +67,7 @@ std::string_view axes_of(Mark::Kind kind) {
 
 // Ends that the data decide.
 void decide_ends(Axis& axis, const Plot& plot, const Panel& panel, char name) {
-  double low = INFINITY, high = -INFINITY;
+  double low = infinity, high = -infinity;
   for (const Mark& mark : panel.marks) {
     if (mark.table.empty()) continue;
     const std::string_view along = axes_of(mark.kind);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "numerics/elementary.h"
 #include "report/figures.h"
 #include "result/frame.h"
 
@@ -51,7 +52,7 @@ Plot surface_figure(const SurfaceStudy& study) {
       "spectrum",
       {along.column("wavelength"), fmt::format("density [{}]", density_unit), "low", "high", "smooth part"}};
   const auto interval = density_interval(texture.spectrum.tapers);
-  double most = 0, least = INFINITY, last = 0;
+  double most = 0, least = infinity, last = 0;
   for (std::size_t j = 1; j < texture.spectrum.density.size(); ++j) {
     const double f = texture.spectrum.frequency[j];
     if (f < 0.5 / trace.width() || (last > 0 && f < last * 1.002)) continue;  // finer than the picture
