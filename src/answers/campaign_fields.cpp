@@ -289,6 +289,7 @@ Fields<Campaign> all_fields() {
                  .number("log_odds", "logarithm of the odds that they did in all, each even beforehand",
                          &CracksTogether::log_odds)
                  .number("share", "share of specimens in which they did, the median", &CracksTogether::share)
+                 .number("share_low", "95 % of the probability lie above", &CracksTogether::share_low)
                  .number("share_high", "95 % of the probability lie below", &CracksTogether::share_high),
              [](const Campaign& campaign) { return campaign.cracks.tests > 0 ? &campaign.cracks : nullptr; })
       .number("shared_error",

@@ -84,6 +84,18 @@ std::size_t drops_in_other_loadings(const Measurement& measurement) {
   return drops;
 }
 
+// The points of the loading evaluated after which the stage halted.
+std::vector<std::size_t> halts_in(const Measurement& measurement) {
+  const auto& rows = measurement.sampling.rows;
+  const auto& halts = measurement.sampling.halts;
+  std::vector<std::size_t> points;
+  for (std::size_t point = 0; point < measurement.record.force.size(); ++point)
+    if (measurement.first + point < rows.size() &&
+        std::binary_search(halts.begin(), halts.end(), rows[measurement.first + point]))
+      points.push_back(point);
+  return points;
+}
+
 // The friction of the loops, where they tell the bending stiffness.
 std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, const Scales& scales, const Rig& rig) {
   if (!measurement.cycles) return std::nullopt;
@@ -220,7 +232,9 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   }
   const BeamGeometry geometry = geometry_of(input);
   const SmallDeflection standard = small_deflection_of(measurement);
-  TestAnalysis analysis = analyse(measurement.record, description, options);
+  AnalysisOptions of_record = options;
+  of_record.drops.halts = halts_in(measurement);
+  TestAnalysis analysis = analyse(measurement.record, description, of_record);
   std::optional<CyclicAnswer> cycles;
   if (measurement.cycles) {
     CyclesOptions cycles_options;

@@ -510,6 +510,9 @@ void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
   const Halts halts = find_halts(record.stage);
   if (halts.points.empty()) return;
   sampling.at_rest = halts.points.size();
+  for (std::size_t i = 0; i < halts.points.size(); ++i)
+    if (i == 0 || halts.points[i] > halts.points[i - 1] + 1)
+      sampling.halts.push_back(sampling.rows[halts.points[i] - 1]);
   steps.add("holds", true,
             fmt::format("{} rows read while the stage halts, at {} {}, are left out", halts.points.size(), halts.places,
                         halts.places == 1 ? "place" : "places"),

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::size_t min_points = 30;
 constexpr std::size_t longest = 3;  // [steps] a drop may take that long
+constexpr double of_resolution =
+    2.5;  // a fall by two of its steps may be two roundings and a little noise that they hide
 
 void require(const DropOptions& options) {
   if (options.false_alarms_per_test > 0 && std::isfinite(options.false_alarms_per_test)) return;
@@ -58,18 +60,22 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   const double needed = halved_until(fine, {0, beyond}, is_enough).low;
 
   const std::vector<double> smooth = smooth_steps(record);
+  const auto has_halted = [&](std::size_t point) {
+    return std::binary_search(options.halts.begin(), options.halts.end(), point);
+  };
+  const double coarse = of_resolution * resolution_of(force);
   std::vector<Stretch> found;
   for (std::size_t length = 1; length <= longest; ++length) {
     const double noise = step_noise(record, smooth, length);
     std::size_t falling = 0;  // steps up to here
     for (std::size_t to = 1; to < points; ++to) {
-      falling = force[to] < force[to - 1] ? falling + 1 : 0;
+      falling = force[to] < force[to - 1] && !has_halted(to - 1) ? falling + 1 : 0;
       if (falling < length) continue;
       const std::size_t from = to - length;
       double course = 0;
       for (std::size_t i = from; i < to; ++i) course += smooth[i];
       const double unexplained = std::min(0.0, course) - (force[to] - force[from]);
-      if (unexplained > needed * noise) found.push_back({from, to, unexplained / noise});
+      if (unexplained > std::max(needed * noise, coarse)) found.push_back({from, to, unexplained / noise});
     }
   }
 
@@ -84,7 +90,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   }
 
   const double noise = step_noise(record, smooth, 1);
-  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = needed * noise};
+  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = std::max(needed * noise, coarse)};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};

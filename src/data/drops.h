@@ -11,6 +11,8 @@ namespace flexslip {
 struct DropOptions {
   // [1] drops to be expected in a test of this length without slips, see find_drops
   double false_alarms_per_test = 0.1;
+  // Points after which the stage halted, rising: what the force did meanwhile is no drop.
+  std::vector<std::size_t> halts{};
 };
 
 struct Drop {
@@ -49,6 +51,7 @@ struct Drops {
 //             x = (min(0, smooth fall) - (F_j - F_i)) / noise over j - i steps,
 //         with smooth_steps and step_noise of record.h. The tail of Student's t (the noise is itself an estimate) at x, times the
 //         number of stretches looked at, is the number of false alarms to be expected; it must not exceed that allowed.
+//         A fall is beyond 2.5 steps of the resolution, too, which hides noise from step_noise.
 //         Of overlapping stretches the most significant counts; stretches that touch are one drop.
 //         Noise is absolute, so low force needs nothing special: near contact, where the force is hardly more than noise, the
 //         same falls are required as anywhere else. That a drop runs along slope -k_c in (w0, F) is used nowhere: F = k_c (w_s -

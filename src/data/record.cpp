@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -225,15 +226,31 @@ double resolution_of(std::vector<double> readings) {
   const double rounding =
       1e-12 * std::max(std::abs(readings.front()), std::abs(readings.back()));  // decimal fractions, subtracted
   double smallest = std::numeric_limits<double>::infinity();
-  bool alike = false;
+  std::vector<double> gaps;
   for (std::size_t i = 1; i < readings.size(); ++i) {
     const double gap = readings[i] - readings[i - 1];
-    if (gap > rounding)
-      smallest = std::min(smallest, gap);
-    else
-      alike = true;
+    if (gap <= rounding) continue;
+    smallest = std::min(smallest, gap);
+    gaps.push_back(gap);
   }
-  return alike && std::isfinite(smallest) ? smallest : 0;
+  if (gaps.empty()) return 0;
+  if (gaps.size() + 1 < readings.size()) return smallest;  // two are alike
+  // Gaps of three sizes or more that are all whole numbers of one step: a straight line without noise has one.
+  const auto are_steps_of = [&](double step) {
+    std::set<double> sizes;
+    for (const double gap : gaps) {
+      constexpr double off = 1e-4;  // [1] of a gap
+      const double steps = gap / step;
+      if (std::abs(steps - std::round(steps)) > off * steps) return false;
+      sizes.insert(std::round(steps));
+    }
+    return sizes.size() >= 3;
+  };
+  constexpr std::size_t enough = 20;
+  constexpr int most = 10;  // of steps in the smallest gap
+  for (int parts = 1; gaps.size() >= enough && parts <= most; ++parts)
+    if (are_steps_of(smallest / parts)) return smallest / parts;
+  return 0;
 }
 
 double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps) {

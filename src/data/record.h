@@ -76,7 +76,8 @@ RecordCheck check_record(const Record& record);
 // side: immune to up to 10 drops in a window. At the ends the outermost window is continued linearly.
 std::vector<double> smooth_steps(const Record& record);
 
-// The resolution of a digital instrument, in the unit of its readings: the smallest difference between them; 0 if no two are alike.
+// The resolution of a digital instrument, in the unit of its readings: the smallest difference between them; 0 if no two are alike and they do not lie
+// in steps of it (at least 20 of them).
 // Domain: at least one reading.
 double resolution_of(std::vector<double> readings);
 
@@ -131,14 +132,15 @@ Signs find_signs(std::span<const double> displacement, std::span<const double> f
 // Which rows of a record say something new: loggers repeat rows, hold values, and interpolate between readings.
 
 struct Sampling {
-  std::vector<std::size_t> rows;  // those that count, rising; the first row of the record is one
-  std::size_t end;                // after the last row of the record
-  std::size_t repeated;           // rows that say what the row before says
-  std::size_t held;               // rows whose force is that of the row before, while the displacement has moved on
-  std::size_t interpolated;       // rows between readings
-  std::size_t stride;             // of the rest one in so many counts
-  std::size_t at_rest = 0;        // read while the stage halted, left out by whoever looked for them
-  std::size_t spikes = 0;         // readings that are none (no_readings.h), left out by whoever looked for them
+  std::vector<std::size_t> rows;     // those that count, rising; the first row of the record is one
+  std::size_t end;                   // after the last row of the record
+  std::size_t repeated;              // rows that say what the row before says
+  std::size_t held;                  // rows whose force is that of the row before, while the displacement has moved on
+  std::size_t interpolated;          // rows between readings
+  std::size_t stride;                // of the rest one in so many counts
+  std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them
+  std::vector<std::size_t> halts{};  // the rows before those, rising
+  std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
 };
 
 // Domain:     columns of one length; most >= 1: no more rows count.

@@ -954,7 +954,7 @@ std::string slip_or_crack_in_words(T test) {
     parts.emplace_back(most_are_impossible(judgement.impossible, drops)
                            ? "no probability while so many drops cannot be slips"
                        : stiffness_is_off(test.analysis)
-                           ? "no probability while the bending stiffness is not that stated: check the load train"
+                           ? "no probability while the record has another bending stiffness: check the load train"
                            : "no probability: such records were not simulated");
   if (std::isfinite(judgement.loss_needed) && !lost_stiffness(judgement))
     parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
@@ -1069,8 +1069,9 @@ std::string reload_in_words(T test) {
   std::vector<std::string> parts;
   if (friction.status == CyclesStatus::ok && !lost_stiffness(*test.judgement)) {
     const auto [in, out, rms] = direction_means(friction);
-    parts.push_back(fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
-                                is_beyond_friction(friction) ? ", which differ by more than friction can" : ""));
+    parts.push_back(
+        fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
+                    is_beyond_friction(friction) ? "; EI and contact had to move too far to make them alike" : ""));
   }
   if (std::isfinite(test.judgement->loss))
     parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),

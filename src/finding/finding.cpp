@@ -66,8 +66,12 @@ std::string checks_in_words(const Answer& answer) {
   const auto checks = std::count_if(answer.findings.begin(), answer.findings.end(), is_check);
   const auto good = std::count_if(answer.findings.begin(), answer.findings.end(), passed);
   if (checks == 0) return "";
-  return good == checks ? fmt::format("All {} checks passed.", checks)
-                        : fmt::format("{} of {} checks passed.", good, checks);
+  const auto unjudged = std::count_if(answer.findings.begin(), answer.findings.end(), [&](const Finding& finding) {
+    return is_check(finding) && finding.severity == Severity::unjudged;
+  });
+  if (unjudged > 0) return fmt::format("{} of {} checks passed, {} not possible here.", good, checks, unjudged);
+  if (good < checks) return fmt::format("{} of {} checks passed.", good, checks);
+  return fmt::format("{} {} checks passed.", doubts_of(answer).empty() ? "All" : "The other", checks);
 }
 
 std::string next_in_words(const Answer& answer) {

@@ -173,6 +173,7 @@ CracksTogether cracks_together(std::span<const TestSummary> tests) {
     return 1.0;
   };
   together.share = below(0.5);
+  together.share_low = below(0.05);
   together.share_high = below(0.95);
   return together;
 }

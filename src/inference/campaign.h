@@ -96,7 +96,7 @@ struct CracksTogether {
   std::size_t tests = 0;           // with a probability; 0: nothing else is valid
   double log_odds = not_a_number;  // [1] ln of the odds that cracks alone made the drops of all, each even beforehand
   double share = not_a_number;     // [1] of specimens in which they did: the median of what is left of a uniform prior
-  double share_high = not_a_number;  // [1] 95 % lie below
+  double share_low = not_a_number, share_high = not_a_number;  // [1] 95 % lie above, and below
 };
 
 // Domain:     probabilities of TestSummary::cracks_alone; those that are NaN tell nothing.

@@ -121,9 +121,10 @@ std::string verdicts_in_words(const Campaign& campaign) {
 std::string cracks_in_words(const Campaign& campaign) {
   const CracksTogether& cracks = campaign.cracks;
   if (cracks.tests < 2) return "";
-  return fmt::format(
-      " Together: cracks alone made the drops in {} of specimens ({}, fewer than {} with 95 % probability).",
-      format_percent(cracks.share), format_count(cracks.tests, "test", "tests"), format_percent(cracks.share_high));
+  const bool in_few = cracks.share < 0.5;
+  return fmt::format(" Together: cracks alone made the drops in {} than {} of specimens (95 %, by {}).",
+                     in_few ? "fewer" : "more", format_percent(in_few ? cracks.share_high : cracks.share_low),
+                     format_count(cracks.tests, "test", "tests"));
 }
 
 // Of the work under the curves, what went into friction.

@@ -130,6 +130,25 @@ TEST_CASE("drops: force that steps down by its resolution as it slowly falls has
   CHECK(find_drops(record).drops.empty());
 }
 
+TEST_CASE("drops: of a coarse force with noise below its resolution none are false (limit)") {
+  constexpr double resolution = 1;
+  std::size_t found = 0;
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> normal(0, 0.3 * resolution);
+    Record record;
+    for (int i = 0; i < 1100; ++i) {
+      record.stage.push_back(5e-6 * i);
+      record.force.push_back(resolution * std::round((0.12 * i + normal(generator)) / resolution));
+      record.deflection.push_back(record.stage.back());
+    }
+    const Drops drops = find_drops(record);
+    CHECK(drops.smallest_fall > 2 * resolution);
+    found += drops.drops.size();
+  }
+  CHECK(found <= 2);  // of 0.1 a test
+}
+
 TEST_CASE("drops: one that takes two or three steps is one (truth known)") {
   Record record = smooth_test(Noise::white, 4);
   for (const std::size_t before : {100u, 101u, 102u, 150u, 151u}) add_drop(record, before, 2e-4);

@@ -126,6 +126,16 @@ TEST_CASE("record: noise is never below the resolution, and zero only without no
   CHECK_THROWS_AS(force_noise(straight_test(10, 0, 0, 1)), std::invalid_argument);
 }
 
+TEST_CASE("record: readings in steps have their resolution, whether two are alike or not (limit)") {
+  std::vector<double> rising, alike{0, 0.3, 0.3, 0.7};
+  for (int i = 0; i < 100; ++i)
+    rising.push_back(0.1 * (10 * i + (i % 3 == 0 ? 0 : 2 + i % 3)));  // 1.3, 1.1 and 0.6 apart
+  CHECK(resolution_of(rising) == doctest::Approx(0.1));
+  CHECK(resolution_of(alike) == doctest::Approx(0.3));
+  for (std::size_t i = 0; i < rising.size(); ++i) rising[i] += 0.01 * std::sin(static_cast<double>(i));
+  CHECK(resolution_of(rising) == 0);
+}
+
 TEST_CASE("record: a load cell that sleeps before contact does not hide the noise (limit)") {
   Record record = straight_test(300, 0, 4e-6, 3);
   const double awake = force_noise(record);

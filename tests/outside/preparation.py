@@ -200,6 +200,14 @@ class Loading(InFolder):
             self.friction_is_half(fit)
             self.assertIn(f"{length} while the stage halted", fit["answer"][0]["words"])
 
+    def test_limit_what_relaxes_during_a_hold_and_stays_relaxed_is_no_drop(self):
+        draw = random.Random(9)
+        rows = [(0.01 * i, 0.01 * i, STIFFNESS * 1e-3 * 0.01 * i * (0.85 if i > 250 else 1) + draw.gauss(0, 0.02)) for i in range(400)]
+        held = [(2.5, 2.5, rows[250][2] * (0.85 + 0.15 * math.exp(-k)) + draw.gauss(0, 0.02)) for k in range(1, 9)]
+        fit = self.json("fit", self.file("bar.csv", bluehill(rows[:251] + held + rows[251:], 1)), *BAR, "--displacement", "deflection", "--modulus", "3 GPa",
+                        "--supports", "edges", "--stiffness", "inf")
+        self.assertEqual(fit["verdict"]["code"], "no_drops", fit["verdict"])
+
     def test_truth_drops_of_a_bar_are_held_against_what_a_slip_can_do(self):
         """64 by 4 mm, bent by 3 mm: a slip can take 0.085 of the force at most."""
         for loss, verdict in ((0.25, "crack"), (0.03, "undecided"), (0, "no_drops")):
