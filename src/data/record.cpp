@@ -71,39 +71,27 @@ std::vector<StepSlope> step_slopes(const Record& record) {
   return steps;
 }
 
-// The g that minimises Σ weight |slope - g|: a weighted median. The steps are left in another order.
-double middle_slope(std::span<StepSlope> steps) {
-  const auto weight_of = [](std::span<const StepSlope> some) {
-    return std::accumulate(some.begin(), some.end(), 0.0,
-                           [](double sum, const StepSlope& step) { return sum + step.weight; });
-  };
-  const double half = 0.5 * weight_of(steps);
-  if (!(half > 0)) return 0;  // the stage stood still
-  double below = 0;           // the weight of what has been found to be less
-  while (steps.size() > 1) {
-    const std::size_t middle = steps.size() / 2;
-    std::nth_element(steps.begin(), steps.begin() + static_cast<std::ptrdiff_t>(middle), steps.end(),
-                     [](const StepSlope& a, const StepSlope& b) { return a.slope < b.slope; });
-    const double lower = weight_of(steps.first(middle));
-    if (below + lower >= half) {
-      steps = steps.first(middle);
-    } else {
-      below += lower;
-      steps = steps.subspan(middle);
-    }
-  }
-  return steps.front().slope;
-}
-
-// The same, of a window whose slopes are straightened by a bend [N/m per step] first: without that, the median of a curve that
-// bends by more than its noise is the middle step itself, noise and all.
+// The g that minimises Σ weight |slope - g|, a weighted median, of a window whose slopes are straightened by a bend [N/m per step] first: without that,
+// the median of a curve that bends by more than its noise is the middle step itself, noise and all.
 double middle_slope(std::span<const StepSlope> window, double bend) {
-  std::array<StepSlope, 2 * half_window + 1> copy{};
-  const auto steps = std::span(copy).first(window.size());
-  std::copy(window.begin(), window.end(), steps.begin());
-  const double middle = 0.5 * static_cast<double>(steps.size() - 1);
-  for (std::size_t i = 0; i < steps.size(); ++i) steps[i].slope -= bend * (static_cast<double>(i) - middle);
-  return middle_slope(steps);
+  std::array<double, 2 * half_window + 1> slopes{}, below{};  // the weight of lesser slopes
+  const std::size_t n = window.size();
+  const double middle = 0.5 * static_cast<double>(n - 1);
+  double total = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    slopes[i] = window[i].slope - bend * (static_cast<double>(i) - middle);
+    total += window[i].weight;
+  }
+  // Few enough to compare each with each, which processors do faster than to sort them.
+  for (std::size_t j = 0; j < n; ++j) {
+    const double slope = slopes[j], weight = window[j].weight;
+    for (std::size_t i = 0; i < n; ++i) below[i] += slope < slopes[i] ? weight : 0;
+  }
+  if (!(total > 0)) return 0;  // the stage stood still
+  double median = -infinity;
+  for (std::size_t i = 0; i < n; ++i)
+    if (below[i] < 0.5 * total) median = std::max(median, slopes[i]);
+  return median;
 }
 
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
