@@ -1163,12 +1163,6 @@ std::string mean_friction(const FrictionFit& fit) {
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 
-double largest_drop(const TestAnalysis& analysis) {
-  double largest = 0;
-  for (const Drop& drop : analysis.drops.drops) largest = std::max(largest, drop.force_fall);
-  return largest;
-}
-
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
   Verdict verdict = verdict_whatever_the_supports(test, findings);

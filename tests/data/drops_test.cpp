@@ -130,6 +130,14 @@ TEST_CASE("drops: force that steps down by its resolution as it slowly falls has
   CHECK(find_drops(record).drops.empty());
 }
 
+TEST_CASE("drops: what the force does while the stage halts is none (limit)") {
+  Record record = smooth_test(Noise::white, 4);
+  add_drop(record, 120, 1e-3);
+  REQUIRE(find_drops(record).drops.size() == 1);
+  CHECK(find_drops(record, {.halts = {120}}).drops.empty());
+  CHECK(find_drops(record, {.halts = {60, 121}}).drops.size() == 1);
+}
+
 TEST_CASE("drops: of a coarse force with noise below its resolution none are false (limit)") {
   constexpr double resolution = 1;
   std::size_t found = 0;

@@ -127,6 +127,16 @@ TEST_CASE("checks: those that failed are counted, whatever became of them") {
   const Answer one_failed =
       answer_of(changed([](FittedTest& test) { check_of(test, CheckKind::whiteness).outcome = CheckOutcome::failed; }));
   CHECK(has(checks_in_words(one_failed), " of "));
+  auto doubted = answer_of(slipping());
+  doubted.findings.push_back({.code = "few_rows", .severity = Severity::doubt, .sentence = "Few."});
+  CHECK(checks_in_words(doubted).starts_with("The other "));
+  auto unjudged = answer_of(slipping());
+  for (Finding& finding : unjudged.findings)
+    if (finding.is_check) {
+      finding.severity = Severity::unjudged;
+      break;
+    }
+  CHECK(has(checks_in_words(unjudged), "1 not possible here"));
 }
 
 TEST_CASE("answer: rows have one order for every test, and the next step is that of the verdict") {

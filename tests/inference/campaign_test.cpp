@@ -42,6 +42,7 @@ TEST_CASE("cracks together: by hand, and jointly surer than any test") {
   const auto even = with({0.5, 0.5});
   CHECK(even.log_odds == 0);
   CHECK(even.share_high == doctest::Approx(0.95).epsilon(0.01));
+  CHECK(even.share_low == doctest::Approx(0.05).epsilon(0.01));
   const auto twenty = with(std::vector<double>(20, 0.05));
   CHECK(twenty.log_odds == doctest::Approx(20 * std::log(0.05 / 0.95)));
   CHECK(twenty.share_high < 0.2);
