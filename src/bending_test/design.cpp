@@ -115,9 +115,8 @@ std::vector<RecordedForce> record_of(const BendingTest& test, double travel, dou
   constexpr double most = 20000;
   constexpr int points_of_stretch = 60;
   const auto path = [&] {
-    if (step == 0 || travel / step > most)
-      return follow_continuously(test, std::vector{travel}, points_of_stretch).path;
-    return follow_in_steps(test, stage_steps(std::vector{0.0, travel}, step)).path;
+    if (step == 0 || travel / step > most) return path_continuously(test, std::vector{travel}, points_of_stretch).path;
+    return path_in_steps(test, stage_steps(std::vector{0.0, travel}, step)).path;
   }();
   std::vector<RecordedForce> record;
   record.reserve(path.size());

@@ -33,9 +33,12 @@ PathPoint CrackingFibre::in_first_units(PathPoint point) const {
   return point;
 }
 
-Stretch CrackingFibre::in_first_units(Stretch stretch) const {
-  auto& [from, to, work] = stretch;
-  return {in_first_units(from), in_first_units(to), {work.stage * left_, work.friction * left_, work.released * left_}};
+Stretch CrackingFibre::in_first_units(const Stretch& stretch) const {
+  return {in_first_units(stretch.from), in_first_units(stretch.to), in_first_units(stretch.jump)};
+}
+
+StretchWork CrackingFibre::in_first_units(const StretchWork& work) const {
+  return {work.stage * left_, work.friction * left_, work.released * left_};
 }
 
 std::optional<Stretch> CrackingFibre::advance_towards(double stage) {
@@ -63,22 +66,27 @@ std::optional<Stretch> CrackingFibre::advance_to_next(double stage) {
 }
 
 Stretch CrackingFibre::crack() {
-  const auto energy = [&](const PathPoint& point) { return account_after({}, {point, point, {}}, test_.rig); };
-  Stretch stretch{state(), {}, {}};
+  const auto energy = [&](const PathPoint& point) { return account_after({}, {}, point, test_.rig); };
+  Stretch stretch{state(), {}};
   left_ *= 1 - cracks_.back().loss;
   cracks_.pop_back();
   fibre_ = MovingFibre({fibre_.friction(), rig(), test_.rest}, farthest_, stretch.from);
   stretch.to = state();
   stretch.to.motion = Motion::crack;
   const EnergyAccount before = energy(stretch.from), after = energy(stretch.to);
-  stretch.work.cracked = before.bending + before.load_train - (after.bending + after.load_train);
+  stretch.jump.cracked = before.bending + before.load_train - (after.bending + after.load_train);
   due_ = !cracks_.empty() && stretch.to.w >= cracks_.back().w;
   cracked_ = true;
   return stretch;
 }
 
+StretchWork CrackingFibre::work_of(const Stretch& stretch) {
+  if (stretch.is_jump()) return stretch.jump;
+  return in_first_units(fibre_.work_of(stretch));  // of its lengths and frictions, which have no units of stiffness
+}
+
 std::vector<Stretch> CrackingFibre::parts_of(const Stretch& stretch, int n) {
-  if (stretch.from.stage == stretch.to.stage) return {stretch};
+  if (stretch.is_jump()) return {stretch};
   std::vector<Stretch> parts;
   for (const Stretch& part : fibre_.parts_of(stretch, n)) parts.push_back(in_first_units(part));
   parts.front().from = stretch.from;
@@ -101,11 +109,35 @@ double farthest_of(std::span<const double> stages) {
   return farthest;
 }
 
-// Moves a fibre and keeps the books.
+// What is noted beside a path: nothing, or where the energy goes.
+class NoBooks {
+ public:
+  void account_for(CrackingFibre&, const Stretch&) {}
+  void close_point() {}
+};
+
+class Books {
+ public:
+  explicit Books(const Rig& rig) : rig_(rig) {}
+
+  void account_for(CrackingFibre& fibre, const Stretch& stretch) {
+    now = account_after(now, fibre.work_of(stretch), stretch.to, rig_);
+  }
+  void close_point() { at_points.push_back(now); }
+
+  EnergyAccount now{};
+  std::vector<EnergyAccount> at_points;
+
+ private:
+  Rig rig_;
+};
+
+// Moves a fibre and writes down what happens.
+template <class Noted>
 class Recorder {
  public:
-  Recorder(const BendingTest& test, const std::vector<Crack>& cracks, double farthest)
-      : rig_(test.rig), fibre_(test, cracks, farthest) {}
+  Recorder(const BendingTest& test, const std::vector<Crack>& cracks, double farthest, Noted books)
+      : rig_(test.rig), fibre_(test, cracks, farthest), books_(std::move(books)) {}
 
   // To a stage position; false if the fibre does not get there.
   bool move_to(double stage) {
@@ -140,50 +172,77 @@ class Recorder {
   }
 
   void record(const PathPoint& point) {
-    history_.path.push_back(point);
-    history_.energy_at.push_back(history_.energy);
+    path_.path.push_back(point);
+    books_.close_point();
     if (const TwoSupportPath* path = fibre_.friction().kinetic.two_supports())
-      history_.contacts.push_back(path->points_at(std::max(point.S, 1.0)));
+      path_.contacts.push_back(path->points_at(std::max(point.S, 1.0)));
   }
 
   PathPoint state() const { return fibre_.state(); }
 
-  History finish() {
-    history_.status = fibre_.end();
-    return std::move(history_);
+  TestPath path() && {
+    path_.status = fibre_.end();
+    return std::move(path_);
   }
+  Noted books() && { return std::move(books_); }
 
  private:
   void account_for(const Stretch& stretch) {
-    history_.energy = account_after(history_.energy, stretch, rig_);
-    const auto& [from, to, work] = stretch;
-    if (to.motion == Motion::snap) history_.snaps.push_back({to.stage, from, to, work.friction, work.released});
-    if (to.motion == Motion::crack) history_.cracks.push_back({to.stage, from, to, work.cracked});
+    books_.account_for(fibre_, stretch);
+    const auto& [from, to, jump] = stretch;
+    if (to.motion == Motion::snap) path_.snaps.push_back({to.stage, from, to, jump.friction, jump.released});
+    if (to.motion == Motion::crack) path_.cracks.push_back({to.stage, from, to, jump.cracked});
   }
 
   Rig rig_;
   CrackingFibre fibre_;
-  History history_{};
+  Noted books_;
+  TestPath path_{};
 };
+
+History history_of(Recorder<Books> recorder) {
+  Books books = std::move(recorder).books();
+  return {std::move(recorder).path(), std::move(books.at_points), books.now};
+}
+
+template <class Noted>
+Recorder<Noted> in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks,
+                         Noted books, const HistoryProgress& progress = {}) {
+  Recorder<Noted> recorder(test, cracks, farthest_of(stages), std::move(books));
+  for (std::size_t i = 0; i < stages.size() && recorder.move_to(stages[i]); ++i)
+    if (progress) progress(i + 1, stages.size());
+  return recorder;
+}
+
+template <class Noted>
+Recorder<Noted> continuously(const BendingTest& test, std::span<const double> turning_points, int n,
+                             const std::vector<Crack>& cracks, Noted books, const HistoryProgress& progress = {}) {
+  if (n < 2) throw std::invalid_argument("a stretch needs at least 2 points, not " + std::to_string(n));
+  Recorder<Noted> recorder(test, cracks, farthest_of(turning_points), std::move(books));
+  recorder.record(recorder.state());
+  for (std::size_t i = 0; i < turning_points.size() && recorder.move_along(turning_points[i], n); ++i)
+    if (progress) progress(i + 1, turning_points.size());
+  return recorder;
+}
 
 }  // namespace
 
+TestPath path_in_steps(const BendingTest& test, std::span<const double> stages) {
+  return in_steps(test, stages, {}, NoBooks()).path();
+}
+
+TestPath path_continuously(const BendingTest& test, std::span<const double> turning_points, int n) {
+  return continuously(test, turning_points, n, {}, NoBooks()).path();
+}
+
 History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks,
                         const HistoryProgress& progress) {
-  Recorder recorder(test, cracks, farthest_of(stages));
-  for (std::size_t i = 0; i < stages.size() && recorder.move_to(stages[i]); ++i)
-    if (progress) progress(i + 1, stages.size());
-  return recorder.finish();
+  return history_of(in_steps(test, stages, cracks, Books(test.rig), progress));
 }
 
 History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
                             const std::vector<Crack>& cracks, const HistoryProgress& progress) {
-  if (n < 2) throw std::invalid_argument("a stretch needs at least 2 points, not " + std::to_string(n));
-  Recorder recorder(test, cracks, farthest_of(turning_points));
-  recorder.record(recorder.state());
-  for (std::size_t i = 0; i < turning_points.size() && recorder.move_along(turning_points[i], n); ++i)
-    if (progress) progress(i + 1, turning_points.size());
-  return recorder.finish();
+  return history_of(continuously(test, turning_points, n, cracks, Books(test.rig), progress));
 }
 
 std::vector<double> stage_steps(std::span<const double> turns, double step) {

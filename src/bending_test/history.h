@@ -42,12 +42,14 @@ class CrackingFibre {
   // As those of MovingFibre. The energy that a crack sets free is that of fibre and rig before it less that after.
   // Max error:  of the deflection of a crack, its rounding.
   std::optional<Stretch> advance_towards(double stage);
+  StretchWork work_of(const Stretch& stretch);
   std::vector<Stretch> parts_of(const Stretch& stretch, int n);
   void halt() { fibre_.halt(); }
 
  private:
   PathPoint in_first_units(PathPoint point) const;
-  Stretch in_first_units(Stretch stretch) const;
+  Stretch in_first_units(const Stretch& stretch) const;
+  StretchWork in_first_units(const StretchWork& work) const;
   std::optional<Stretch> advance_to_next(double stage);
   Stretch crack();
   Rig rig() const { return {test_.rig.stiffness / left_, test_.rig.fibre}; }
@@ -76,14 +78,19 @@ struct CrackOpened {
   double released;          // [EI/L]
 };
 
-struct History {
-  HistoryStatus status;  // unless ok, the path holds the points before, and the account all that happened up to the end
+// What happened on the way.
+struct TestPath {
+  HistoryStatus status;  // unless ok, the path ends before
   std::vector<PathPoint> path;
-  std::vector<EnergyAccount> energy_at;  // at each point of the path
-  std::vector<ContactPoints> contacts;   // likewise, on two supports that are not alike; else none
+  std::vector<ContactPoints> contacts;  // at each point, on two supports that are not alike; else none
   std::vector<Snap> snaps;
   std::vector<CrackOpened> cracks;
-  EnergyAccount energy;  // at the end
+};
+
+// With where the energy went.
+struct History : TestPath {
+  std::vector<EnergyAccount> energy_at;  // at each point of the path
+  EnergyAccount energy;                  // at the end: all that happened up to there
 };
 
 // Of the stage positions or turning points of a programme so many are done. Called after each.
@@ -103,6 +110,10 @@ History follow_in_steps(const BendingTest& test, std::span<const double> stages,
 // Domain:     turning points as stages above, n >= 2; std::invalid_argument otherwise.
 History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
                             const std::vector<Crack>& cracks = {}, const HistoryProgress& progress = {});
+
+// The same two of a specimen that does not crack, without the energies, whose integrals cost as much as the rest of the way.
+TestPath path_in_steps(const BendingTest& test, std::span<const double> stages);
+TestPath path_continuously(const BendingTest& test, std::span<const double> turning_points, int n);
 
 // A stage that moves in steps.
 

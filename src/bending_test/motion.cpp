@@ -62,7 +62,7 @@ bool begins_shallow(const Stretch& stretch) { return std::min(stretch.from.S, st
 
 // From where to where a stretch leads, in what state_within takes.
 std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) {
-  const auto& [from, to, work] = stretch;
+  const auto& [from, to, jump] = stretch;
   if (begins_shallow(stretch)) return {from.w, to.w};
   if (to.motion == Motion::stick) return {from.q, to.q};
   return {fibre.way(from.S), fibre.way(to.S)};
@@ -301,8 +301,10 @@ std::optional<Stretch> MovingFibre::lose(Sliding sliding) {
   return std::nullopt;
 }
 
-StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to) {
-  if (to.motion == Motion::apart) return {0, 0, 0};
+StretchWork MovingFibre::work_of(const Stretch& stretch) {
+  const auto& [from, to, jump] = stretch;
+  if (stretch.is_jump()) return jump;
+  if (to.motion == Motion::apart) return {};
   if (std::min(from.S, to.S) < 1) return shallow().work(from, to);
   if (to.motion == Motion::stick) {
     const SlidingWork work = work_of_stick(from.S, from.q, to.q, test_.rig);
@@ -313,7 +315,7 @@ StretchWork MovingFibre::work_between(const PathPoint& from, const PathPoint& to
 }
 
 Stretch MovingFibre::move_to(const PathPoint& point) {
-  const Stretch stretch{state_, point, work_between(state_, point)};
+  const Stretch stretch{state_, point};
   state_ = point;
   return stretch;
 }
@@ -326,7 +328,7 @@ Stretch MovingFibre::jump_to(const PathPoint& point, const SnapWork& work) {
 
 // At rest `along` is q, in sliding √(S - 1), and w where it is shallow.
 PathPoint MovingFibre::point_within(const Stretch& stretch, double along) const {
-  const auto& [from, to, work] = stretch;
+  const auto& [from, to, jump] = stretch;
   if (begins_shallow(stretch)) return shallow().point_at(from, to, along);
   const Fibre& fibre = test_.rig.fibre;
   FibreState state;
@@ -349,8 +351,8 @@ double MovingFibre::stage_at_deflection(const Stretch& stretch, double w) const 
 
 std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
   if (n < 2) throw std::invalid_argument("a stretch has at least 2 points, not " + std::to_string(n));
-  const auto& [from, to, work] = stretch;
-  if (from.stage == to.stage) return {stretch};
+  const auto& [from, to, jump] = stretch;
+  if (stretch.is_jump()) return {stretch};
   const Motion motion = to.motion;
   const auto [low, high] = extent_of(test_.rig.fibre, stretch);
   std::vector<Stretch> parts;
@@ -363,20 +365,21 @@ std::vector<Stretch> MovingFibre::parts_of(const Stretch& stretch, int n) {
     } else if (i < n - 1) {
       next = point_within(stretch, low + (high - low) * i / (n - 1));
     }
-    parts.push_back({last, next, work_between(last, next)});
+    parts.push_back({last, next});
     last = next;
   }
   return parts;
 }
 
-EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch, const Rig& rig) {
+EnergyAccount account_after(const EnergyAccount& account, const StretchWork& work, const PathPoint& end,
+                            const Rig& rig) {
   EnergyAccount next = account;
-  next.stage_work += stretch.work.stage;
-  next.friction += stretch.work.friction;
-  next.snaps += stretch.work.released;
-  next.cracks += stretch.work.cracked;
-  next.bending = stretch.to.left * state_at(rig.fibre, stretch.to).U;
-  next.load_train = 0.5 * stretch.to.F * stretch.to.F / rig.stiffness;
+  next.stage_work += work.stage;
+  next.friction += work.friction;
+  next.snaps += work.released;
+  next.cracks += work.cracked;
+  next.bending = end.left * state_at(rig.fibre, end).U;
+  next.load_train = 0.5 * end.F * end.F / rig.stiffness;
   next.imbalance = next.stage_work - (next.bending + next.load_train + next.friction + next.snaps + next.cracks);
   return next;
 }

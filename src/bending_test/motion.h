@@ -39,8 +39,10 @@ struct BendingTest {
 
 // Part of the way between two events, or to the stage position asked for.
 struct Stretch {
-  PathPoint from, to;  // to.motion is that of the stretch: in stick S is constant, in a snap the stage
-  StretchWork work;
+  PathPoint from, to;     // to.motion is that of the stretch: in stick S is constant, in a snap the stage
+  StretchWork jump = {};  // of a snap or a crack; that of any other is integrated where it is asked for (work_of)
+
+  bool is_jump() const { return from.stage == to.stage; }
 };
 
 enum class HistoryStatus {
@@ -77,9 +79,13 @@ class MovingFibre {
 
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
   // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
-  // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position; work as sliding_table.h.
+  // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position.
   // Cost:       a few µs; the first that slides in a direction traces its curve (rig.h).
   std::optional<Stretch> advance_towards(double stage);
+
+  // Where the energy goes on a stretch, or a part of one, of the way that the fibre is on: asked before the next.
+  // Max error:  as sliding_table.h.
+  StretchWork work_of(const Stretch& stretch);
 
   // The same stretch in n - 1 parts of equal length: in √(S - 1) (Fibre::way) where the fibre slides, in q where it sticks, in w where it is shallow. A stretch at a
   // fixed stage position is one part.
@@ -119,7 +125,6 @@ class MovingFibre {
   std::optional<Stretch> lose(Sliding sliding);
   Stretch move_to(const PathPoint& point);
   Stretch jump_to(const PathPoint& point, const SnapWork& work);
-  StretchWork work_between(const PathPoint& from, const PathPoint& to);
   SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
   const SlidingCurve& curve_of(Sliding sliding, double S);
   void lead_on(Sliding sliding);
@@ -158,8 +163,9 @@ struct EnergyAccount {
                   // integrated and not made from the others, so that this is a check
 };
 
-// The account after a further stretch, of a test that starts with the straight fibre.
-EnergyAccount account_after(const EnergyAccount& account, const Stretch& stretch, const Rig& rig);
+// The account at the end of a further stretch, of a test that starts with the straight fibre.
+EnergyAccount account_after(const EnergyAccount& account, const StretchWork& work, const PathPoint& end,
+                            const Rig& rig);
 
 // ∫ F dw: what is read off a force-deflection curve as work of fracture, times area. Part of it is friction and snaps, part went into
 // cracks, and what remains is the bending energy, of which unloading gives back what friction does not take.

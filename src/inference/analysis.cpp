@@ -85,8 +85,8 @@ Replay replay_of(const TestAnalysis& analysis) {
       last = analysis.reduced.stage[i];
       stages.push_back(last);
     }
-  const History history = follow_in_steps({Friction::as_met(table), analysis.rig}, stages);
-  for (std::size_t k = 0; k < history.path.size(); ++k) replay.force[rows[k]] = history.path[k].F;
+  const TestPath replayed = path_in_steps({Friction::as_met(table), analysis.rig}, stages);
+  for (std::size_t k = 0; k < replayed.path.size(); ++k) replay.force[rows[k]] = replayed.path[k].F;
   for (const auto& drop : analysis.drops.drops)
     replay.drops_reproduced += replay.force[drop.after] < replay.force[drop.before];  // false where one is NaN
   return replay;
@@ -343,7 +343,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  analysis.model = follow_in_steps({friction, rig}, advancing(fitted.record.stage));
+  analysis.model = path_in_steps({friction, rig}, advancing(fitted.record.stage));
   for (PathPoint& point : analysis.model.path) read_by_rig(point, analysis);
   for (Snap& snap : analysis.model.snaps) {
     read_by_rig(snap.before, analysis);
@@ -393,14 +393,14 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
   return 48 * stiffening_of(analysis) * deflection;
 }
 
-History mean_run_forward(const TestAnalysis& analysis) {
+TestPath mean_run_forward(const TestAnalysis& analysis) {
   constexpr int points = 1000;  // on each stretch: a figure thins them out
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = *std::max_element(stage.begin(), stage.end()), stiffening = stiffening_of(analysis);
-  History history = follow_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
-                                        {&farthest, 1}, points);
-  for (auto& point : history.path) read_by_rig(point, analysis);
-  return history;
+  TestPath forward = path_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
+                                       {&farthest, 1}, points);
+  for (auto& point : forward.path) read_by_rig(point, analysis);
+  return forward;
 }
 
 std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis) {

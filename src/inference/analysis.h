@@ -139,7 +139,7 @@ struct TestAnalysis {
   FrictionRead friction_read{};      // of it
   std::vector<Check> checks{};
   // The mean of the fit on the stage positions of the record, at the estimated bending stiffness: work and energies are in units of that.
-  History model{};
+  TestPath model{};
   Replay replay{};
   MeasuredEnergy energy{};
   std::optional<Sensitivities> work_by{};  // of energy.friction_share; none of a constant
@@ -169,7 +169,7 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection);
 
 // The mean of the fit run forward over all stage positions, not only those of the record.
 // Domain:     analysis.status is ok.
-History mean_run_forward(const TestAnalysis& analysis);
+TestPath mean_run_forward(const TestAnalysis& analysis);
 
 // The waves that the fit claims, about its mean and drift, over what has been drawn in.
 struct FittedFriction {

@@ -142,9 +142,9 @@ std::vector<double> forces_of(const BendingTest& test, const std::vector<double>
     const std::vector<double> rest(stages.begin() + static_cast<std::ptrdiff_t>(loop.first), stages.end());
     constexpr double least = 1e-4;  // [L] a stage that hardly moves bends nothing
     if (!(*std::max_element(rest.begin(), rest.end()) > least)) break;
-    const History history = follow_in_steps(test, rest);
-    for (const PathPoint& point : history.path) forces.push_back(point.F);
-    if (history.status == HistoryStatus::slipped_through) break;
+    const TestPath loaded = path_in_steps(test, rest);
+    for (const PathPoint& point : loaded.path) forces.push_back(point.F);
+    if (loaded.status == HistoryStatus::slipped_through) break;
   }
   forces.resize(stages.size(), not_a_number);
   return forces;

@@ -96,7 +96,7 @@ Plot force_figure(const FittedTest& test) {
   const bool has_beyond =
       std::any_of(measured.rows.begin(), measured.rows.end(), [](const auto& row) { return row[4] > 1; });
   PlotTable sliding = plane.table("sliding"), snaps = plane.table("snaps"), drops = plane.table("drops");
-  const History forward = mean_run_forward(analysis);
+  const TestPath forward = mean_run_forward(analysis);
   const auto at = [&](const PathPoint& point) { return std::vector{w(point.w), F(point.F)}; };
   const auto is_snap = [](const PathPoint& point) { return point.motion == Motion::snap; };
   sliding.rows = stretches_of(

@@ -369,6 +369,29 @@ TEST_CASE(
   CHECK(folding > 5);
 }
 
+TEST_CASE(
+    "path: the states are those of the history, to the bit, in steps and continuously (identity: 60 random "
+    "programmes)") {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 60; ++i) {
+    const auto [test, points, roughness] = some_programme(random, 0.6, 0.01);
+    const auto check = [&](const TestPath& path, const History& history) {
+      INFO("programme ", i);
+      CHECK(path.status == history.status);
+      REQUIRE(path.path.size() == history.path.size());
+      for (std::size_t k = 0; k < path.path.size(); ++k) {
+        CHECK(path.path[k].w == history.path[k].w);
+        CHECK(path.path[k].F == history.path[k].F);
+        CHECK(path.path[k].motion == history.path[k].motion);
+      }
+      REQUIRE(path.snaps.size() == history.snaps.size());
+      for (std::size_t k = 0; k < path.snaps.size(); ++k) CHECK(path.snaps[k].released == history.snaps[k].released);
+    };
+    check(path_in_steps(test, points), follow_in_steps(test, points));
+    check(path_continuously(test, points, 4), follow_continuously(test, points, 4));
+  }
+}
+
 TEST_CASE("history: the energy account closes over any path (identity: 1,000 random programmes)") {
   std::mt19937_64 random(1);
   int snaps = 0, ends = 0;

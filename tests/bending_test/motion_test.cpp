@@ -300,9 +300,9 @@ TEST_CASE("motion: an overshoot spends all it sets free on friction and rests wi
         return fibre_state(point.S, point.q).U + 0.5 * point.F * point.F / nearest.rig.stiffness;
       };
       RC_ASSERT(other->from.S == stretch->from.S);
-      RC_ASSERT(other->work.released == 0);
+      RC_ASSERT(other->jump.released == 0);
       const double lost = elastic(other->from) - elastic(other->to);
-      RC_ASSERT(std::abs(other->work.friction - lost) <=
+      RC_ASSERT(std::abs(other->jump.friction - lost) <=
                 1e-10 * elastic(other->from));  // the quadrature's, over some swings
       RC_ASSERT(std::abs(other->to.q) <= nearest.friction.kinetic.at(other->to.S).mu);
       RC_ASSERT(stage_of(fibre_state(other->to.S, other->to.q), nearest.rig) == to(1e-14, other->to.stage));
@@ -332,7 +332,7 @@ TEST_CASE(
   CHECK(out[1].to.motion == Motion::apart);
   CHECK(out[1].to.stage == 0.1);
   CHECK(out[1].to.w == left.w);
-  CHECK(out[1].work.stage == 0);
+  CHECK(fibre.work_of(out[1]).stage == 0);
   for (const Stretch& part : fibre.parts_of(out[1], 5)) CHECK(part.to.w == left.w);
   stretches_to(fibre, 0.3);
   CHECK(fibre.state().stage == 0.3);
