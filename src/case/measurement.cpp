@@ -829,11 +829,15 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   return {loading.leg.first, last, Direction::loading};
 }
 
-// Does a record whose file counts from the contact begin under a force that none of its specimen could have there?
-bool begins_under_preload(const Record& record, const StraightPart& straight, double contact_error, double noise) {
+// [N] The force under which a record begins whose file counts from the contact, where none of its specimen could be there; else 0.
+double force_at_beginning(const Record& record, const Contact& contact, double slope, double contact_error,
+                          double noise) {
   constexpr double surely = 3, of_noise = 4;
+  if (contact.status != ContactStatus::found ||
+      contact.offset.value > record.stage.front() - surely * contact_error)  // or its first reading is an outlier
+    return 0;
   const double way = std::max(record.deflection.front() + surely * contact_error, 0.0);
-  return record.force.front() > straight.slope.value * way + of_noise * noise;
+  return record.force.front() > slope * way + of_noise * noise ? record.force.front() : 0;
 }
 
 // Fewer points than a fit needs are bent far enough to tell of friction.
@@ -882,10 +886,10 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
                       "state the contact, or leave the key out");
   // A baseline is off by its error, where it is led on to the contact.
   const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
-  const bool is_found =
-      is_asked || (!rule && contact.status == ContactStatus::found &&
-                   (result.begins_free || begins_elsewhere ||
-                    (result.straight_is_initial && begins_under_preload(whole, *straight, usual, result.force_noise))));
+  const double slope = result.straight_is_initial ? straight->slope.value : contact.slope;
+  result.begins_under = force_at_beginning(whole, contact, slope, usual, result.force_noise);
+  const bool is_found = is_asked || (!rule && contact.status == ContactStatus::found &&
+                                     (result.begins_free || begins_elsewhere || result.begins_under > 0));
 
   if ((is_asked || !rule) && result.straight_is_initial && leaves(min_points, whole, straight->origin) &&
       begins_with_toe(whole, *straight, geometry_of(input), is_found ? contact.offset.value : 0,

@@ -143,6 +143,25 @@ Found other_contact(T test) {
                  .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
 }
 
+// A preload that the specimen bears and a load cell that was not set to zero look alike.
+Found begins_under_force(T test) {
+  const Measurement& measurement = test.measurement;
+  const double force = measurement.begins_under;
+  if (!(force > 0) || measurement.contact != ContactSource::found || measurement.test.record->contact ||
+      measurement.test.record->zero != ForceZeroRule{})
+    return std::nullopt;
+  const std::string printed = Print(test).own(force, kind::force);
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence =
+          fmt::format("The record begins under a force of {}, which is taken as borne by the specimen.", printed),
+      .short_form = fmt::format("begins under {}", printed),
+      .remedy = fmt::format("If the load cell was not set to zero, write zero = \"{}\" under [record]; if it was, "
+                            "contact = \"find\".",
+                            printed),
+      .numbers = {{"force", force, kind::force}}};
+}
+
 std::string find_contact_or_check(T test, const std::string& remedy) {
   return (other_contact(test) ? "Try contact = \"find\" under [record]; check " : "Check ") + remedy;
 }
@@ -504,7 +523,7 @@ Found undecided_drops(T test) {
   if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
   const bool tells = std::isfinite(judgement.cracks_alone);
   return Finding{
-      .severity = Severity::doubt,
+      .severity = Severity::condition,
       .sentence = tells ? fmt::format("How the force rises between the drops does not tell slips from cracks ({}).",
                                       cracks_in_words(test))
                   : test.analysis.slip_or_crack.judged
@@ -569,12 +588,28 @@ Found only_a_limit(T test) {
   return finding;
 }
 
+// Of few rows, or a specimen hardly bent, friction is told, but no more than roughly.
+Found known_roughly(T test) {
+  const Estimate& mu0 = test.analysis.fit.mu0;
+  constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
+  const double half = 0.5 * (mu0.high - mu0.low);
+  if (test.analysis.fit.mu0_is_bound || !(half > rough) || lost_stiffness(*test.judgement)) return std::nullopt;
+  return Finding{.severity = Severity::condition,
+                 .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
+                 .remedy = "Bend farther, or state the bending stiffness more exactly.",
+                 .numbers = {{"half_width", half}}};
+}
+
+// Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
 Found no_reload(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (test.analysis.drops.drops.empty() || has_reload(test) || undecided_drops(test) || lost_stiffness(judgement))
+  const bool has_drops = drops_of(test) > 0, is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
+  if ((!has_drops && is_smooth) || has_reload(test) || undecided_drops(test) || lost_stiffness(*test.judgement))
     return std::nullopt;
   return Finding{.severity = Severity::condition,
-                 .sentence = "Without a reload nobody knows how much stiffness was lost.",
+                 .sentence = has_drops
+                                 ? "Without a reload nobody knows how much stiffness was lost."
+                                 : "The force is uneven, as friction that varies makes it, or cracks too small to be "
+                                   "seen: without a reload nobody knows how much stiffness was lost.",
                  .remedy = reload_remedy(test)};
 }
 
@@ -737,6 +772,7 @@ constexpr std::array rules{
     Rule{"implausible_friction", implausible_friction, true},
     Rule{"sloping_baseline", sloping_baseline, true},
     Rule{"other_contact", other_contact, true},
+    Rule{"begins_under_force", begins_under_force, false},
     Rule{"misses_force", misses_force, true},
     Rule{"drops_differ", drops_differ, true},
     Rule{"coloured_noise", coloured_noise, true},
@@ -746,12 +782,13 @@ constexpr std::array rules{
     Rule{"changed_reload", changed_reload, true},
     Rule{"coarse_force", coarse_force, true},
     Rule{"lagging_force", lagging_force, false},
-    Rule{"undecided_drops", undecided_drops, true},
     Rule{"few_rows", few_rows, true},
     Rule{"below_frictionless", below_frictionless, true},
     Rule{"unexpected_stiffness", unexpected_stiffness, true},
+    Rule{"undecided_drops", undecided_drops, true},
     Rule{"only_a_limit", only_a_limit, true},
     Rule{"no_reload", no_reload, true},
+    Rule{"known_roughly", known_roughly, true},
     Rule{"supports_not_stated", supports_not_stated, true},
     Rule{"thickness_not_stated", thickness_not_stated, true},
     Rule{"steady_change", steady_change, true},

@@ -184,6 +184,37 @@ TEST_CASE("standing: by the weightiest finding") {
   }
 }
 
+TEST_CASE(
+    "standing: without drops sound where friction is smooth, and under the condition of a reload where cracks too "
+    "small to be seen could be in it") {
+  const auto without_drops = [](const auto& change) {
+    return changed([&](FittedTest& test) {
+      test.analysis.drops.drops.clear();
+      test.analysis.slips.clear();
+      test.analysis.fit.drift = normal_estimate(0, 1);
+      test.analysis.fit.mu0 = normal_estimate(0.5, 0.05);
+      test.analysis.fit.shortest_wave = 0;
+      change(test);
+    });
+  };
+  const auto smooth = [](FittedTest& test) {
+    for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
+  };
+  const Answer uneven = answer_of(without_drops([](FittedTest& test) {
+    for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::matern_3_2;
+  }));
+  REQUIRE(found(uneven, "no_reload"));
+  CHECK(has(found(uneven, "no_reload")->sentence, "too small to be seen"));
+  CHECK(uneven.standing == Standing::conditional);
+  const Answer even = answer_of(without_drops(smooth));
+  CHECK(!found(even, "no_reload"));
+  CHECK(even.standing == Standing::sound);
+  CHECK(answer_of(without_drops([&](FittedTest& test) {
+          smooth(test);
+          test.analysis.fit.mu0 = normal_estimate(0.5, 0.11);
+        })).standing == Standing::conditional);
+}
+
 TEST_CASE("wrong load train: named before the bending stiffness, with that which the record is as on") {
   const auto train_of = [](const Answer& answer) {
     CHECK(answer.verdict.code == VerdictCode::check_input);

@@ -139,7 +139,7 @@ inline std::vector<Situation> situations() {
       record.deflection[i] = record.stage[i] - record.force[i] / train;
     }
   });
-  add("undecided_drops", Severity::doubt, [](FittedTest& test) {
+  add("undecided_drops", Severity::condition, [](FittedTest& test) {
     test.judgement->drops = CrackVerdict::cannot_be_told;
     test.judgement->cracks_alone = 0.35;
   });
@@ -150,6 +150,10 @@ inline std::vector<Situation> situations() {
   add("other_contact", Severity::doubt, [](FittedTest& test) {
     test.measurement.own_contact = {.status = ContactStatus::found, .offset = normal_estimate(4e-6, 4e-7)};
   });
+  add("begins_under_force", Severity::doubt, [](FittedTest& test) {
+    test.measurement.contact = ContactSource::found;
+    test.measurement.begins_under = 2e-4;
+  });
   add("coloured_noise", Severity::note,
       [](FittedTest& test) { check_of(test, CheckKind::whiteness).outcome = CheckOutcome::failed; });
   add("only_a_limit", Severity::condition, [](FittedTest& test) {
@@ -157,6 +161,8 @@ inline std::vector<Situation> situations() {
     test.analysis.fit.mu0_is_bound = true;
   });
   add("no_reload", Severity::condition, [](FittedTest&) {});
+  add("known_roughly", Severity::condition,
+      [](FittedTest& test) { test.analysis.fit.mu0 = normal_estimate(0.5, 0.15); });
   add("supports_not_stated", Severity::condition,
       [](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; });
   add("thickness_not_stated", Severity::condition, [](FittedTest& test) {

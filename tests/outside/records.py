@@ -96,18 +96,40 @@ class Records(InFolder):
         self.assertIn("other_contact", against(left))
         self.assertNotEqual(left["judgement"]["standing"], "sound")
 
-    def test_a_record_that_begins_before_or_behind_its_zero_says_so_and_is_right_once_counted_from_there(self):
-        rise = next(i for i, (stage, _) in enumerate(READINGS) if stage >= 10)
-        for moved, truth in ([(stage - READINGS[rise][0], force) for stage, force in READINGS[rise:]], -READINGS[rise][0]), ([(0, 0.004), (2, -0.003), (4, 0.001)] + [(stage + 6, force) for stage, force in READINGS], 6):
+    def test_a_record_that_begins_behind_its_zero_says_so_and_is_right_once_counted_from_there(self):
+        moved = [(0, 0.004), (2, -0.003), (4, 0.001)] + [(stage + 6, force) for stage, force in READINGS]
+        left = self.fitted(moved)
+        (finding,) = [f for f in left["findings"] if f["code"] == "other_contact"]
+        self.assertIn('contact = "find"', finding["remedy"])
+        found = self.fitted(moved, "--contact", "find")
+        self.holds(found)
+        contact = found["parameters"]["contact_offset"]
+        self.assertLess(abs(contact["value"] - 6e-6), 2 * contact["standard_error"])
+        self.assertGreaterEqual(contact["standard_error"], 1278e-6 / 4000)
+
+    def test_a_record_that_begins_under_a_force_counts_from_its_contact_and_asks_whether_the_force_was_set_to_zero(self):
+        for least in 4, 10, 30:  # [um] of the way that was gone before
+            rise = next(i for i, (stage, _) in enumerate(READINGS) if stage >= least)
+            moved = [(stage - READINGS[rise][0], force) for stage, force in READINGS[rise:]]
+            fit = self.fitted(moved)
+            self.assertEqual(set(against(fit)) - {"few_rows"}, {"begins_under_force"})
+            low, high = fit["parameters"]["mu0"]["interval95"]
+            self.assertTrue(low < 0.5 < high, (low, high))
+            contact = fit["parameters"]["contact_offset"]
+            self.assertLess(abs(contact["value"] + READINGS[rise][0] * 1e-6), 2 * contact["standard_error"])
+            self.assertEqual(set(against(self.fitted(moved, "--contact", "find"))) - {"few_rows"}, set())
+            self.assertIn("other_contact", against(self.fitted(moved, "--contact", "first row")))
+
+    def test_a_force_that_was_not_set_to_zero_is_asked_for_and_right_once_it_is(self):
+        for shift in 0.3, 1:
+            moved = [(stage, force + shift) for stage, force in READINGS]
             left = self.fitted(moved)
-            self.assertIn("other_contact", against(left))
-            (finding,) = [f for f in left["findings"] if f["code"] == "other_contact"]
-            self.assertIn('contact = "find"', finding["remedy"])
-            found = self.fitted(moved, "--contact", "find")
-            self.holds(found)
-            contact = found["parameters"]["contact_offset"]
-            self.assertLess(abs(contact["value"] - truth * 1e-6), 2 * contact["standard_error"])
-            self.assertGreaterEqual(contact["standard_error"], 1278e-6 / 4000)
+            self.assertNotEqual(left["verdict"]["code"], "crack")
+            (finding,) = [f for f in left["findings"] if f["code"] == "begins_under_force"]
+            self.assertIn('zero = "', finding["remedy"])
+            (force,) = [number["value"] for number in finding["numbers"] if number["name"] == "force"]
+            self.assertAlmostEqual(force, shift / 1000, delta=2e-5)
+            self.holds(self.fitted(moved, "--zero", f"{shift} mN"))
 
     def test_a_force_that_drifts_or_settles_before_contact_is_told_and_taken_off(self):
         noise = random.Random(4)
@@ -134,7 +156,7 @@ class Records(InFolder):
     @unittest.skipUnless((SHARED / "realrig/truth.csv").is_file(), "no records with truth")
     def test_records_of_another_simulator_whose_zero_is_off_come_out_with_the_contact_found(self):
         truths = {row["test"]: row for row in csv.DictReader((SHARED / "realrig/truth.csv").read_text(encoding="utf-8").splitlines())}
-        for name, low, high in ("found_contact_early_16", 0.475, 0.48), ("found_contact_late_29", 0.414, 0.416):
+        for name, told, low, high in ("found_contact_early_16", "begins_under_force", 0.475, 0.48), ("found_contact_late_29", "other_contact", 0.414, 0.416):
             truth = truths[name]
             case = self.file("case.toml", f"""[specimen]
 bending_stiffness = "{truth['EI_stated_N_m2']} N m^2"
@@ -146,7 +168,7 @@ file = "{SHARED / 'realrig' / (name + '.csv')}"
 stage = "w_s_m [m]"
 force = "F_N [N]"
 """)
-            self.assertIn("other_contact", against(self.json("fit", case)))
+            self.assertIn(told, against(self.json("fit", case)))
             mu0 = self.json("fit", case, "--set", 'record.contact="find"')["parameters"]["mu0"]
             error = mu0["standard_error"]
             self.assertTrue(mu0["value"] - 2 * error < high and mu0["value"] + 2 * error > low, mu0)
