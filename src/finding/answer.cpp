@@ -290,10 +290,18 @@ Found not_explained(T test) {
 
 // ---- What stands against an answer
 
+// Are most of the drops that cannot be slips those that would begin at a friction above the limit?
+bool begin_beyond_friction(T test) {
+  const auto& slips = test.analysis.slips;
+  const auto beyond = std::count_if(slips.begin(), slips.end(),
+                                    [](const Slip& slip) { return slip.verdict == SlipVerdict::implausible; });
+  return 2 * static_cast<std::size_t>(beyond) > test.judgement->impossible;
+}
+
 Found most_drops_impossible(T test) {
   const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
   if (!most_are_impossible(impossible, drops) || lost_stiffness(*test.judgement)) return std::nullopt;
-  return Finding{
+  Finding finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
                               load_train_in_words(test)),
@@ -301,6 +309,16 @@ Found most_drops_impossible(T test) {
       .remedy =
           "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these drops.",
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
+  if (begin_beyond_friction(test)) {
+    const double limit = test.analysis.suspects.limit;
+    finding.sentence = fmt::format("{} of the {} drops cannot be slips: most would begin at a friction above {:.3g}.",
+                                   impossible, drops, limit);
+    finding.remedy = fmt::format(
+        "Check the modulus, the section, the span, the supports and the load train: a bending stiffness stated too low "
+        "reads so. If friction above {:.3g} can be, raise the suspect limit.",
+        limit);
+  }
+  return finding;
 }
 
 Found no_sliding(T test) {
@@ -476,6 +494,25 @@ Found changed_reload(T test) {
                  .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
                  .remedy = judgement.loss > 0 ? "" : "See whether the contact or the rig has changed.",
                  .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
+}
+
+// The loops, which know no wrong contact or drawn-in beginning, need another friction than the one loading.
+Found loops_differ(T test) {
+  if (!test.cycles || test.cycles->friction.status != CyclesStatus::ok || lost_stiffness(*test.judgement))
+    return std::nullopt;
+  const Estimate& mu0 = test.analysis.fit.mu0;
+  const auto [in, out, rms] = direction_means(test.cycles->friction);
+  const double mean = 0.5 * (in + out), between = 0.5 * std::abs(in - out);
+  constexpr double errors = 2, least = 0.05;
+  if (!(std::abs(mean - mu0.value) > std::max(errors * elementary::length(mu0.standard_error, between), least)))
+    return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("The loops need a friction of {:.2f} sliding in and {:.2f} sliding out, the "
+                                         "loading evaluated one of {}.",
+                                         in, out, mean_friction(test.analysis.fit)),
+                 .short_form = fmt::format("the loops need {:.2f}", mean),
+                 .remedy = "Unload to no force before each loading, and state the bending stiffness and the contact.",
+                 .numbers = {{"in", in}, {"out", out}}};
 }
 
 Found coarse_force(T test) {
@@ -780,6 +817,7 @@ constexpr std::array rules{
     Rule{"unstable", unstable, true},
     Rule{"falling_friction", falling_friction, true},
     Rule{"changed_reload", changed_reload, true},
+    Rule{"loops_differ", loops_differ, true},
     Rule{"coarse_force", coarse_force, true},
     Rule{"lagging_force", lagging_force, false},
     Rule{"few_rows", few_rows, true},
@@ -997,7 +1035,7 @@ std::string slip_or_crack_in_words(T test) {
     parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
                                 format_percent(judgement.loss_needed), 100 * std::abs(judgement.loss),
                                 100 * judgement.loss_error, judgement.loss > 0 ? "softer" : "stiffer"));
-  if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && lost > 0)
+  if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && !has_reload(test) && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
   return fmt::format("{}", fmt::join(parts, "; "));

@@ -215,6 +215,23 @@ TEST_CASE(
         })).standing == Standing::conditional);
 }
 
+TEST_CASE(
+    "drops that cannot be slips: the load train is named, but where they would begin at a friction above the limit the "
+    "bending stiffness and that limit") {
+  const auto remedy_with = [](SlipVerdict verdict) {
+    const Answer answer = answer_of(changed([&](FittedTest& test) {
+      for (Slip& slip : test.analysis.slips) slip.verdict = verdict;
+      test.judgement->impossible = test.analysis.slips.size();
+    }));
+    CHECK(answer.verdict.finding == "most_drops_impossible");
+    return found(answer, "most_drops_impossible")->remedy;
+  };
+  CHECK(has(remedy_with(SlipVerdict::moves_out), "Check the stiffness of the load train"));
+  const std::string beyond = remedy_with(SlipVerdict::implausible);
+  CHECK(has(beyond, "a bending stiffness stated too low"));
+  CHECK(has(beyond, "raise the suspect limit"));
+}
+
 TEST_CASE("wrong load train: named before the bending stiffness, with that which the record is as on") {
   const auto train_of = [](const Answer& answer) {
     CHECK(answer.verdict.code == VerdictCode::check_input);

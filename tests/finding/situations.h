@@ -128,6 +128,11 @@ inline std::vector<Situation> situations() {
     test.judgement->loss = -0.2;
     test.judgement->loss_error = 0.01;
   });
+  add("loops_differ", Severity::doubt, [](FittedTest& test) {
+    static const FittedTest cyclic = example("cyclic");
+    test.cycles = cyclic.cycles;  // of a friction of 0.5
+    test.analysis.fit.mu0 = normal_estimate(0.3, 0.02);
+  });
   add("coarse_force", Severity::doubt,
       [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
   add("lagging_force", Severity::doubt, [](FittedTest& test) {
