@@ -551,6 +551,44 @@ std::string case_text(const std::string& path) {
   return text;
 }
 
+std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
+
+namespace {
+
+// What a command line has for a key: "--sign", or "--set rig.roller_radius".
+std::string flag_for(std::string_view section, std::string_view name) {
+  const CaseKey* key = case_key(section, name);
+  return key && key->has_flag ? flag_of(name) : fmt::format("--set {}.{}", section, name);
+}
+
+}  // namespace
+
+std::string KeyChange::flag() const {
+  const std::string flag = flag_for(section, name);
+  const bool is_word = value.front() == '"' && value.find(' ') == std::string::npos;
+  return fmt::format("{}{}{}", flag, flag.starts_with("--set") ? '=' : ' ',
+                     is_word ? value.substr(1, value.size() - 2) : value);
+}
+
+std::string in_words(const Test& test, const KeyChange& change) {
+  return test.by_flags ? change.flag() : change.in_case();
+}
+
+std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
+  std::vector<std::string> said;
+  for (const KeyChange& change : changes)
+    said.push_back(test.by_flags ? change.flag() : fmt::format("{} = {}", change.name, change.value));
+  if (test.by_flags) return fmt::format("pass {}", fmt::join(said, " "));
+  return fmt::format("write {} into [{}]", fmt::join(said, " and "), changes.front().section);
+}
+
+std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names) {
+  if (!test.by_flags) return fmt::format("[{}] {}", section, in_words(names));
+  std::vector<std::string> flags;
+  for (const std::string& name : names) flags.push_back(flag_for(section, name));
+  return in_words(flags);
+}
+
 InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
                        std::string remedy) {
   const bool is_changed = std::any_of(test.changed.begin(), test.changed.end(), [&](const std::string& each) {

@@ -335,7 +335,7 @@ TEST_CASE("measurement: the steps are in their documented order, each with the f
   for (const PreparationStep& step : found.preparation.steps) names += step.name + " ";
   CHECK(names == "columns sign zero compliance end contact ");
   CHECK(step_of(found, "sign")->otherwise->in_case() == "[record] sign = \"reverse\"");
-  CHECK(step_of(found, "sign")->otherwise->flag() == "--sign \"reverse\"");
+  CHECK(step_of(found, "sign")->otherwise->flag() == "--sign reverse");
   CHECK(!step_of(found, "columns")->otherwise);
   CHECK(step_of(found, "end")->rows->first == last_before_failure + 1);
   CHECK(step_of(found, "end")->rows->last == rows);
