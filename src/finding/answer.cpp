@@ -16,6 +16,7 @@
 #include "finding/hangs_on.h"
 #include "finding/load_train_of_drops.h"
 #include "finding/printed.h"
+#include "finding/reload.h"
 #include "finding/slips_of_a_bar.h"
 #include "inference/process_mode.h"
 #include "numerics/elementary.h"
@@ -44,9 +45,17 @@ const Check* check_of(T test, CheckKind kind) {
   return found == checks.end() ? nullptr : &*found;
 }
 
-// A stiffness that was stated is not that of the initial slope.
+// A stiffness that was stated is not that of the initial slope, of a specimen that had lost none before.
 bool contradicts_slope(T test) {
-  return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope;
+  const ReloadChange reload = reload_of(test);
+  return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope &&
+         (reload.comes_after || !lost_stiffness(reload));
+}
+
+// In the words of who states the test (case/case_file.h).
+std::string to_change(T test, KeyChange change) { return to_say(test.measurement.test, {std::move(change)}); }
+std::string rig_keys(T test, const std::vector<std::string>& names) {
+  return keys_in_words(test.measurement.test, "rig", names);
 }
 
 // A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
@@ -119,9 +128,11 @@ Found sloping_baseline(T test) {
                               readable(std::abs(baseline.change), baseline.error, Print(test).as(kind::force)),
                               std::abs(baseline.change) / baseline.error),
       .short_form = "the force drifts before contact",
-      .remedy = "Write zero = \"slope\" under [record] to take it off.",
+      .remedy = capitalised(to_change(test, {"record", "zero", "\"slope\""})) + " to take it off.",
       .numbers = {{"change", baseline.change, kind::force}, {"change_error", baseline.error, kind::force}}};
 }
+
+std::string to_find_contact(T test) { return to_change(test, {"record", "contact", "\"find\""}); }
 
 // The record's own contact is another than that taken off.
 Found other_contact(T test) {
@@ -139,12 +150,12 @@ Found other_contact(T test) {
                      measurement.own_contact.settles ? ", once its contact has settled" : ""),
                  .short_form = fmt::format("begins {} {}", Print(test).own(std::abs(value), kind::length),
                                            value > 0 ? "late" : "early"),
-                 .remedy = "Write contact = \"find\" under [record] to count from there.",
+                 .remedy = capitalised(to_find_contact(test)) + " to count from there.",
                  .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
 }
 
 std::string find_contact_or_check(T test, const std::string& remedy) {
-  return (other_contact(test) ? "Try contact = \"find\" under [record]; check " : "Check ") + remedy;
+  return (other_contact(test) ? capitalised(to_find_contact(test)) + "; check " : "Check ") + remedy;
 }
 
 double greatest_deflection(T test) {
@@ -236,9 +247,9 @@ Found wrong_load_train(T test) {
                               "the bending stiffness stated is right.",
                               format_roughly(train, Print(test).as(kind::stiffness))),
       .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
-      .remedy =
-          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
-          "section and the span.",
+      .remedy = fmt::format("State the stiffness of the load train ({}); if nothing gives, check the modulus, the "
+                            "section and the span.",
+                            rig_keys(test, {"stiffness"})),
       .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
 }
 
@@ -254,8 +265,9 @@ Found wrong_stiffness(T test) {
                               format_roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
-          "Check the modulus, the section, the span, the load train, the columns and their units; modulus = \"fit\" "
-          "takes the stiffness from the record.",
+          fmt::format("Check the modulus, the section, the span, the load train, the columns and their units; to take "
+                      "the stiffness from the record, {}.",
+                      to_change(test, {"specimen", "modulus", "\"fit\""})),
       .numbers = {{"stated_over_slope", times}}};
 }
 
@@ -307,17 +319,6 @@ std::string cracks_in_words(T test) {
                           : fmt::format("cracks alone: {:.0f} %", percent);
 }
 
-Found softer_reload(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!judgement.softer_reload) return std::nullopt;
-  return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.1f} ± {:.1f} % softer.",
-                                         100 * judgement.loss, 100 * judgement.loss_error),
-                 .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * judgement.loss),
-                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
-                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
-}
-
 Found cracks(T test) {
   if (!test.judgement->drops_are_cracks) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
@@ -358,9 +359,9 @@ Found implausible_friction(T test) {
           analysis.fit.mu0.low > analysis.most_friction
               ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
                             analysis.most_friction)
-          : is_on_edges(test)
-              ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges read so."
-              : "Image the supports: the length pulled in shows whether the specimen slides."};
+          : is_on_edges(test) ? fmt::format("If the supports are not edges, state {}: rollers taken for edges read so.",
+                                            rig_keys(test, {"roller_radius"}))
+                              : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 Found misses_force(T test) {
@@ -420,7 +421,7 @@ Found simpler_fits_better(T test) {
                  fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
                              std::max(number_of(*check, "most_below"), 0.0)),
                  "a simpler explanation fits better",
-                 "The best fit was not found: compare fit --model constant and --model drift.");
+                 "The best fit was not found: compare those of the models constant and drift.");
 }
 
 Found unstable(T test) {
@@ -443,20 +444,9 @@ Found falling_friction(T test) {
       .sentence =
           "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
       .short_form = "friction decreases",
-      .remedy = is_on_edges(test) ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
+      .remedy = is_on_edges(test) ? fmt::format("State {} if the supports are not edges; if they are, image them.",
+                                                rig_keys(test, {"roller_radius"}))
                                   : "Image the supports: the length pulled in shows whether the specimen slides."};
-}
-
-Found changed_reload(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!judgement.changed_reload) return std::nullopt;
-  const std::string_view how = judgement.loss > 0 ? "softer" : "stiffer";
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
-                                         100 * std::abs(judgement.loss), 100 * judgement.loss_error, how),
-                 .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
-                 .remedy = judgement.loss > 0 ? "" : "See whether the contact or the rig has changed.",
-                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
 }
 
 Found coarse_force(T test) {
@@ -611,7 +601,9 @@ Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
   if (rig.supports || rig.roller_radius || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
   const std::string taken = "The supports are not stated, and edges are assumed.",
-                    remedy = "State [rig] supports = \"edges\", or the roller_radius.";
+                    remedy = fmt::format("State {}, or {}.",
+                                         in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
+                                         rig_keys(test, {"roller_radius"}));
   if (!test.on_rollers)
     return length_not_stated(test, StatedQuantity::support_radius, taken, "On rollers with a radius of {}", remedy);
   const TestAnalysis& rollers = test.on_rollers->analysis;
@@ -635,7 +627,8 @@ Found thickness_not_stated(T test) {
       lost_stiffness(*test.judgement))
     return std::nullopt;
   return length_not_stated(test, StatedQuantity::thickness, "No section says how thick the specimen is.",
-                           "If it is {} thick,", "State the diameter, or the height, under [specimen].");
+                           "If it is {} thick,",
+                           fmt::format("State {}.", keys_in_words(input, "specimen", {"diameter", "height"})));
 }
 
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
@@ -729,7 +722,7 @@ constexpr std::array rules{
     Rule{"wrong_load_train", wrong_load_train, false},
     Rule{"wrong_stiffness", wrong_stiffness, false},
     Rule{"not_explained", not_explained, false},
-    Rule{"softer_reload", softer_reload, true},
+    Rule{"softer_reload", softer_reload, false},
     Rule{"cracks", cracks, true},
     Rule{"most_drops_impossible", most_drops_impossible, true},
     Rule{"no_sliding", no_sliding, true},
@@ -743,7 +736,7 @@ constexpr std::array rules{
     Rule{"simpler_fits_better", simpler_fits_better, true},
     Rule{"unstable", unstable, true},
     Rule{"falling_friction", falling_friction, true},
-    Rule{"changed_reload", changed_reload, true},
+    Rule{"changed_reload", changed_reload, false},
     Rule{"coarse_force", coarse_force, true},
     Rule{"lagging_force", lagging_force, false},
     Rule{"undecided_drops", undecided_drops, true},
@@ -805,27 +798,37 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
+// Of a specimen that is softer when loaded again; none of one that is not.
+std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
+  if (!lost_stiffness(reload_of(test))) return std::nullopt;
+  const Finding* softer = finding_in(findings, "softer_reload");
+  if (!softer) softer = finding_in(findings, "changed_reload");
+  return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
+}
+
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong : {"deflection_for_stage", "wrong_load_train", "wrong_stiffness"})
     if (const Finding* found = finding_in(findings, wrong))
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
     const Finding* shallow = finding_in(findings, "too_few_points");
-    if (shallow && seeks_drops(test) && !is_slender(test))
-      return verdict_without_friction(test, *shallow, finding_in(findings, "gave_way"));
+    if (shallow && seeks_drops(test) && !is_slender(test)) {
+      const Finding* broken = finding_in(findings, "gave_way");
+      const auto softer = broken ? std::nullopt : verdict_on_reload(test, findings, std::string(no_friction_of_a_bar));
+      return softer.value_or(verdict_without_friction(test, *shallow, broken));
+    }
     const Finding& reason = findings.front();
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
   const Judgement& judgement = *test.judgement;
   if (lost_stiffness(judgement)) {
-    const Finding* softer = finding_in(findings, "softer_reload");
-    if (!softer) softer = finding_in(findings, "changed_reload");
-    if (softer) return {VerdictCode::crack, {clause_of(softer->sentence), "no friction can be read off"}, softer->code};
+    const std::string no_friction = "no friction can be read off";
+    if (auto softer = verdict_on_reload(test, findings, no_friction)) return *softer;
     std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
       parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
-    parts.emplace_back("no friction can be read off");
+    parts.push_back(no_friction);
     return {VerdictCode::crack, parts, "cracks"};
   }
   if (const Finding* impossible = finding_in(findings, "most_drops_impossible"))
@@ -914,8 +917,12 @@ std::string drops_in_words(T test) {
   if (!seeks_drops(test)) return fmt::format("not looked for in {}", rows);
   const std::size_t semicolon = std::min(rows.find(';'), rows.size());
   const std::string used = rows.substr(0, semicolon);
+  const std::size_t behind = test.measurement.drops_behind;
   const std::string end =
       rows.substr(semicolon) +
+      (behind > 0 ? fmt::format("; {} behind {}", format_count(behind, "more drop", "more drops"),
+                                test.measurement.end == MeasurementEnd::failure ? "the break" : "that row")
+                  : "") +
       (test.drops_elsewhere > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere) : "");
   if (drops_of(test) == 0)
     return fmt::format("none in {}; one of {} would have been seen{}", used,
@@ -1062,24 +1069,6 @@ std::string stiffness_in_words(T test, bool tells) {
   return words;
 }
 
-// What a reload and the loops say beside the first loading; empty where the specimen was loaded once.
-std::string reload_in_words(T test) {
-  if (!test.cycles) return "";
-  const CyclicFriction& friction = test.cycles->friction;
-  std::vector<std::string> parts;
-  if (friction.status == CyclesStatus::ok && !lost_stiffness(*test.judgement)) {
-    const auto [in, out, rms] = direction_means(friction);
-    parts.push_back(
-        fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
-                    is_beyond_friction(friction) ? "; EI and contact had to move too far to make them alike" : ""));
-  }
-  if (std::isfinite(test.judgement->loss))
-    parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),
-                                100 * test.judgement->loss_error, test.judgement->loss > 0 ? "softer" : "stiffer"));
-  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
-                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
-}
-
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -1109,10 +1098,12 @@ std::vector<AnswerRow> rows_of(T test, Standing standing) {
     if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
     rows.push_back({"friction", friction_in_words(test)});
     if (!lost_stiffness(*test.judgement) && tells_work(test)) rows.push_back({"work", work_in_words(test)});
-    if (const std::string reload = reload_in_words(test); !reload.empty()) rows.push_back({"reload", reload});
   }
   if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
     rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
+  const bool is_bent_little = test.analysis.status == AnalysisStatus::too_few_points;
+  if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
+    rows.push_back({"reload", reload});
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)

@@ -102,7 +102,7 @@ class Records(InFolder):
             left = self.fitted(moved)
             self.assertIn("other_contact", against(left))
             (finding,) = [f for f in left["findings"] if f["code"] == "other_contact"]
-            self.assertIn('contact = "find"', finding["remedy"])
+            self.assertIn("--contact find", finding["remedy"])
             found = self.fitted(moved, "--contact", "find")
             self.holds(found)
             contact = found["parameters"]["contact_offset"]
