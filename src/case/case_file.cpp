@@ -585,7 +585,10 @@ std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
 std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names) {
   if (!test.by_flags) return fmt::format("[{}] {}", section, in_words(names));
   std::vector<std::string> flags;
-  for (const std::string& name : names) flags.push_back(flag_for(section, name));
+  for (const std::string& name : names) {
+    const std::string flag = flag_for(section, name);
+    flags.push_back(flag.starts_with("--set") ? flag + "=…" : flag);
+  }
   return in_words(flags);
 }
 

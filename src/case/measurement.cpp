@@ -207,6 +207,17 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
   if (asked.displacement) {
     const ColumnRole role = role_of(*asked.displacement);
     const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
+    const ColumnRole other = role == ColumnRole::crosshead ? ColumnRole::deflection : ColumnRole::crosshead;
+    if (!has_role(specimen, found) && has_role(specimen, other)) {
+      const ExportColumn& column = displacement_with(other);
+      throw InputError({.file = file.origin.source,
+                        .field = fmt::format("column {}", in_quotes(column.name)),
+                        .expected = fmt::format("a displacement of the {}, as stated", words_for(role).word()),
+                        .found = fmt::format("one whose name says {}", words_for(other).word()),
+                        .remedy = to_say(input, switch_to("displacement", words_for(other).word())) + "; or " +
+                                  to_say(input, switch_to("displacement_column", column.name)) +
+                                  " besides, if its name is wrong"});
+    }
     return {displacement_with(found), *asked.displacement, true};
   }
   // A deflectometer comes first: ISO 178 prefers it.

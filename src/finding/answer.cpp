@@ -52,6 +52,10 @@ bool contradicts_slope(T test) {
          (reload.comes_after || !lost_stiffness(reload));
 }
 
+std::string_view stiffness_known(T test) {
+  return test.stiffness == StiffnessSource::mirror ? "bending stiffness of the loops" : "bending stiffness stated";
+}
+
 // In the words of who states the test (case/case_file.h).
 std::string to_change(T test, KeyChange change) { return to_say(test.measurement.test, {std::move(change)}); }
 std::string rig_keys(T test, const std::vector<std::string>& names) {
@@ -244,8 +248,8 @@ Found wrong_load_train(T test) {
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
-                              "the bending stiffness stated is right.",
-                              format_roughly(train, Print(test).as(kind::stiffness))),
+                              "the {} is right.",
+                              format_roughly(train, Print(test).as(kind::stiffness)), stiffness_known(test)),
       .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
       .remedy = fmt::format("State the stiffness of the load train ({}); if nothing gives, check the modulus, the "
                             "section and the span.",
@@ -261,7 +265,7 @@ Found wrong_stiffness(T test) {
   const double times = analysis.stiffness_over_slope;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
+      .sentence = fmt::format("The {} is {} times that of the record's initial slope{}.", stiffness_known(test),
                               format_roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =

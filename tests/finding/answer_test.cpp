@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -208,6 +209,21 @@ TEST_CASE("wrong load train: named before the bending stiffness, with that which
   CHECK(train_of(by_drops) == doctest::Approx(stiffness).epsilon(0.02));
   CHECK(has(sentence_of(by_drops.verdict), "of 35 drops do not fit the load train stated (∞)"));
   CHECK(has(sentence_of(by_drops.verdict), "as on 91 N/m."));
+}
+
+TEST_CASE("stiffness: that of the loops is not called stated") {
+  const Test stiff =
+      read_case(FLEXSLIP_SOURCE_DIR "/examples/simulated/case.toml", std::vector<std::string>{"rig.stiffness=\"inf\""});
+  const FittedTest off_by_units = changed([](FittedTest& test) {
+    test.analysis.stiffness_implausible = true;
+    test.analysis.stiffness_over_slope = 16;
+  });
+  for (auto [code, test] :
+       {std::pair{"wrong_load_train", fit_test(stiff, {})}, std::pair{"wrong_stiffness", off_by_units}}) {
+    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness stated is"));
+    test.stiffness = StiffnessSource::mirror;
+    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness of the loops is"));
+  }
 }
 
 TEST_CASE("remedies: in keys of a case, or in flags for who states the test by these") {
