@@ -84,14 +84,17 @@ _OF_SYSTEM = {
 
 
 _FLAG = re.compile(r'--([a-z][a-z-]*)(?: ("[^"]*"|[0-9]+\b|crosshead\b|deflection\b))?')
+_KEYS = re.compile(r'\bwrite (\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*) into \[\w+\]')
+_KEY = re.compile(r'(\w+) = ("[^"]*"|\S+)(?: and )?')
 
 
 def _in_python(text: str) -> str:
-    """Flags of the command line as arguments: --displacement crosshead is displacement="crosshead"."""
+    """Flags of the command line, and keys of a case, as arguments: --displacement crosshead is displacement="crosshead"."""
     def argument(found: re.Match[str]) -> str:
         value = found.group(2) or ""
         return found.group(1).replace("-", "_") + "=" + (f'"{value}"' if value[:1].isalpha() else value)
 
+    text = _KEYS.sub(lambda found: "pass " + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
     return _FLAG.sub(argument, text)
 
 

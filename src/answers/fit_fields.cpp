@@ -12,6 +12,7 @@
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/finding.h"
+#include "finding/findings.h"
 #include "finding/hangs_on.h"
 
 namespace flexslip {
@@ -661,6 +662,9 @@ Fields<FittedTest> measurement_fields() {
              of([](M m) { return m.loading.number; }))
       .count("loadings", "how many there are", of([](M m) { return m.loading.of; }))
       .count("drops_elsewhere", "drops of the force in the other loadings", [](T test) { return test.drops_elsewhere; })
+      .count("drops_behind",
+             "drops of the force of the evaluated loading behind its failure, or where it is stated to end",
+             of([](M m) { return m.drops_behind; }))
       .words(
           "ends_with", "what ends the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
           of([](M m) {

@@ -374,10 +374,19 @@ const std::string& hash_of(KeptRecord& kept) {
   return kept.hash;
 }
 
-// Tests whose records are the same: of one file, or of files with the same bytes.
-void note_same_records(CampaignPlan& plan) {
+// All that a test states but where its record lies.
+std::string stated_in(Test test) {
+  test.record->file = "same";
+  return to_toml(std::move(test));
+}
+
+// Tests whose records are the same: of one file, or of files with the same bytes. They are one specimen, and one test where all else is the same, too.
+void count_same_records_once(CampaignPlan& plan) {
   std::vector<KeptRecord> all;
-  for (const PlannedTest& test : plan.tests) {
+  std::vector<PlannedTest> tests;
+  tests.reserve(plan.tests.size());
+  for (PlannedTest& each : plan.tests) {
+    const PlannedTest& test = tests.emplace_back(std::move(each));
     const auto* input = std::get_if<Test>(&test.input);
     if (input == nullptr) continue;
     std::error_code error;
@@ -386,12 +395,20 @@ void note_same_records(CampaignPlan& plan) {
     const auto same = std::find_if(all.begin(), all.end(), [&](KeptRecord& other) {
       return other.size == kept.size && is_same_part(*other.record, *kept.record) && hash_of(other) == hash_of(kept);
     });
-    if (same != all.end())
-      plan.notes.push_back(fmt::format("{} has the record of {}, to the byte, and counts as another specimen",
-                                       in_quotes(test.name), in_quotes(same->test->name)));
-    else
+    if (same == all.end()) {
       all.push_back(std::move(kept));
+    } else if (stated_in(*input) == stated_in(std::get<Test>(same->test->input))) {
+      plan.notes.push_back(fmt::format("{} is left out, as it has the record of {}, to the byte", in_quotes(test.name),
+                                       in_quotes(same->test->name)));
+      tests.pop_back();
+    } else {
+      plan.notes.push_back(
+          fmt::format("{} has the record of {}, to the byte, and counts as another specimen, as its "
+                      "case states something else",
+                      in_quotes(test.name), in_quotes(same->test->name)));
+    }
   }
+  plan.tests = std::move(tests);
 }
 
 void note_missing_sections(CampaignPlan& plan) {
@@ -448,7 +465,7 @@ CampaignPlan plan_campaign(const std::string& path, const std::optional<std::str
     plan.tests = plan_of_table(path, shared, changes);
   }
   tell_apart(plan.tests);
-  note_same_records(plan);
+  count_same_records_once(plan);
   note_missing_sections(plan);
   return plan;
 }

@@ -465,7 +465,7 @@ struct Writer {
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
 };
-// "name = value" of each member of a part that is not what it is where nothing is said.
+// "name = value" of each member of a part that is required, or is not what it is where nothing is said.
 template <class Section>
 std::vector<std::string> lines_of(const Test& test, Section* part) {
   Section nothing{};
@@ -475,7 +475,7 @@ std::vector<std::string> lines_of(const Test& test, Section* part) {
       std::visit(
           [&](auto member) {
             if constexpr (!std::is_same_v<decltype(member), std::monostate>)
-              if (!(*member == *std::get<decltype(member)>(key.of(&nothing))))
+              if (is_required<decltype(member)> || !(*member == *std::get<decltype(member)>(key.of(&nothing))))
                 lines.push_back(fmt::format("{} = {}", key.name, Writer{test, key}(*member)));
           },
           slot);
@@ -549,6 +549,47 @@ std::string case_text(const std::string& path) {
   if (text.size() > max_bytes)
     throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
   return text;
+}
+
+std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
+
+namespace {
+
+// What a command line has for a key: "--sign", or "--set rig.roller_radius".
+std::string flag_for(std::string_view section, std::string_view name) {
+  const CaseKey* key = case_key(section, name);
+  return key && key->has_flag ? flag_of(name) : fmt::format("--set {}.{}", section, name);
+}
+
+}  // namespace
+
+std::string KeyChange::flag() const {
+  const std::string flag = flag_for(section, name);
+  const bool is_word = value.front() == '"' && value.find(' ') == std::string::npos;
+  return fmt::format("{}{}{}", flag, flag.starts_with("--set") ? '=' : ' ',
+                     is_word ? value.substr(1, value.size() - 2) : value);
+}
+
+std::string in_words(const Test& test, const KeyChange& change) {
+  return test.by_flags ? change.flag() : change.in_case();
+}
+
+std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
+  std::vector<std::string> said;
+  for (const KeyChange& change : changes)
+    said.push_back(test.by_flags ? change.flag() : fmt::format("{} = {}", change.name, change.value));
+  if (test.by_flags) return fmt::format("pass {}", fmt::join(said, " "));
+  return fmt::format("write {} into [{}]", fmt::join(said, " and "), changes.front().section);
+}
+
+std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names) {
+  if (!test.by_flags) return fmt::format("[{}] {}", section, in_words(names));
+  std::vector<std::string> flags;
+  for (const std::string& name : names) {
+    const std::string flag = flag_for(section, name);
+    flags.push_back(flag.starts_with("--set") ? flag + "=…" : flag);
+  }
+  return in_words(flags);
 }
 
 InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,

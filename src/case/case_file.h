@@ -54,6 +54,24 @@ std::string readable_length(const Test& test, double length);
 // Fails:      InputError, naming the flag.
 double quantity_of_flag(std::string_view flag, std::string_view text, const Kind& kind, Range range);
 
+// A key of a case, and what to write there: "find" in quotes, or a number.
+struct KeyChange {
+  std::string_view section, name;
+  std::string value;
+
+  std::string in_case() const;  // "[record] sign = "keep""
+  std::string flag() const;     // "--sign keep", or "--set rig.roller_radius="5 mm"", which says the same
+};
+
+// One in the words of who states the test: in_case, or flag.
+std::string in_words(const Test& test, const KeyChange& change);
+
+// Changes in one section, a clause likewise: "write sign = "keep" into [record]", or "pass --sign keep".
+std::string to_say(const Test& test, const std::vector<KeyChange>& changes);
+
+// Keys of one section likewise: "[rig] supports or roller_radius", or "--supports or --set rig.roller_radius=…".
+std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names);
+
 // The error to throw when a value of a test turns out wrong later. `key` as in Test::lines.
 InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
                        std::string remedy = "");

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -42,6 +43,8 @@ using Slot = std::variant<std::monostate, double*, std::optional<double>*, std::
                           std::optional<SupportKind>*, std::optional<FrictionModel>*, TraceDirection*, SnapRest*,
                           std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
                           std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
+template <class Member>
+inline constexpr bool is_required = std::is_same_v<Member, double*> || std::is_same_v<Member, std::string*>;
 
 struct CaseKey {
   std::string_view name;

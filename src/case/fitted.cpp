@@ -17,6 +17,7 @@
 #include "io/sha256.h"
 #include "io/text_file.h"
 #include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -78,22 +79,12 @@ std::size_t drops_in_other_loadings(const Measurement& measurement) {
   std::size_t drops = 0, loading = 0;
   for (const Leg& leg : find_legs(measurement.cycles->stage)) {
     if (leg.direction != Direction::loading || ++loading == measurement.loading.number) continue;
-    if (leg.last - leg.first >= min_fitted_points)
-      drops += find_drops(points_between(*measurement.cycles, leg.first, leg.last)).drops.size();
+    if (leg.last - leg.first < min_fitted_points) continue;
+    Record record = points_between(*measurement.cycles, leg.first, leg.last);
+    record.stage = advancing(record.stage);
+    drops += find_drops(record, {.halts = measurement.sampling.halts_between(leg.first, leg.last)}).drops.size();
   }
   return drops;
-}
-
-// The points of the loading evaluated after which the stage halted.
-std::vector<std::size_t> halts_in(const Measurement& measurement) {
-  const auto& rows = measurement.sampling.rows;
-  const auto& halts = measurement.sampling.halts;
-  std::vector<std::size_t> points;
-  for (std::size_t point = 0; point < measurement.record.force.size(); ++point)
-    if (measurement.first + point < rows.size() &&
-        std::binary_search(halts.begin(), halts.end(), rows[measurement.first + point]))
-      points.push_back(point);
-  return points;
 }
 
 // The friction of the loops, where they tell the bending stiffness.
@@ -233,7 +224,8 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   const BeamGeometry geometry = geometry_of(input);
   const SmallDeflection standard = small_deflection_of(measurement);
   AnalysisOptions of_record = options;
-  of_record.drops.halts = halts_in(measurement);
+  of_record.drops.halts =
+      measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
   std::optional<CyclicAnswer> cycles;
   if (measurement.cycles) {

@@ -225,8 +225,7 @@ void Keys::read(const TestPart& part) const {
         [&](auto member) {
           using Member = decltype(member);
           if constexpr (!std::is_same_v<Member, std::monostate>) {
-            constexpr bool is_required = std::is_same_v<Member, double*> || std::is_same_v<Member, std::string*>;
-            if (is_required) need(key.name);
+            if (is_required<Member>) need(key.name);
             if (has(key.name)) Reader{*this, test_, key}(*member);
           }
         },

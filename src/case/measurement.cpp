@@ -14,7 +14,9 @@
 
 #include "case/case_keys.h"
 #include "case/mechanics.h"
+#include "case/toml.h"
 #include "data/contact.h"
+#include "data/drops.h"
 #include "data/failure.h"
 #include "data/no_readings.h"
 #include "data/record.h"
@@ -24,6 +26,7 @@
 #include "io/statistics_rows.h"
 #include "io/table.h"
 #include "numerics/elementary.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 
@@ -31,10 +34,6 @@ void Preparation::add(std::string_view name, bool changed, std::string done, std
                       std::optional<PreparedValue> value, std::optional<RowRange> rows) {
   steps.push_back({std::string(name), changed, std::move(done), value, rows, std::move(otherwise)});
 }
-
-std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", section, name, value); }
-
-std::string KeyChange::flag() const { return fmt::format("{} {}", flag_of(name), value); }
 
 namespace {
 
@@ -83,12 +82,8 @@ KeyChange switch_to(std::string_view key, std::string_view value) {
   return {"record", key, fmt::format("\"{}\"", value)};
 }
 
-// How to say it, in the words of who states the test: a key of his case file, or a flag where there is none.
-std::string to_say(const Test& test, const KeyChange& change) {
-  if (!test.source.empty()) return fmt::format("write {} = {} into [{}]", change.name, change.value, change.section);
-  const bool is_word = change.value.find(' ') == std::string::npos && change.value.front() == '"';
-  return fmt::format("pass {} {}", flag_of(change.name),
-                     is_word ? change.value.substr(1, change.value.size() - 2) : change.value);
+std::string to_say(const Test& test, KeyChange change) {
+  return to_say(test, std::vector<KeyChange>{std::move(change)});
 }
 
 // What the file and the test leave open, each with its remedy. Of a rig, `stiffness` is the question that its stiffness answers; none if it is not asked.
@@ -212,6 +207,17 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
   if (asked.displacement) {
     const ColumnRole role = role_of(*asked.displacement);
     const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
+    const ColumnRole other = role == ColumnRole::crosshead ? ColumnRole::deflection : ColumnRole::crosshead;
+    if (!has_role(specimen, found) && has_role(specimen, other)) {
+      const ExportColumn& column = displacement_with(other);
+      throw InputError({.file = file.origin.source,
+                        .field = fmt::format("column {}", in_quotes(column.name)),
+                        .expected = fmt::format("a displacement of the {}, as stated", words_for(role).word()),
+                        .found = fmt::format("one whose name says {}", words_for(other).word()),
+                        .remedy = to_say(input, switch_to("displacement", words_for(other).word())) + "; or " +
+                                  to_say(input, switch_to("displacement_column", column.name)) +
+                                  " besides, if its name is wrong"});
+    }
     return {displacement_with(found), *asked.displacement, true};
   }
   // A deflectometer comes first: ISO 178 prefers it.
@@ -287,33 +293,25 @@ std::vector<ExportColumn> asked_columns(const RecordInput& asked, const Exported
   return columns;
 }
 
-// Flags of an evaluation, in the words of who states the test: "--force COLUMN", or "force = "COLUMN" into [record]".
-std::string in_words_of(const Test& input, std::string_view flags) {
-  if (input.source.empty()) return "pass " + std::string(flags);
-  std::vector<std::string> keys;
-  for (std::size_t at = flags.find("--"); at != std::string_view::npos;) {
-    const std::size_t next = flags.find(" --", at), space = flags.find(' ', at);
-    std::string name(flags.substr(at + 2, space - at - 2));
-    std::replace(name.begin(), name.end(), '-', '_');
-    std::string value(flags.substr(space + 1, next - space - 1));
-    if (value.front() != '"' && value.find_first_not_of("0123456789") != std::string::npos) value = '"' + value + '"';
-    keys.push_back(name + " = " + value);
-    at = next == std::string_view::npos ? next : next + 1;
-  }
-  return fmt::format("write {} into [record]", fmt::join(keys, " and "));
-}
-
 void require_answers(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   const std::size_t count = file.specimens.size();
   const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
   std::vector<std::string> questions;
+  const std::vector<std::string>& sheets = file.origin.alike;
+  if (!sheets.empty())
+    questions.push_back(fmt::format("which of the sheets {}, which hold such a table each? {}", listed(sheets),
+                                    to_say(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
   if (count > 1 && !asked.specimen)
     questions.push_back(
         fmt::format("which of the {} specimens? {}", count, to_say(input, KeyChange{"record", "specimen", "1"})));
   const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
-  for (const OpenQuestion& each : questions_of(columns))
-    if (!each.with_test.empty()) questions.push_back(each.words + " " + in_words_of(input, each.with_test));
+  for (const OpenQuestion& each : questions_of(columns)) {
+    if (each.with_test.empty()) continue;
+    std::vector<KeyChange> changes;
+    for (const RecordKey& key : each.with_test) changes.push_back({"record", key.name, key.value});
+    questions.push_back(each.words + " " + to_say(input, changes));
+  }
   const auto has = [&](ColumnRole role) {
     return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
   };
@@ -338,6 +336,10 @@ std::vector<double> in_si_of(const Test& input, const Export& file, const Export
 Readings readings_from(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   require_answers(input, needs, file);
+  if (!file.origin.alike.empty())
+    throw wrong_value(input, "record.sheet",
+                      fmt::format("one of the sheets {}, which hold such a table each", listed(file.origin.alike)),
+                      "none", to_say(input, KeyChange{"record", "sheet", toml_text(file.origin.alike.front())}));
   const ExportedSpecimen& specimen = specimen_of(input, file);
   const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
   const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
@@ -650,15 +652,17 @@ void hold_stage(const Test& input, const Table& table, Record& record, std::span
   double largest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
     if (farthest - stage[i] > allowed)
-      throw InputError(
-          {.file = table.source,
-           .line = table.lines[rows[i]],
-           .field = "the stage",
-           .expected = fmt::format("a position no smaller than the farthest before it, {}",
-                                   readable_length(input, farthest == 0 ? 0 : farthest)),
-           .found = readable_length(input, stage[i] == 0 ? 0 : stage[i]),
-           .remedy = i < 30 ? "check the sign of the displacement: write sign = \"keep\" or \"reverse\" into [record]"
-                            : fmt::format("keep only the loading: write until = {} into [record]", rows[i])});
+      throw InputError({.file = table.source,
+                        .line = table.lines[rows[i]],
+                        .field = "the stage",
+                        .expected = fmt::format("a position no smaller than the farthest before it, {}",
+                                                readable_length(input, farthest == 0 ? 0 : farthest)),
+                        .found = readable_length(input, stage[i] == 0 ? 0 : stage[i]),
+                        .remedy = i < 30
+                                      ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
+                                                    to_say(input, switch_to("sign", "keep")))
+                                      : "keep only the loading: " +
+                                            to_say(input, KeyChange{"record", "until", fmt::format("{}", rows[i])})});
     if (stage[i] < farthest) {
       ++held;
       largest = std::max(largest, farthest - stage[i]);
@@ -711,7 +715,8 @@ struct Loading {
 };
 
 // Fails:      InputError where the stage only goes back.
-Loading loading_to_evaluate(const Table& table, const std::vector<double>& stage, const std::vector<Leg>& legs) {
+Loading loading_to_evaluate(const Test& input, const Table& table, const std::vector<double>& stage,
+                            const std::vector<Leg>& legs) {
   constexpr double as_far = 0.95;  // of the way of that which goes farthest
   const auto [least, farthest] = std::minmax_element(stage.begin(), stage.end());
   const double far = *least + as_far * (*farthest - *least);
@@ -730,7 +735,7 @@ Loading loading_to_evaluate(const Table& table, const std::vector<double>& stage
                     .field = "the stage",
                     .expected = "a record that has a loading",
                     .found = "one that only unloads",
-                    .remedy = "if the stage is counted the other way, reverse it with sign in [record] or --sign"});
+                    .remedy = "if the stage is counted the other way, " + to_say(input, switch_to("sign", "reverse"))});
 }
 
 // How many rows lie before a place, a row or where the stage or the deflection first gets there; and how many up to it, itself among them.
@@ -772,6 +777,15 @@ std::size_t points_until(std::size_t until, Measurement& result, Preparation& st
   return static_cast<std::size_t>(end - counted.begin());
 }
 
+// Drops of the force of a loading from a point on, which come after what is evaluated.
+std::size_t drops_behind(const Record& all, const Leg& loading, std::size_t from, const Sampling& sampling) {
+  Record record = points_between(all, loading.first, loading.last);
+  record.stage = advancing(record.stage);
+  const Drops found = find_drops(record, {.halts = sampling.halts_between(loading.first, loading.last)});
+  return static_cast<std::size_t>(std::count_if(found.drops.begin(), found.drops.end(),
+                                                [&](const Drop& drop) { return loading.first + drop.before >= from; }));
+}
+
 // Ends a loading before the failure, which the way back may tell. What is left, in points of the record.
 std::size_t end_of(const Test& input, const Record& all, const Leg& loading, const Leg& way_back, Measurement& result,
                    Preparation& steps) {
@@ -784,6 +798,7 @@ std::size_t end_of(const Test& input, const Record& all, const Leg& loading, con
   if (const std::size_t points = loading.first + failure.points;
       failure.status == FailureStatus::found && points < loading.last) {
     result.end = MeasurementEnd::failure;
+    result.drops_behind = drops_behind(all, loading, loading.first + failure.fallen, result.sampling);
     const std::size_t last = rows_of_points(result.sampling, points);
     steps.add("end", true, fmt::format("the specimen failed after row {}: later rows are left out", last),
               KeyChange{"record", "failure", "\"none\""}, {}, RowRange{last + 1, result.rows});
@@ -801,14 +816,16 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   if (until) points = std::min(points, points_until(*until, result, steps));
   const std::vector<double> stage(all.stage.begin(), all.stage.begin() + static_cast<std::ptrdiff_t>(points));
   const std::vector<Leg> legs = find_legs(stage);
-  Loading loading = loading_to_evaluate(table, stage, legs);
+  Loading loading = loading_to_evaluate(input, table, stage, legs);
   result.loading = loading.counted;
   const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, point); };
   if (result.loading.of > 1)
     steps.add("loading", true,
-              fmt::format("loading {} of {} is evaluated, rows {} to {}: none goes farther by more than a twentieth",
-                          result.loading.number, result.loading.of, result.sampling.rows[loading.leg.first] + 1,
-                          row(loading.leg.last)),
+              fmt::format("loading {} of {} is evaluated, rows {} to {}: {}", result.loading.number, result.loading.of,
+                          result.sampling.rows[loading.leg.first] + 1, row(loading.leg.last),
+                          stage[loading.leg.last - 1] < *std::max_element(stage.begin(), stage.end())
+                              ? "the first that goes about as far as any"
+                              : "none goes farther"),
               result.loading.number > 1
                   ? std::optional(KeyChange{"record", "until", fmt::format("{}", row(legs.front().last))})
                   : std::nullopt,
@@ -818,6 +835,12 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
               fmt::format("the stage turns back after row {}, where the loading ends", row(loading.leg.last)), {}, {},
               RowRange{row(loading.leg.last) + 1, result.rows});
   if (loading.leg.last < points) result.end = MeasurementEnd::turn;
+  if (result.end == MeasurementEnd::until && loading.leg.last == points) {
+    Leg whole{loading.leg.first, all.force.size(), Direction::loading};
+    for (const Leg& leg : find_legs(all.stage))
+      if (leg.first == whole.first) whole.last = leg.last;
+    result.drops_behind = drops_behind(all, whole, points, result.sampling);
+  }
   std::size_t last = loading.leg.last;
   if (!until) {
     const auto next = std::find_if(legs.begin(), legs.end(), [&](const Leg& leg) { return leg.first >= last; });
@@ -858,8 +881,7 @@ bool begins_with_toe(const Record& record, const StraightPart& straight, const B
                      double contact_error) {
   constexpr double surely = 3;
   const double middle = straight.middle(record);
-  const double error = elementary::length(
-      contact_error, (middle - straight.origin) * straight.slope.standard_error / straight.slope.value);
+  const double error = elementary::length(contact_error, straight.origin_error(record));
   const double steeper = most_steepening(geometry, middle - contact);
   return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
 }
@@ -1007,6 +1029,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   result.force_noise = force_noise(whole);
   SmallDeflectionOptions options;
   if (result.is_derived) options.load_train_error = rig_errors_of(result).load_train;
+  options.halts = result.sampling.halts_between(loading.first, loading.last);
   result.straight = straight_part(whole, geometry_of(input), options);
   result.straight_is_initial =
       result.straight && input.rig && input.rig->span && result.loading.number <= 1 && tells_no_friction(input, whole);
@@ -1025,6 +1048,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
     result.straight->last -= skipped;
     result.straight->origin -= result.contact_offset;
   } else {
+    options.halts = result.sampling.halts_between(result.first, loading.last);
     result.straight = straight_part(result.record, geometry_of(input), options);
   }
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));

@@ -28,15 +28,6 @@ struct RowRange {
   std::size_t first, last;
 };
 
-// A key of a case, and what to write there: "find" in quotes, or a number.
-struct KeyChange {
-  std::string_view section, name;
-  std::string value;
-
-  std::string in_case() const;  // "[record] sign = "keep""
-  std::string flag() const;     // "--sign "keep"", which says the same
-};
-
 struct PreparationStep {
   std::string name;                    // "columns", "sign", "zero", ..., the same in every language and version
   bool changed;                        // the numbers are not as in the file, or rows are left out
@@ -87,6 +78,7 @@ struct Measurement {
   std::optional<Record>
       cycles{};  // all loadings, from the first row of the file, if there are several; contact taken off as well
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
+  std::size_t drops_behind = 0;                   // of its force, behind the failure or where it is stated to end
   ContactSource contact = ContactSource::first_point;
   bool is_derived = false;    // the deflection is what the load train leaves of the stage
   bool begins_free = false;   // with rows before the contact, so that no preload hides in its zero

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,6 +39,44 @@ std::optional<ShareRange> stated_friction(const Test& test) {
   return ShareRange{std::min(mu, other), std::max(mu, other)};
 }
 
+// Of the supports of a case, or where it states none of edges and of rollers of the usual radius; [L] of a span.
+std::vector<Supports> possible_supports(const Test& test, const Scales& scales) {
+  std::vector<Supports> possible{supports_of(test, scales)};
+  if (const auto usual = usual_roller_radius(geometry_of(test));
+      usual && !test.rig->supports && !test.rig->roller_radius) {
+    possible.push_back(possible.front());
+    possible.back().radius = scales.reduced_length(*usual);
+  }
+  return possible;
+}
+
+// By the map of the specimen on its supports, for the friction of the case, or that which is usual.
+Steepening steepening_of(const Test& test) {
+  return [&test](DeflectionRange earlier, DeflectionRange later) {
+    const BeamGeometry geometry = geometry_of(test);
+    const Scales scales(*geometry.span, 1);
+    const double most =
+        std::min(stated_friction(test).value_or(usual_friction).most, pin_limit_of(test).value_or(infinity));
+    const auto read = [&](const DeflectionRange& range) {
+      return LoadingRead{.from = std::max(scales.reduced_length(range.from), 0.0),
+                         .to = scales.reduced_length(range.to),
+                         .greatest = scales.reduced_length(std::max(earlier.to, later.to))};
+    };
+    double steeper = 0;
+    for (const Supports& supports : possible_supports(test, scales)) {
+      const bool is_supported = supports.radius > 0 || supports.half_depth > 0;
+      const Fibre fibre = is_supported ? Fibre(supports) : Fibre();
+      for (const double friction : {0.0, most}) {
+        const auto before = standard_reading(fibre, friction, read(earlier)),
+                   after = standard_reading(fibre, friction, read(later));
+        if (!before || !after) return most_steepening(geometry, std::midpoint(later.from, later.to));
+        steeper = std::max(steeper, after->modulus / before->modulus - 1);
+      }
+    }
+    return steeper;
+  };
+}
+
 constexpr ShareRange none_yet{infinity, -infinity};
 void widen(ShareRange& range, double share) { range = {std::min(range.least, share), std::max(range.most, share)}; }
 
@@ -48,6 +88,8 @@ SmallDeflection small_deflection_of(const Measurement& measurement, const std::o
   SmallDeflectionOptions options{.window = window};
   if (measurement.is_derived) options.load_train_error = rig_errors_of(measurement).load_train;
   if (test.reduced) options.greatest_modulus = infinity;
+  options.halts = measurement.sampling.halts_between(measurement.first, measurement.sampling.rows.size());
+  options.steepening = steepening_of(test);
   return small_deflection(measurement.record,
                           window ? straight_part(measurement.record, geometry, options) : measurement.straight,
                           geometry, options);

@@ -184,8 +184,8 @@ struct RecordInput {
 };
 
 struct Test {
-  std::string source{};  // the file as the user named it
-  bool reduced = false;
+  std::string source{};                     // the file as the user named it
+  bool reduced = false, by_flags = false;   // the latter where flags of a command state it, beside a data file
   std::optional<SpecimenInput> specimen{};  // this and the rig are always there in reduced tests
   std::optional<RigInput> rig{};
   std::optional<FrictionInput> friction{};

@@ -62,7 +62,9 @@ Test case_of_flags(const TestRequest& request) {
     if (section == "record") body += fmt::format("file = {}\n", toml_text(request.file));
     if (!body.empty()) text += fmt::format("[{}]\n{}", section, body);
   }
-  return read_case(text, "", request.changes);
+  Test test = read_case(text, "", request.changes);
+  test.by_flags = true;
+  return test;
 }
 
 }  // namespace

@@ -28,16 +28,17 @@ class Loading {
     if (most_ > 0) find_falls();
   }
 
-  // Before the specimen broke; all of the record's if it did not.
-  std::size_t points_before_failure() const {
-    const std::size_t last = last_fall();
-    if (last == falls_.size()) return force_.size();
+  Failure failure() const {
+    const std::size_t last = last_fall(), all = force_.size();
+    if (last == falls_.size()) return {FailureStatus::none, all, all};
     std::size_t first = last;
     for (std::size_t k = last; k-- > 0;) {
       if (stage_[falls_[first].peak] - stage_[falls_[k].trough] > reach * travel_) break;
       if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * most_ || stands_out(k, a_twentieth))) first = k;
     }
-    return begin_of(falls_[first]);
+    const std::size_t points = begin_of(falls_[first]);
+    if (points == all) return {FailureStatus::none, all, all};
+    return {FailureStatus::found, points, falls_[first].trough};
   }
 
  private:
@@ -162,9 +163,7 @@ class Loading {
 
 Failure find_failure(const Record& record) {
   const std::size_t all = record.force.size();
-  if (all < 2) return {FailureStatus::none, all};
-  const std::size_t points = Loading(record).points_before_failure();
-  return {points < all ? FailureStatus::found : FailureStatus::none, points};
+  return all < 2 ? Failure{FailureStatus::none, all, all} : Loading(record).failure();
 }
 
 }  // namespace flexslip

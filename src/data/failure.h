@@ -15,6 +15,7 @@ enum class FailureStatus {
 struct Failure {
   FailureStatus status;
   std::size_t points;  // before the specimen broke: the last of them is point points - 1
+  std::size_t fallen;  // the point at which the first fall of the failure has ended; all points of one that survived
 };
 
 // A specimen has broken when the force, while the stage runs forwards, drops below half its maximum for good, and does so by a fall and not by a

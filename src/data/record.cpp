@@ -432,6 +432,13 @@ std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
 
 }  // namespace
 
+std::vector<std::size_t> Sampling::halts_between(std::size_t first, std::size_t last) const {
+  std::vector<std::size_t> points;
+  for (std::size_t point = first; point < std::min(last, rows.size()); ++point)
+    if (std::binary_search(halts.begin(), halts.end(), rows[point])) points.push_back(point - first);
+  return points;
+}
+
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
   Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 1};
   auto& rows = sampling.rows;

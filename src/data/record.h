@@ -141,6 +141,9 @@ struct Sampling {
   std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them
   std::vector<std::size_t> halts{};  // the rows before those, rising
   std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
+
+  // Of the points [first, last), counted from first, those after which the stage halted (find_drops).
+  std::vector<std::size_t> halts_between(std::size_t first, std::size_t last) const;
 };
 
 // Domain:     columns of one length; most >= 1: no more rows count.

@@ -138,8 +138,9 @@ class Stretches {
 };
 
 // The points up to the first drop that begins high enough for a stretch before it.
-std::size_t points_before_teeth(const Record& record, std::size_t points, double most) {
-  const Drops found = find_drops(first_points(record, points));
+std::size_t points_before_teeth(const Record& record, std::size_t points, double most,
+                                const std::vector<std::size_t>& halts) {
+  const Drops found = find_drops(first_points(record, points), {.halts = halts});
   if (found.status != DropStatus::ok) return points;
   for (const Drop& drop : found.drops)
     if (record.force[drop.before] - record.force.front() >= least_rise * most) return drop.before + 1;
@@ -147,8 +148,8 @@ std::size_t points_before_teeth(const Record& record, std::size_t points, double
 }
 
 std::optional<StraightPart> steepest(const Record& record, std::size_t points, double most, double noise,
-                                     double load_train_error) {
-  points = points_before_teeth(record, points, most);
+                                     const SmallDeflectionOptions& options) {
+  points = points_before_teeth(record, points, most, options.halts);
   const Stretches stretches(record, points, noise);
   const auto& force = record.force;
   // Stretches begin and end at the points at which the force gets to a level, and at their neighbours: one row alone may lie between two levels.
@@ -175,7 +176,7 @@ std::optional<StraightPart> steepest(const Record& record, std::size_t points, d
       steepness = *slope;
     }
   if (!best) return std::nullopt;
-  auto straight = line_of(record, best->first, best->last, noise, load_train_error);
+  auto straight = line_of(record, best->first, best->last, noise, options.load_train_error);
   if (straight) straight->window = {std::max(force[best->first] / most, 0.0), force[best->last - 1] / most};
   return straight;
 }
@@ -205,10 +206,12 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
   return Chord{normal_estimate(slope, error), from, to, slope * span * span * span / (48 * second_moment(section))};
 }
 
-// Is the straight part, at a deflection, so much steeper than the chord that this lies in the toe?
-bool lies_in_toe(const Chord& chord, const Estimate& slope, double deflection, const BeamGeometry& geometry) {
-  const double error = elementary::length(chord.stiffness.standard_error, slope.standard_error);
-  return slope.value - clearly * error > (1 + most_steepening(geometry, deflection)) * chord.stiffness.value;
+// What supports and friction explain of a straight part that is steeper than the chord.
+double explained(const Chord& chord, const StraightPart& straight, const Record& record, const BeamGeometry& geometry,
+                 const Steepening& steepening) {
+  if (!steepening) return most_steepening(geometry, straight.middle(record) - straight.origin);
+  return steepening({straight.origin + chord.deflection_from, straight.origin + chord.deflection_to},
+                    {record.deflection[straight.first], record.deflection[straight.last - 1]});
 }
 
 // [1] Of the travel of the stage up to a point.
@@ -232,6 +235,10 @@ double most_steepening(const BeamGeometry& geometry, double deflection) {
   if (!geometry.span) return 0;
   const double R = usual_roller_radius(geometry).value_or(0) + (geometry.section ? 0.5 * depth(*geometry.section) : 0);
   return (4.8 + 27 * R / *geometry.span) * deflection / *geometry.span;
+}
+
+double StraightPart::origin_error(const Record& record) const {
+  return (middle(record) - origin) * slope.standard_error / slope.value;
 }
 
 double StraightPart::middle(const Record& record) const {
@@ -258,7 +265,7 @@ std::optional<StraightPart> straight_part(const Record& record, const BeamGeomet
   if (!(most > 0)) return std::nullopt;
   const double noise = noise_of(record);
   auto straight = options.window ? straight_in(record, points, most, *options.window, noise, options.load_train_error)
-                                 : steepest(record, points, most, noise, options.load_train_error);
+                                 : steepest(record, points, most, noise, options);
   if (!straight) return straight;
   straight->window_force = most;
   straight->before_beginning = std::max(record.deflection.front() - straight->origin, 0.0);
@@ -303,6 +310,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   result.last = straight->last;
   result.stiffness = straight->slope;
   result.origin = straight->origin;
+  result.origin_error = straight->origin_error(record);
   result.before_beginning = straight->before_beginning;
   const auto reached = [&](std::size_t point) {
     LoadReached at{record.force[point], record.deflection[point] - result.origin, {}, {}};
@@ -322,8 +330,17 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   if (result.before_beginning < strain_from * L * L / (6 * depth(*section)))
     result.chord =
         chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
-  result.chord_in_toe =
-      result.chord && lies_in_toe(*result.chord, result.stiffness, straight->middle(record) - result.origin, geometry);
+  if (!result.chord) return result;
+  // In a toe the force lies above the straight part.
+  constexpr double surely = 4;  // of the noise of a reading
+  const double from = result.chord->deflection_from;
+  const auto low = force_at(record, greatest + 1, result.origin + from);
+  if (!(*low > stiffness * from + surely * noise_of(record))) return result;
+  const Estimate &of_chord = result.chord->stiffness, &of_part = result.stiffness;
+  const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
+  result.toe_excess = of_part.value / of_chord.value - 1;
+  result.toe_explained = explained(*result.chord, *straight, record, geometry, options.steepening);
+  result.chord_in_toe = of_part.value - clearly * error > (1 + result.toe_explained) * of_chord.value;
   if (result.chord_in_toe) result.chord.reset();
   return result;
 }

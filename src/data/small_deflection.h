@@ -5,7 +5,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "data/record.h"
 #include "data/section.h"
@@ -21,12 +23,22 @@ struct ForceWindow {
 // Beyond that of diamond no material is as stiff.
 inline constexpr double stiffest_material = 1200e9;  // [Pa]
 
+// [m] Deflections of one loading between which a slope is told, counted from the contact.
+struct DeflectionRange {
+  double from, to;
+};
+
+// [1] By how much supports and friction on them can make a loading steeper between later deflections than between earlier ones.
+using Steepening = std::function<double(DeflectionRange earlier, DeflectionRange later)>;
+
 struct SmallDeflectionOptions {
   // Not given: the steepest stretch that the noise allows.
   std::optional<ForceWindow> window{};
   // [1] Of the stiffness of the load train, standard deviation, where the deflection is what that leaves of the stage; 0 of one that was measured.
   double load_train_error = 0;
   double greatest_modulus = stiffest_material;  // [Pa]; infinite in reduced units
+  std::vector<std::size_t> halts{};             // points after which the stage halted, see DropOptions
+  Steepening steepening{};                      // not given: most_steepening at the middle of the later ones
 };
 
 // What is known of a test besides its record; what is not known stays out of the result.
@@ -52,7 +64,8 @@ struct StraightPart {
   double before_beginning;  // [m] by how much it would be
   double load_train_share;  // [1] of the stage's travel over it
 
-  double middle(const Record& record) const;  // [m] deflection
+  double middle(const Record& record) const;        // [m] deflection
+  double origin_error(const Record& record) const;  // [m] standard deviation, of the slope alone
 };
 
 // Domain:     a loading without faults (check_record), its failure taken off; lengths positive; 0 <= from < up_to <= 1; std::invalid_argument otherwise.
@@ -97,6 +110,7 @@ struct SmallDeflection {
   std::size_t first, last;        // points [first, last) it was drawn through
   Estimate stiffness;             // [N/m] dF/dw0
   double origin;                  // [m] the end of the toe, where strain counts from, see StraightPart
+  double origin_error;            // [m] see StraightPart
   double before_beginning;        // [m] see StraightPart
   LoadReached greatest;           // at the greatest force
   LoadReached end;                // at the last point: of a record whose failure was taken off, at break
@@ -104,6 +118,8 @@ struct SmallDeflection {
   std::optional<Chord>
       chord;              // where span and section are known, the record covers both strains, and it is not in the toe
   bool chord_in_toe;      // the record bends up between the two strains more than a specimen does
+  double toe_excess;      // [1] by how much the straight part is steeper than such a chord
+  double toe_explained;   // [1] what of that supports and friction can have done
   bool deflection_large;  // the greatest force is reached beyond a tenth of the span
   std::optional<double> shear_share;  // [1] what shear adds to a deflection (section.h)
 };
@@ -111,7 +127,8 @@ struct SmallDeflection {
 // Domain: a record of straight_part, and what that tells of it.
 // Max error:  that of straight_part; it knows nothing of the dimensions of the specimen.
 // Method: the chord is drawn between the points where the record first reaches the two strains, by linear interpolation; its error is
-//         that of two readings. It lies in the toe where the straight part is steeper beyond the errors than most_steepening explains.
+//         that of two readings. It lies in the toe where its lower end does, beyond the noise, above the straight part, and this is steeper than
+//         the chord, beyond the errors of both, than the steepening of the options explains.
 SmallDeflection small_deflection(const Record& record, const std::optional<StraightPart>& straight,
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options);
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,

@@ -12,835 +12,19 @@
 #include <fmt/ranges.h>
 
 #include "data/names.h"
-#include "data/rounded_drops.h"
+#include "finding/clauses.h"
+#include "finding/findings.h"
 #include "finding/hangs_on.h"
 #include "finding/load_train_of_drops.h"
 #include "finding/printed.h"
+#include "finding/reload.h"
 #include "finding/slips_of_a_bar.h"
-#include "inference/process_mode.h"
-#include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-// ---- Findings
-
 using T = const FittedTest&;
-using Found = std::optional<Finding>;
-
-constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
-
-std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
-
-// Does a later loading bound what stiffness was lost in that evaluated?
-bool has_reload(T test) { return test.judgement && std::isfinite(test.judgement->loss_needed); }
-
-bool is_on_edges(T test) { return test.analysis.rig.fibre.supports().radius == 0; }
-
-const Check* check_of(T test, CheckKind kind) {
-  const auto& checks = test.analysis.checks;
-  const auto found = std::find_if(checks.begin(), checks.end(), [&](const Check& check) { return check.kind == kind; });
-  return found == checks.end() ? nullptr : &*found;
-}
-
-// A stiffness that was stated is not that of the initial slope.
-bool contradicts_slope(T test) {
-  return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope;
-}
-
-// A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
-bool presumes_too_much(T test) {
-  return contradicts_slope(test) || test.analysis.model_implausible || lost_stiffness(*test.judgement);
-}
-
-Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
-                std::string remedy) {
-  Finding finding{.severity = check.outcome == CheckOutcome::passed ? Severity::passed : Severity::doubt,
-                  .sentence = check.outcome == CheckOutcome::passed ? std::move(passed) : std::move(failed)};
-  finding.is_check = true;
-  if (finding.severity == Severity::doubt) {
-    finding.short_form = std::move(short_form);
-    finding.remedy = std::move(remedy);
-  }
-  for (const auto& [name, value, is_force] : check.numbers)
-    finding.numbers.push_back(is_force ? FindingNumber{name, test.analysis.scales.physical_force(value), kind::force}
-                                       : FindingNumber{name, value});
-  return finding;
-}
-
-Finding unjudged(std::string sentence) { return {.severity = Severity::unjudged, .sentence = std::move(sentence)}; }
-
-// What would make a bending stiffness so many times too large or too small; a clause.
-std::string likely_slip_of_units(double times) {
-  struct Slip {
-    double times;
-    std::string_view words;
-  };
-  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
-                             Slip{16, ", about 16: perhaps a diameter for the radius"},
-                             Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
-                             Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
-                             Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
-                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"}};
-  constexpr double near = 1.5;  // friction and a guess of the modulus move the ratio by less
-  for (const auto& slip : slips)
-    if (times < near * slip.times && times > slip.times / near) return std::string(slip.words);
-  return "";
-}
-
-// By how much a record misses what sliding gives; a clause.
-std::string by_how_much(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
-  constexpr double noticeable = 0.01;
-  if (below > noticeable)
-    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve",
-                       format_percent(below));
-  if (deepest > noticeable)
-    return fmt::format(": its force falls to {} below the frictionless curve", format_percent(deepest));
-  return is_fitted(test)
-             ? fmt::format(": the best fit misses the force by {} of its greatest",
-                           format_share(analysis.fit.residual_rms, *std::max_element(analysis.reduced.force.begin(),
-                                                                                     analysis.reduced.force.end())))
-             : "";
-}
-
-// The force is not level before the contact, and was taken to be.
-Found sloping_baseline(T test) {
-  const Baseline& baseline = test.measurement.baseline;
-  if (baseline.points == 0 || test.measurement.baseline_is_off) return std::nullopt;
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence = fmt::format("The force {} by {} before the contact, {:.0f} times its error.",
-                              baseline.settles_by != 0 ? "settles"
-                              : baseline.change > 0    ? "drifts up"
-                                                       : "drifts down",
-                              readable(std::abs(baseline.change), baseline.error, Print(test).as(kind::force)),
-                              std::abs(baseline.change) / baseline.error),
-      .short_form = "the force drifts before contact",
-      .remedy = "Write zero = \"slope\" under [record] to take it off.",
-      .numbers = {{"change", baseline.change, kind::force}, {"change_error", baseline.error, kind::force}}};
-}
-
-// The record's own contact is another than that taken off.
-Found other_contact(T test) {
-  const Measurement& measurement = test.measurement;
-  const auto& [value, error, low, high] = measurement.own_contact.offset;
-  constexpr double errors = 2, least = 0.0012;  // [1], [L] less moves friction by less than its interval
-  if (measurement.own_contact.status != ContactStatus::found || measurement.contact == ContactSource::found ||
-      !(std::abs(value) > std::max(errors * error, least * test.analysis.scales.span())))
-    return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format(
-                     "The record itself begins {} {} {}{}.",
-                     readable(std::abs(value), error, Print(test).as(kind::length)), value > 0 ? "behind" : "before",
-                     measurement.contact == ContactSource::stated ? "the contact stated" : "the zero of the file",
-                     measurement.own_contact.settles ? ", once its contact has settled" : ""),
-                 .short_form = fmt::format("begins {} {}", Print(test).own(std::abs(value), kind::length),
-                                           value > 0 ? "late" : "early"),
-                 .remedy = "Write contact = \"find\" under [record] to count from there.",
-                 .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
-}
-
-// A preload that the specimen bears and a load cell that was not set to zero look alike.
-Found begins_under_force(T test) {
-  const Measurement& measurement = test.measurement;
-  const double force = measurement.begins_under;
-  if (!(force > 0) || measurement.contact != ContactSource::found || measurement.test.record->contact ||
-      measurement.test.record->zero != ForceZeroRule{})
-    return std::nullopt;
-  const std::string printed = Print(test).own(force, kind::force);
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence =
-          fmt::format("The record begins under a force of {}, which is taken as borne by the specimen.", printed),
-      .short_form = fmt::format("begins under {}", printed),
-      .remedy = fmt::format("If the load cell was not set to zero, write zero = \"{}\" under [record]; if it was, "
-                            "contact = \"find\".",
-                            printed),
-      .numbers = {{"force", force, kind::force}}};
-}
-
-std::string find_contact_or_check(T test, const std::string& remedy) {
-  return (other_contact(test) ? "Try contact = \"find\" under [record]; check " : "Check ") + remedy;
-}
-
-double greatest_deflection(T test) {
-  const auto& w = test.analysis.reduced.deflection;
-  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
-}
-
-// ---- Why a record has no answer
-
-Found no_force(T test) {
-  const auto& force = test.analysis.record.force;
-  if (is_fitted(test) || force.empty() || *std::max_element(force.begin(), force.end()) > 0) return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = "The force is nowhere above zero.",
-                 .short_form = "no force above zero",
-                 .remedy = "Check which column is the force, and its sign."};
-}
-
-Found no_initial_slope(T test) {
-  if (test.analysis.status != AnalysisStatus::no_initial_slope || no_force(test)) return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence =
-          "The force does not rise clearly enough where the record begins to read the bending stiffness off it.",
-      .short_form = "no initial slope",
-      .remedy = "State the bending stiffness, or the modulus and the section."};
-}
-
-Found too_deep(T test) {
-  const double deepest = greatest_deflection(test);
-  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= max_deflection || no_force(test))
-    return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format(
-          "The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so far over its supports.",
-          Print(test).length(deepest), deepest, Print(test).length(1)),
-      .short_form = "deflection beyond the span",
-      .remedy = "Check the units, and where the displacement counts from.",
-      .numbers = {{"deflection_over_span", deepest}}};
-}
-
-constexpr std::size_t min_rows = 30;
-
-Found too_few_rows(T test) {
-  const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || no_force(test))
-    return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The loading has {}; {} are needed.", format_count(rows, "row", "rows"), min_rows),
-      .short_form = "too few rows",
-      .remedy = "Record more rows."};
-}
-
-Found too_few_points(T test) {
-  const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || no_force(test))
-    return std::nullopt;
-  const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format(
-          "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and twice the "
-          "thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the span of {}.",
-          format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
-          Print(test).length(1)),
-      .short_form = "bent too little",
-      .remedy =
-          "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
-          "flexslip modulus evaluates the record without friction.",
-      .numbers = {{"deflection_over_span", deepest}}};
-}
-
-// Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
-Found wrong_load_train(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  if (!has_judged_drops(test)) return std::nullopt;
-  if (Found found = other_train_in_drops(test)) return found;
-  const double times = analysis.stiffness_over_slope;
-  if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
-      !likely_slip_of_units(times).empty())
-    return std::nullopt;
-  constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
-  const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
-                              "the bending stiffness stated is right.",
-                              format_roughly(train, Print(test).as(kind::stiffness))),
-      .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
-      .remedy =
-          "State the stiffness of the load train under [rig]; if nothing gives, check the modulus, the "
-          "section and the span.",
-      .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
-}
-
-Found wrong_stiffness(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  const bool is_judged =
-      is_fitted(test) || analysis.status == AnalysisStatus::not_explained || (seeks_drops(test) && !is_slender(test));
-  if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
-  const double times = analysis.stiffness_over_slope;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The bending stiffness stated is {} times that of the record's initial slope{}.",
-                              format_roughly(times, kind::number), likely_slip_of_units(times)),
-      .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
-      .remedy =
-          "Check the modulus, the section, the span, the load train, the columns and their units; modulus = \"fit\" "
-          "takes the stiffness from the record.",
-      .numbers = {{"stated_over_slope", times}}};
-}
-
-Found not_explained(T test) {
-  if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
-                 .short_form = "no friction explains it",
-                 .remedy =
-                     "Check the columns (flexslip read FILE shows them), their units, the span, the section, the "
-                     "modulus and the load train."};
-}
-
-// ---- What stands against an answer
-
-// Are most of the drops that cannot be slips those that would begin at a friction above the limit?
-bool begin_beyond_friction(T test) {
-  const auto& slips = test.analysis.slips;
-  const auto beyond = std::count_if(slips.begin(), slips.end(),
-                                    [](const Slip& slip) { return slip.verdict == SlipVerdict::implausible; });
-  return 2 * static_cast<std::size_t>(beyond) > test.judgement->impossible;
-}
-
-Found most_drops_impossible(T test) {
-  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
-  if (!most_are_impossible(impossible, drops) || lost_stiffness(*test.judgement)) return std::nullopt;
-  Finding finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
-                              load_train_in_words(test)),
-      .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
-      .remedy =
-          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these drops.",
-      .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
-  if (begin_beyond_friction(test)) {
-    const double limit = test.analysis.suspects.limit;
-    finding.sentence = fmt::format("{} of the {} drops cannot be slips: most would begin at a friction above {:.3g}.",
-                                   impossible, drops, limit);
-    finding.remedy = fmt::format(
-        "Check the modulus, the section, the span, the supports and the load train: a bending stiffness stated too low "
-        "reads so. If friction above {:.3g} can be, raise the suspect limit.",
-        limit);
-  }
-  return finding;
-}
-
-Found no_sliding(T test) {
-  if (!test.analysis.model_implausible) return std::nullopt;
-  const std::string remedy =
-      "Check the modulus, the section, the span, the contact and the load train. If they are right, the specimen gave "
-      "way: unload and load once more.";
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
-                 .short_form = "no friction explains it",
-                 .remedy = remedy};
-}
-
-// "cracks alone: 2 %"
-std::string cracks_in_words(T test) {
-  const double percent = 100 * test.judgement->cracks_alone;
-  constexpr double least = 1, most = 99;  // what simulated tests can tell
-  constexpr double unlikely = 5;          // beyond which, on either side, the verdict is decided
-  const double beside = std::abs(std::abs(percent - 50) - (50 - unlikely));
-  if (beside < 0.5) return fmt::format("cracks alone: {:.{}f} %", percent, beside < 0.05 ? 2 : 1);
-  return percent < least  ? fmt::format("cracks alone: less than {} %", least)
-         : percent > most ? fmt::format("cracks alone: more than {} %", most)
-                          : fmt::format("cracks alone: {:.0f} %", percent);
-}
-
-Found softer_reload(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!judgement.softer_reload) return std::nullopt;
-  return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.1f} ± {:.1f} % softer.",
-                                         100 * judgement.loss, 100 * judgement.loss_error),
-                 .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * judgement.loss),
-                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
-                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
-}
-
-Found cracks(T test) {
-  if (!test.judgement->drops_are_cracks) return std::nullopt;
-  return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The force rises between the drops as that of a specimen that cracks ({}).",
-                                         cracks_in_words(test)),
-                 .short_form = cracks_in_words(test),
-                 .remedy = test.cycles ? "" : "Unload and load once more; a reload shows how much stiffness was lost.",
-                 .numbers = {{"cracks_alone", test.judgement->cracks_alone}}};
-}
-
-Found impossible_drops(T test) {
-  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
-  if (impossible == 0 || most_drops_impossible(test)) return std::nullopt;
-  return Finding{.severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
-                 .sentence = drops == 1            ? std::string("The drop cannot be a slip.")
-                             : impossible == drops ? fmt::format("None of the {} drops can be a slip.", drops)
-                                                   : fmt::format("{} of the {} drops cannot be {}.", impossible, drops,
-                                                                 impossible == 1 ? "a slip" : "slips"),
-                 .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
-                 .remedy = "Look at what happened there: a break, a spike of the load cell, or a crack.",
-                 .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
-}
-
-Found implausible_friction(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  const double most = std::min(analysis.suspects.limit, analysis.most_friction);
-  if (!analysis.suspects.suspect && !(analysis.fit.mu0.low > most)) return std::nullopt;
-  const std::string how =
-      analysis.suspects.suspect
-          ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
-                        analysis.suspects.points.size(), analysis.suspects.points_judged)
-          : fmt::format("at least {:.2f} on average (95 %)", analysis.fit.mu0.low);
-  return Finding{
-      .severity = Severity::suspicion,
-      .sentence = fmt::format("The record needs implausible friction, {}.", how),
-      .short_form = fmt::format("friction above {:.2g}", most),
-      .remedy =
-          analysis.fit.mu0.low > analysis.most_friction
-              ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
-                            analysis.most_friction)
-          : is_on_edges(test)
-              ? "If the supports are not edges, state [rig] roller_radius: rollers taken for edges read so."
-              : "Image the supports: the length pulled in shows whether the specimen slides."};
-}
-
-Found misses_force(T test) {
-  const Check* check = check_of(test, CheckKind::residuals);
-  if (!check) return std::nullopt;
-  const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
-  const std::string misses =
-      fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
-                  100 * max_residual);
-  return checked(test, *check, misses, misses, "the fit misses the force",
-                 "Check the modulus, the section, the span and the units.");
-}
-
-Found drops_differ(T test) {
-  const Check* check = check_of(test, CheckKind::drops);
-  if (!check) return std::nullopt;
-  if (presumes_too_much(test))
-    return unjudged("The fit cannot be used, so its drops are not compared with those of the record.");
-  if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("The model has no profiles whose drops could be counted.");
-  const auto number = [&](std::string_view name) { return number_of(*check, name); };
-  const double low = number("draws_low"), high = number("draws_high");
-  const std::string sentence =
-      fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
-                  low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
-                  number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
-  return checked(test, *check, sentence, sentence,
-                 fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
-                 "See in the table of drops which ones can be cracks.");
-}
-
-Found coloured_noise(T test) {
-  const Check* check = check_of(test, CheckKind::whiteness);
-  if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so what it leaves is not judged.");
-  if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("A constant friction cannot predict the next reading.");
-  const double p = number_of(*check, "p_value");
-  const std::string probability =
-      p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise) : fmt::format("p = {}", format_significant(p, 2));
-  Finding finding = checked(
-      test, *check,
-      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
-      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise), "", "");
-  // The noise fitted is correlated, and a slow deviation is part of the fit: another colour moves the answer by little.
-  if (finding.severity == Severity::doubt) finding.severity = Severity::note;
-  return finding;
-}
-
-Found simpler_fits_better(T test) {
-  const Check* check = check_of(test, CheckKind::nesting);
-  if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so simpler explanations are not compared.");
-  if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("The likeliest explanation contains no simpler one.");
-  return checked(test, *check, "No simpler explanation fits better.",
-                 fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
-                             std::max(number_of(*check, "most_below"), 0.0)),
-                 "a simpler explanation fits better",
-                 "The best fit was not found: compare fit --model constant and --model drift.");
-}
-
-Found unstable(T test) {
-  const Check* check = check_of(test, CheckKind::stability);
-  if (!check) return std::nullopt;
-  if (check->numbers.empty())
-    return checked(test, *check, "", "With the force changed in its ninth digit there is no fit.",
-                   "no fit if the ninth digit changes", "Check the record.");
-  const std::string moves =
-      fmt::format("With the force changed in its ninth digit, friction moves by {:.1g} of its error{}.",
-                  number_of(*check, "mu0_moved"),
-                  number_of(*check, "same_explanation") > 0 ? "" : ", and another explanation is the likeliest");
-  return checked(test, *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
-}
-
-Found falling_friction(T test) {
-  if (!test.judgement->friction_falls) return std::nullopt;
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence =
-          "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
-      .short_form = "friction decreases",
-      .remedy = is_on_edges(test) ? "State [rig] roller_radius if the supports are not edges; if they are, image them."
-                                  : "Image the supports: the length pulled in shows whether the specimen slides."};
-}
-
-Found changed_reload(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!judgement.changed_reload) return std::nullopt;
-  const std::string_view how = judgement.loss > 0 ? "softer" : "stiffer";
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
-                                         100 * std::abs(judgement.loss), 100 * judgement.loss_error, how),
-                 .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(judgement.loss), how),
-                 .remedy = judgement.loss > 0 ? "" : "See whether the contact or the rig has changed.",
-                 .numbers = {{"loss", judgement.loss}, {"loss_error", judgement.loss_error}}};
-}
-
-// The loops, which know no wrong contact or drawn-in beginning, need another friction than the one loading.
-Found loops_differ(T test) {
-  if (!test.cycles || test.cycles->friction.status != CyclesStatus::ok || lost_stiffness(*test.judgement))
-    return std::nullopt;
-  const Estimate& mu0 = test.analysis.fit.mu0;
-  const auto [in, out, rms] = direction_means(test.cycles->friction);
-  const double mean = 0.5 * (in + out), between = 0.5 * std::abs(in - out);
-  constexpr double errors = 2, least = 0.05;
-  if (!(std::abs(mean - mu0.value) > std::max(errors * elementary::length(mu0.standard_error, between), least)))
-    return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("The loops need a friction of {:.2f} sliding in and {:.2f} sliding out, the "
-                                         "loading evaluated one of {}.",
-                                         in, out, mean_friction(test.analysis.fit)),
-                 .short_form = fmt::format("the loops need {:.2f}", mean),
-                 .remedy = "Unload to no force before each loading, and state the bending stiffness and the contact.",
-                 .numbers = {{"in", in}, {"out", out}}};
-}
-
-Found coarse_force(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  constexpr double relevant = 0.05;  // of the greatest force
-  const auto& force = analysis.record.force;
-  if (!(analysis.drops.smallest_fall > relevant * *std::max_element(force.begin(), force.end()))) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("A drop of less than {} could not be seen.",
-                                         Print(test).own(analysis.drops.smallest_fall, kind::force)),
-                 .short_form = "force too coarse for drops",
-                 .remedy = "Record the force more finely.",
-                 .numbers = {{"smallest_fall", analysis.drops.smallest_fall, kind::force}}};
-}
-
-// Unloading once more tells slips from cracks, wherever that can still be done.
-std::string reload_remedy(T test) {
-  if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
-    return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
-  if (has_reload(test))
-    return fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
-                       100 * test.judgement->loss_error);
-  const auto& [loading, of] = test.measurement.loading;
-  if (loading < of)
-    return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
-  const bool is_unloaded = test.measurement.end == MeasurementEnd::turn;
-  return fmt::format("{} once more; {}.", is_unloaded ? "Load" : "Unload and load", reload_bounds);
-}
-
-Found lagging_force(T test) {
-  if (!has_judged_drops(test)) return std::nullopt;
-  const RoundedDrops drops = rounded_drops(test.analysis.record);
-  if (!(drops.lag > 0)) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("The force lags behind by about {:.1f} rows: the drops recorded are rounded, "
-                                         "and shallower than the real ones.",
-                                         drops.lag),
-                 .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
-                 .remedy = "Filter the force less, or record rows that are farther apart in time.",
-                 .numbers = {{"lag_in_rows", drops.lag}}};
-}
-
-Found undecided_drops(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
-  const bool tells = std::isfinite(judgement.cracks_alone);
-  return Finding{
-      .severity = Severity::condition,
-      .sentence = tells ? fmt::format("How the force rises between the drops does not tell slips from cracks ({}).",
-                                      cracks_in_words(test))
-                  : test.analysis.slip_or_crack.judged
-                      ? "No probability of cracks can be told of this record."
-                      : "Fewer than three drops with enough rows between them do not tell slips from cracks.",
-      .short_form = tells ? cracks_in_words(test) : "slips or cracks",
-      .remedy = reload_remedy(test),
-      .numbers =
-          tells ? std::vector<FindingNumber>{{"cracks_alone", judgement.cracks_alone}} : std::vector<FindingNumber>{}};
-}
-
-Found few_rows(T test) {
-  if (!test.judgement->few_rows) return std::nullopt;
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.",
-      .short_form = "few rows between drops",
-      .remedy = "Record more rows."};
-}
-
-Found below_frictionless(T test) {
-  if (!(test.analysis.friction_read.median < min_friction)) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = "The force lies below the frictionless curve.",
-                 .short_form = "below the frictionless curve",
-                 .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
-}
-
-// "1.5 % above"
-std::string above_or_below(double ratio) {
-  return fmt::format("{:.1f} % {}", 100 * std::abs(ratio - 1), ratio < 1 ? "below" : "above");
-}
-
-Found unexpected_stiffness(T test) {
-  const Check* check = check_of(test, CheckKind::stiffness);
-  if (!check) return std::nullopt;
-  if (check->outcome == CheckOutcome::not_possible)
-    return unjudged(test.analysis.bending_stiffness_error > 0
-                        ? "The bending stiffness is not fitted with a constant friction."
-                        : "The bending stiffness is stated as exact, and is not fitted.");
-  const std::string sentence = fmt::format(
-      "The bending stiffness of the fit is {} that {}, {:.1f} times the error of the difference (limit {:g}).",
-      above_or_below(number_of(*check, "fitted_over_nominal")),
-      test.stiffness == StiffnessSource::initial_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
-      max_stiffness_errors);
-  return checked(
-      test, *check, sentence, sentence,
-      fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
-      find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
-}
-
-// ---- What is worth knowing, and casts no doubt
-
-Found only_a_limit(T test) {
-  const Check* check = check_of(test, CheckKind::friction);
-  if (!check || presumes_too_much(test)) return std::nullopt;
-  Finding finding = checked(test, *check, "Friction can be distinguished from zero.",
-                            fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
-                                        format_significant(number_of(*check, "mu0_high"), 2)),
-                            "only a limit", "Bend farther, or state the bending stiffness more exactly.");
-  if (finding.severity == Severity::doubt) finding.severity = Severity::condition;
-  return finding;
-}
-
-// Of few rows, or a specimen hardly bent, friction is told, but no more than roughly.
-Found known_roughly(T test) {
-  const Estimate& mu0 = test.analysis.fit.mu0;
-  constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
-  const double half = 0.5 * (mu0.high - mu0.low);
-  if (test.analysis.fit.mu0_is_bound || !(half > rough) || lost_stiffness(*test.judgement)) return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
-                 .remedy = "Bend farther, or state the bending stiffness more exactly.",
-                 .numbers = {{"half_width", half}}};
-}
-
-// Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
-Found no_reload(T test) {
-  const bool has_drops = drops_of(test) > 0, is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
-  if ((!has_drops && is_smooth) || has_reload(test) || undecided_drops(test) || lost_stiffness(*test.judgement))
-    return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence = has_drops
-                                 ? "Without a reload nobody knows how much stiffness was lost."
-                                 : "The force is uneven, as friction that varies makes it, or cracks too small to be "
-                                   "seen: without a reload nobody knows how much stiffness was lost.",
-                 .remedy = reload_remedy(test)};
-}
-
-// A length is taken for none, as the case does not state it: friction is told for some, "with" so much of it.
-Finding length_not_stated(T test, StatedQuantity quantity, const std::string& taken,
-                          fmt::format_string<std::string> with, std::string remedy) {
-  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = std::move(remedy)};
-  const auto& by = test.analysis.fit.friction_by;
-  if (!by) return finding;
-  const double more = unstated_length * (*by)[quantity];
-  const std::string length =
-      format_roughly(test.analysis.scales.physical_length(unstated_length), Print(test).as(kind::length));
-  finding.sentence += fmt::format(" {} friction reads {:.2f} {}.", fmt::format(with, std::string(length)),
-                                  std::abs(more), more < 0 ? "lower" : "higher");
-  finding.numbers = {{"friction_moves", more}};
-  return finding;
-}
-
-// "rollers of 5 mm", as the case could state them.
-std::string usual_rollers(T test) {
-  return "rollers of " + Print(*test.on_rollers).length(test.on_rollers->analysis.rig.fibre.supports().radius);
-}
-
-// Friction on rollers of the usual radius, where it is told and differs from that on edges by more than the error of either.
-std::optional<std::string> friction_on_rollers(T test) {
-  if (!test.on_rollers || !is_fitted(*test.on_rollers)) return std::nullopt;
-  const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
-  const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
-  if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
-  return fmt::format("{} on {}", mean_friction(rollers), usual_rollers(test));
-}
-
-Found supports_not_stated(T test) {
-  const RigInput& rig = *test.measurement.test.rig;
-  if (rig.supports || rig.roller_radius || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
-  const std::string taken = "The supports are not stated, and edges are assumed.",
-                    remedy = "State [rig] supports = \"edges\", or the roller_radius.";
-  if (!test.on_rollers)
-    return length_not_stated(test, StatedQuantity::support_radius, taken, "On rollers with a radius of {}", remedy);
-  const TestAnalysis& rollers = test.on_rollers->analysis;
-  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = remedy};
-  if (!is_fitted(*test.on_rollers)) {
-    finding.sentence += fmt::format(" On {} no friction explains the record.", usual_rollers(test));
-    return finding;
-  }
-  const std::string friction = mean_friction(rollers.fit);
-  finding.sentence += fmt::format(" On {} friction is {}.", usual_rollers(test), friction);
-  finding.numbers = {
-      {"roller_radius", rollers.scales.physical_length(rollers.rig.fibre.supports().radius), kind::length},
-      {"mu0_on_rollers", rollers.fit.mu0.value},
-      {"mu0_on_rollers_error", rollers.fit.mu0.standard_error}};
-  return finding;
-}
-
-Found thickness_not_stated(T test) {
-  const Test& input = test.measurement.test;
-  if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
-      lost_stiffness(*test.judgement))
-    return std::nullopt;
-  return length_not_stated(test, StatedQuantity::thickness, "No section says how thick the specimen is.",
-                           "If it is {} thick,", "State the diameter, or the height, under [specimen].");
-}
-
-// Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
-Found steady_change(T test) {
-  const FrictionFit& fit = test.analysis.fit;
-  if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement) || falling_friction(test))
-    return std::nullopt;
-  if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence =
-                     "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
-                     "relaxes, or a preload that was tared, reads so.",
-                 .short_form = "it changes steadily, as softening reads",
-                 .remedy = reload_remedy(test)};
-}
-
-// Where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and friction reads smooth.
-Found hidden_waves(T test) {
-  const FrictionFit& fit = test.analysis.fit;
-  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || lost_stiffness(*test.judgement))
-    return std::nullopt;
-  if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
-  constexpr double lengths_told_apart = 20;
-  const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
-  if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
-  const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
-  const std::string length = format_roughly(shortest, Print(test).as(kind::length));
-  return Finding{
-      .severity = Severity::condition,
-      .sentence = fmt::format("Friction that varies over less than {} along the specimen would not show: the "
-                              "specimen would rest on its crests, and the mean be lower.",
-                              length),
-      .short_form = fmt::format("lower if it varies over less than {}", length),
-      .remedy = "A stiffer rig, less noise of the force or more rows show shorter variation.",
-      .numbers = {{"shortest_wave", shortest, kind::length}}};
-}
-
-Found soft_rig(T test) {
-  const double hidden = test.analysis.fit.hidden_by_rig;
-  if (!(hidden > 0)) return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest of "
-                                         "its friction unseen: the mean may be off by {:.2f}.",
-                                         hidden),
-                 .short_form = "a load train so soft hides some of it",
-                 .remedy = "A stiffer rig tells friction better.",
-                 .numbers = {{"hidden", hidden, kind::number}}};
-}
-
-Found jumps(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!std::isfinite(judgement.stiffness_for_all) || lost_stiffness(judgement)) return std::nullopt;
-  const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
-  return Finding{.severity = Severity::note,
-                 .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                                         format_percent(judgement.jumped)),
-                 .remedy = fmt::format(
-                     "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
-                     std::string(format_roughly(least, Print(test).as(kind::stiffness)))),
-                 .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
-}
-
-Found imaged_length(T test) {
-  if (!test.imaged || test.imaged->points.empty()) return std::nullopt;
-  const ImagedLength& imaged = *test.imaged;
-  const double unit = test.analysis.scales.span();
-  const Kind length = Print(test).as(kind::length);
-  return Finding{.severity = Severity::note,
-                 .sentence = fmt::format(
-                     "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
-                     readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
-                     imaged.offset.value > 0 ? "less" : "more", format_count(imaged.points.size(), "point", "points"),
-                     format_roughly(unit * imaged.scatter, length))};
-}
-
-// A rule, under the code of what it finds; does it presume an answer of the analysis?
-struct Rule {
-  std::string_view code;
-  Found (*find)(T test);
-  bool presumes_an_answer;
-};
-
-constexpr std::array rules{
-    Rule{"no_force", no_force, false},
-    Rule{"no_initial_slope", no_initial_slope, false},
-    Rule{"too_deep", too_deep, false},
-    Rule{"too_few_rows", too_few_rows, false},
-    Rule{"gave_way", gave_way, false},
-    Rule{"too_few_points", too_few_points, false},
-    Rule{"deflection_for_stage", deflection_for_stage, false},
-    Rule{"wrong_load_train", wrong_load_train, false},
-    Rule{"wrong_stiffness", wrong_stiffness, false},
-    Rule{"not_explained", not_explained, false},
-    Rule{"softer_reload", softer_reload, true},
-    Rule{"cracks", cracks, true},
-    Rule{"most_drops_impossible", most_drops_impossible, true},
-    Rule{"no_sliding", no_sliding, true},
-    Rule{"impossible_drops", impossible_drops, true},
-    Rule{"implausible_friction", implausible_friction, true},
-    Rule{"sloping_baseline", sloping_baseline, true},
-    Rule{"other_contact", other_contact, true},
-    Rule{"begins_under_force", begins_under_force, false},
-    Rule{"misses_force", misses_force, true},
-    Rule{"drops_differ", drops_differ, true},
-    Rule{"coloured_noise", coloured_noise, true},
-    Rule{"simpler_fits_better", simpler_fits_better, true},
-    Rule{"unstable", unstable, true},
-    Rule{"falling_friction", falling_friction, true},
-    Rule{"changed_reload", changed_reload, true},
-    Rule{"loops_differ", loops_differ, true},
-    Rule{"coarse_force", coarse_force, true},
-    Rule{"lagging_force", lagging_force, false},
-    Rule{"few_rows", few_rows, true},
-    Rule{"below_frictionless", below_frictionless, true},
-    Rule{"unexpected_stiffness", unexpected_stiffness, true},
-    Rule{"undecided_drops", undecided_drops, true},
-    Rule{"only_a_limit", only_a_limit, true},
-    Rule{"no_reload", no_reload, true},
-    Rule{"known_roughly", known_roughly, true},
-    Rule{"supports_not_stated", supports_not_stated, true},
-    Rule{"thickness_not_stated", thickness_not_stated, true},
-    Rule{"steady_change", steady_change, true},
-    Rule{"hidden_waves", hidden_waves, true},
-    Rule{"soft_rig", soft_rig, true},
-    Rule{"jumps", jumps, true},
-    Rule{"imaged_length", imaged_length, true},
-};
-
-const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code) {
-  const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& each) { return each.code == code; });
-  return found == findings.end() ? nullptr : &*found;
-}
 
 bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone; }
 
@@ -855,12 +39,14 @@ double lost_by_rises(const SlipOrCrack& rises) {
 // ---- The verdict
 
 // Nothing of a friction that is only a limit, or that cannot be.
-bool tells_work(T test) { return !test.analysis.fit.mu0_is_bound && !implausible_friction(test); }
+bool tells_work(T test, const std::vector<Finding>& findings) {
+  return !test.analysis.fit.mu0_is_bound && !finding_in(findings, "implausible_friction");
+}
 
-std::string work_in_short(T test) {
+std::string work_in_short(T test, const std::vector<Finding>& findings) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
-  if (!tells_work(test) || !(share > worth_saying)) return "";
+  if (!tells_work(test, findings) || !(share > worth_saying)) return "";
   return fmt::format("{}{} of the work was friction, not toughness", has_reload(test) ? "" : "at least ",
                      format_percent(share));
 }
@@ -880,27 +66,37 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
+// Of a specimen that is softer when loaded again; none of one that is not.
+std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
+  if (!lost_stiffness(reload_of(test))) return std::nullopt;
+  const Finding* softer = finding_in(findings, "softer_reload");
+  if (!softer) softer = finding_in(findings, "changed_reload");
+  return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
+}
+
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong : {"deflection_for_stage", "wrong_load_train", "wrong_stiffness"})
     if (const Finding* found = finding_in(findings, wrong))
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
     const Finding* shallow = finding_in(findings, "too_few_points");
-    if (shallow && seeks_drops(test) && !is_slender(test))
-      return verdict_without_friction(test, *shallow, finding_in(findings, "gave_way"));
+    if (shallow && seeks_drops(test) && !is_slender(test)) {
+      const Finding* broken = finding_in(findings, "gave_way");
+      const auto softer = broken ? std::nullopt : verdict_on_reload(test, findings, std::string(no_friction_of_a_bar));
+      return softer.value_or(verdict_without_friction(test, *shallow, broken));
+    }
     const Finding& reason = findings.front();
     return {VerdictCode::no_answer, {reason.sentence}, reason.code};
   }
   const Judgement& judgement = *test.judgement;
   if (lost_stiffness(judgement)) {
-    const Finding* softer = finding_in(findings, "softer_reload");
-    if (!softer) softer = finding_in(findings, "changed_reload");
-    if (softer) return {VerdictCode::crack, {clause_of(softer->sentence), "no friction can be read off"}, softer->code};
+    const std::string no_friction = "no friction can be read off";
+    if (auto softer = verdict_on_reload(test, findings, no_friction)) return *softer;
     std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
       parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
-    parts.emplace_back("no friction can be read off");
+    parts.push_back(no_friction);
     return {VerdictCode::crack, parts, "cracks"};
   }
   if (const Finding* impossible = finding_in(findings, "most_drops_impossible"))
@@ -921,7 +117,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   }
   Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
                   {friction + (has_reload(test) ? "" : " if no stiffness was lost")}};
-  if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
+  if (const std::string work = work_in_short(test, findings); !work.empty()) verdict.parts.push_back(work);
   if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
   return verdict;
 }
@@ -989,8 +185,12 @@ std::string drops_in_words(T test) {
   if (!seeks_drops(test)) return fmt::format("not looked for in {}", rows);
   const std::size_t semicolon = std::min(rows.find(';'), rows.size());
   const std::string used = rows.substr(0, semicolon);
+  const std::size_t behind = test.measurement.drops_behind;
   const std::string end =
       rows.substr(semicolon) +
+      (behind > 0 ? fmt::format("; {} behind {}", format_count(behind, "more drop", "more drops"),
+                                test.measurement.end == MeasurementEnd::failure ? "the break" : "that row")
+                  : "") +
       (test.drops_elsewhere > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere) : "");
   if (drops_of(test) == 0)
     return fmt::format("none in {}; one of {} would have been seen{}", used,
@@ -1056,7 +256,7 @@ std::string if_lost_in_words(T test) {
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
 }
 
-std::string friction_in_words(T test) {
+std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   const FrictionFit& fit = test.analysis.fit;
   if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound)
@@ -1076,8 +276,8 @@ std::string friction_in_words(T test) {
                                         Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
-  for (const Found& condition : {steady_change(test), hidden_waves(test), soft_rig(test)})
-    if (condition) words += "; " + condition->short_form;
+  for (const std::string_view code : {"steady_change", "hidden_waves", "soft_rig"})
+    if (const Finding* condition = finding_in(findings, code)) words += "; " + condition->short_form;
   return words;
 }
 
@@ -1137,24 +337,6 @@ std::string stiffness_in_words(T test, bool tells) {
   return words;
 }
 
-// What a reload and the loops say beside the first loading; empty where the specimen was loaded once.
-std::string reload_in_words(T test) {
-  if (!test.cycles) return "";
-  const CyclicFriction& friction = test.cycles->friction;
-  std::vector<std::string> parts;
-  if (friction.status == CyclesStatus::ok && !lost_stiffness(*test.judgement)) {
-    const auto [in, out, rms] = direction_means(friction);
-    parts.push_back(
-        fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
-                    is_beyond_friction(friction) ? "; EI and contact had to move too far to make them alike" : ""));
-  }
-  if (std::isfinite(test.judgement->loss))
-    parts.push_back(fmt::format("the last reload is {:.1f} ± {:.1f} % {}", 100 * std::abs(test.judgement->loss),
-                                100 * test.judgement->loss_error, test.judgement->loss > 0 ? "softer" : "stiffer"));
-  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
-                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
-}
-
 std::string assumed_in_words(T test) {
   const Supports& supports = test.analysis.rig.fibre.supports();
   const Measurement& measurement = test.measurement;
@@ -1176,22 +358,24 @@ std::string assumed_in_words(T test) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::vector<AnswerRow> rows_of(T test, Standing standing) {
+std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Standing standing) {
   std::vector<AnswerRow> rows{{"drops", drops_in_words(test)}};
   const auto may_have_cracked = [&] { return lost_stiffness(*test.judgement) && !deflection_for_stage(test); };
   const bool tells = is_fitted(test) && (is_trusted(standing) || may_have_cracked());
   if (tells) {
     if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
-    rows.push_back({"friction", friction_in_words(test)});
-    if (!lost_stiffness(*test.judgement) && tells_work(test)) rows.push_back({"work", work_in_words(test)});
-    if (const std::string reload = reload_in_words(test); !reload.empty()) rows.push_back({"reload", reload});
+    rows.push_back({"friction", friction_in_words(test, findings)});
+    if (!lost_stiffness(*test.judgement) && tells_work(test, findings)) rows.push_back({"work", work_in_words(test)});
   }
   if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
     rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
+  const bool is_bent_little = test.analysis.status == AnalysisStatus::too_few_points;
+  if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
+    rows.push_back({"reload", reload});
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
-    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
+    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test, findings))});
   rows.push_back({"assumed", assumed_in_words(test)});
   return rows;
 }
@@ -1207,44 +391,13 @@ std::string next_step(const Verdict& verdict, const std::vector<Finding>& findin
 
 }  // namespace
 
-std::vector<Finding> findings_of(T test) {
-  std::vector<Finding> findings;
-  for (const Rule& rule : rules) {
-    if (rule.presumes_an_answer && !is_fitted(test)) continue;
-    if (Found found = rule.find(test)) {
-      found->code = rule.code;
-      findings.push_back(std::move(*found));
-    }
-  }
-  return findings;
-}
-
-Standing standing_of(const std::vector<Finding>& findings) {
-  Severity worst = Severity::note;
-  for (const Finding& finding : findings) worst = std::min(worst, finding.severity);
-  constexpr std::array standings{Standing::untrusted, Standing::suspect, Standing::doubtful, Standing::conditional,
-                                 Standing::sound};
-  return standings[static_cast<std::size_t>(worst)];
-}
-
-std::vector<std::string_view> finding_codes() {
-  std::vector<std::string_view> codes;
-  for (const Rule& rule : rules) codes.push_back(rule.code);
-  return codes;
-}
-
-std::string mean_friction(const FrictionFit& fit) {
-  return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))
-                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
-}
-
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
   Verdict verdict = verdict_whatever_the_supports(test, findings);
   const Standing standing = standing_of(findings);
+  std::vector<AnswerRow> rows = rows_of(test, findings, standing);
   std::string next = next_step(verdict, findings);
-  return {std::move(verdict),   standing,       rows_of(test, standing), std::move(findings),
-          assumed_errors(test), std::move(next)};
+  return {std::move(verdict), standing, std::move(rows), std::move(findings), assumed_errors(test), std::move(next)};
 }
 
 }  // namespace flexslip

@@ -115,7 +115,8 @@ std::optional<Finding> other_train_in_drops(T test) {
           "{} of {} drops do not fit the load train stated ({}): while the force falls, the specimen bends as on {}.",
           misfits, drops, load_train_in_words(test), as_on),
       .short_form = fmt::format("load train as of {}", as_on),
-      .remedy = "State the stiffness of the load train under [rig].",
+      .remedy = fmt::format("State the stiffness of the load train ({}).",
+                            keys_in_words(test.measurement.test, "rig", {"stiffness"})),
       .numbers = {{"misfits", static_cast<double>(misfits)}, {"load_train", train, kind::stiffness}}};
 }
 

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "finding/clauses.h"
 #include "finding/printed.h"
 #include "inference/slip_limit.h"
 #include "io/text.h"
@@ -17,8 +18,6 @@ namespace flexslip {
 namespace {
 
 using T = const FittedTest&;
-
-std::size_t drops_of(T test) { return test.analysis.drops.drops.size(); }
 
 const Drop& deepest_of(const std::vector<Drop>& drops) {
   return *std::max_element(drops.begin(), drops.end(),
@@ -58,21 +57,19 @@ std::string most_by_slip_in_words(T test) {
 std::string deeper_drops(T test) {
   const std::size_t beyond = beyond_slips(test);
   if (drops_of(test) == 1) return beyond == 1 ? "the drop is deeper" : "the drop is shallower";
-  return fmt::format("{} of {} {} deeper", beyond, format_count(drops_of(test), "drop", "drops"),
-                     beyond == 1 ? "is" : "are");
+  const std::string some = beyond == 0 ? "none" : fmt::format("{}", beyond);
+  return fmt::format("{} of {} drops {} deeper", some, drops_of(test), beyond <= 1 ? "is" : "are");
 }
 
-// Would a drop be deeper than any slip if the specimen were so many times as thick? By the rule of the analysis.
+// Would a drop be deeper than any slip if the specimen were so many times as thick?
 bool is_one_beyond(T test, double times) {
-  constexpr double surely = 4;  // of the noise of a reading
   const TestAnalysis& analysis = test.analysis;
   Supports supports = analysis.rig.fibre.supports();
   supports.half_depth *= times;
-  const std::vector<double> most = most_by_slips(analysis.reduced, analysis.drops.drops, supports);
-  for (std::size_t i = 0; i < most.size(); ++i) {
-    const double fall = analysis.scales.reduced_force(analysis.drops.drops[i].force_fall);
-    if (fall > most[i] + surely * analysis.force_noise) return true;
-  }
+  const std::vector<Drop>& drops = analysis.drops.drops;
+  const std::vector<double> most = most_by_slips(analysis.reduced, drops, supports);
+  for (std::size_t i = 0; i < most.size(); ++i)
+    if (is_beyond_slips(analysis.scales.reduced_force(drops[i].force_fall), most[i], analysis.force_noise)) return true;
   return false;
 }
 
@@ -90,7 +87,8 @@ std::string thickness_in_words(T test) {
     const double middle = std::midpoint(same, other);
     (is_one_beyond(test, middle) == is_beyond ? same : other) = middle;
   }
-  const std::string thickness = Print(test).length(2 * half_depth * other);
+  const std::string thickness =
+      format_roughly(test.analysis.scales.physical_length(2 * half_depth * other), Print(test).as(kind::length));
   const bool is_one = drops_of(test) == 1;
   return is_beyond
              ? fmt::format("; {} from a thickness of {} on", is_one ? "it could be a slip" : "all could be slips",
@@ -140,9 +138,10 @@ std::optional<Finding> gave_way(T test) {
       .sentence = fmt::format("{} than any slip: {}. The specimen gave way.", capitalised(deeper_drops(test)),
                               most_by_slip_in_words(test)),
       .short_form = "gave way",
-      .remedy = fmt::format("Use flexslip modulus for stiffness and strength; until = {} under [record] ends the "
-                            "record before that drop.",
-                            file_row(test, test.analysis.drops.drops[drop].before)),
+      .remedy = fmt::format(
+          "Use flexslip modulus for stiffness and strength; to end the record before that drop, {}.",
+          to_say(test.measurement.test,
+                 {{"record", "until", fmt::format("{}", file_row(test, test.analysis.drops.drops[drop].before))}})),
       .numbers = {
           {"beyond_slips", static_cast<double>(beyond)},
           {"most_by_slip", test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]), kind::force}}};
@@ -154,7 +153,7 @@ std::string slips_of_a_bar_in_words(T test) {
 
 // Of a specimen that is bent too little to tell friction: what its drops are can still be told.
 Verdict verdict_without_friction(T test, const Finding& shallow, const Finding* gave_way) {
-  const std::string no_friction = "friction cannot be told at so small a deflection";
+  const std::string no_friction(no_friction_of_a_bar);
   if (drops_of(test) == 0) return {VerdictCode::no_drops, {no_friction}, shallow.code};
   const std::string most = most_by_slip_in_words(test);
   if (gave_way)

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "case/fitted.h"
 #include "finding/finding.h"
@@ -25,6 +26,9 @@ std::optional<Finding> gave_way(const FittedTest& test);
 // "at 3.1 mm a slip can make at most 80 mN; 1 of 2 drops is deeper"
 // Domain:     analysis.most_by_slips is not empty.
 std::string slips_of_a_bar_in_words(const FittedTest& test);
+
+// Of a specimen that is bent too little.
+inline constexpr std::string_view no_friction_of_a_bar = "friction cannot be told at so small a deflection";
 
 // By what a slip can do; shallow says why there is no friction, gave_way is null where no drop is too deep.
 Verdict verdict_without_friction(const FittedTest& test, const Finding& shallow, const Finding* gave_way);

@@ -239,12 +239,11 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
 
 // By what a slip can do, since no friction is told that would say what it did.
 void judge_drops_of_a_bar(TestAnalysis& analysis) {
-  constexpr double surely = 4;  // of the noise of a reading
   const std::vector<Drop>& drops = analysis.drops.drops;
   analysis.most_by_slips = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const double fall = analysis.scales.reduced_force(drops[i].force_fall);
-    const bool is_beyond = fall > analysis.most_by_slips[i] + surely * analysis.force_noise;
+    const bool is_beyond = is_beyond_slips(fall, analysis.most_by_slips[i], analysis.force_noise);
     Slip& slip = analysis.slips[i];
     slip = {.drop = slip.drop,
             .verdict = is_beyond ? SlipVerdict::unexplained : SlipVerdict::possible,

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 
 #include "bending_test/design.h"
@@ -22,22 +21,15 @@ bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible &
 constexpr double one_sided_95 = 1.645;
 
 // What a later loading tells of the stiffness lost since one.
-struct Reload {
-  double loss, error;  // [1]
-};
-
-Reload between(const LoadingStiffness& before, const LoadingStiffness& after) {
+ReloadChange between(const LoadingStiffness& before, const LoadingStiffness& after) {
   const double ratio = after.ratio.value / before.ratio.value;
   const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
   const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
-  return {1 - ratio, elementary::length(scatter, systematic) / before.ratio.value};
-}
-
-// The last loading after one that can be compared with it; null where there is none.
-const LoadingStiffness* last_after(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
-  for (std::size_t i = loadings.size(); i-- > evaluated + 1;)
-    if (loadings[i].status == LoadingStatus::ok) return &loadings[i];
-  return nullptr;
+  ReloadChange change{.loss = 1 - ratio, .loss_error = elementary::length(scatter, systematic) / before.ratio.value};
+  constexpr double worth_saying = 0.05;
+  change.softer = change.loss - one_sided_95 * change.loss_error > relevant_loss;
+  change.changed = !change.softer && std::abs(change.loss) > std::max(worth_saying, two_sided_95 * change.loss_error);
+  return change;
 }
 
 std::size_t impossible_drops(const TestAnalysis& analysis) {
@@ -158,23 +150,27 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
   return drops >= enough && 2 * impossible >= drops;
 }
 
+bool lost_stiffness(const ReloadChange& reload) { return reload.softer || (reload.changed && reload.loss > 0); }
+
+ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
+  if (evaluated >= loadings.size() || loadings[evaluated].status != LoadingStatus::ok) return {};
+  const LoadingStiffness &own = loadings[evaluated], &first = loadings.front();
+  for (std::size_t i = loadings.size(); i-- > evaluated + 1;)
+    if (loadings[i].status == LoadingStatus::ok) {
+      ReloadChange change = between(own, loadings[i]);
+      change.comes_after = true;
+      return change;
+    }
+  return evaluated > 0 && first.status == LoadingStatus::ok ? between(first, own) : ReloadChange{};
+}
+
 bool lost_stiffness(const Judgement& judgement) {
   return judgement.softer_reload || judgement.drops_are_cracks || (judgement.changed_reload && judgement.loss > 0);
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  std::optional<Reload> reload;
-  bool bounds = false;  // the loss in the loading that was analysed
-  if (cycles && evaluated < cycles->stiffness.size() && cycles->stiffness[evaluated].status == LoadingStatus::ok) {
-    const LoadingStiffness &own = cycles->stiffness[evaluated], &first = cycles->stiffness.front();
-    const LoadingStiffness* const after = last_after(cycles->stiffness, evaluated);
-    bounds = after != nullptr;
-    if (after)
-      reload = between(own, *after);
-    else if (evaluated > 0 && first.status == LoadingStatus::ok)
-      reload = between(first, own);
-  }
+  const ReloadChange reload = cycles ? reload_change(cycles->stiffness, evaluated) : ReloadChange{};
   const bool has_drops = !analysis.drops.drops.empty();
   const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
@@ -182,15 +178,11 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::s
                       .friction_falls = friction_falls(fit),
                       .few_rows = has_few_rows(analysis),
                       .jumped = has_drops ? jumped_part(analysis) : 0};
-  if (reload) {
-    if (bounds) judgement.loss_needed = 1 - left_by_cracks(analysis);
-    judgement.loss = reload->loss;
-    judgement.loss_error = reload->error;
-    judgement.softer_reload = judgement.loss - one_sided_95 * judgement.loss_error > relevant_loss;
-    constexpr double relevant = 0.05;
-    judgement.changed_reload =
-        !judgement.softer_reload && std::abs(judgement.loss) > std::max(relevant, two_sided_95 * judgement.loss_error);
-  }
+  if (reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
+  judgement.loss = reload.loss;
+  judgement.loss_error = reload.loss_error;
+  judgement.softer_reload = reload.softer;
+  judgement.changed_reload = reload.changed;
   judgement.cracks_alone = cracks_alone(analysis, judgement);
   judgement.drops = verdict_on(judgement);
   judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;

@@ -52,6 +52,20 @@ struct Judgement {
   std::vector<FrictionIfLost> if_lost{};
 };
 
+// What a comparable loading says of the stiffness: of the last one after a loading against that; where there is none, of that loading against the first.
+struct ReloadChange {
+  double loss = not_a_number, loss_error = not_a_number;  // [1] of stiffness; NaN where no two can be compared
+  bool comes_after = false;                               // what the loading itself lost is in it
+  bool softer = false;                                    // it has lost stiffness, by more than the relevant_loss
+  bool changed = false;  // else: it is softer or stiffer by more than its error, and by a twentieth
+};
+
+// evaluated: which of the loadings, counted from 0.
+ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated);
+
+// Does it show that stiffness was lost?
+bool lost_stiffness(const ReloadChange& reload);
+
 // Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted (checks.h, stiffness_errors)? A load train
 // stated too stiff makes it do that.
 bool stiffness_is_off(const TestAnalysis& analysis);

@@ -41,4 +41,9 @@ std::vector<double> most_by_slips(const ReducedRecord& record, std::span<const D
   return most;
 }
 
+bool is_beyond_slips(double fall, double most, double noise) {
+  constexpr double surely = 4;  // of the noise
+  return fall > most + surely * noise;
+}
+
 }  // namespace flexslip

@@ -24,4 +24,7 @@ inline constexpr double least_height_of_a_bar = 1.0 / 200;
 // Source:     theory.md, "What a slip can do to a bar"; of a stocky bar over small deflections 1.5 μ h/L of the force.
 std::vector<double> most_by_slips(const ReducedRecord& record, std::span<const Drop> drops, const Supports& supports);
 
+// Is a fall of the force surely more than the most that a slip can make, for the noise of a reading? All in one unit of force.
+bool is_beyond_slips(double fall, double most, double noise);
+
 }  // namespace flexslip

@@ -27,8 +27,13 @@ using Columns = std::vector<const ExportColumn*>;
 std::string listed_columns(const Columns& columns) {
   std::vector<std::string> names;
   names.reserve(columns.size());
-  for (const ExportColumn* column : columns) names.push_back(column->name);
-  return listed(names);
+  std::vector<std::size_t> numbers;
+  for (const ExportColumn* column : columns) {
+    numbers.push_back(column->number);
+    if (std::find(names.begin(), names.end(), column->name) == names.end()) names.push_back(column->name);
+  }
+  return names.size() == columns.size() ? listed(names)
+                                        : fmt::format("{} (numbers {})", listed(names), fmt::join(numbers, ", "));
 }
 
 Columns with_role(const std::vector<ExportColumn>& columns, ColumnRole role) {
@@ -187,6 +192,25 @@ Export with_finest(Export file) {
           file.notes.push_back(std::move(note));
         break;
       }
+  return file;
+}
+
+// Of several times the one counts whose unit is stated, or the first.
+Export with_one_time(Export file) {
+  for (ExportedSpecimen& specimen : file.specimens) {
+    ExportColumn* used = nullptr;
+    for (ExportColumn& column : specimen.columns)
+      if (column.role == ColumnRole::time && (!used || (!machine_unit(used->unit) && machine_unit(column.unit))))
+        used = &column;
+    for (ExportColumn& column : specimen.columns) {
+      if (column.role != ColumnRole::time || &column == used) continue;
+      column.role = ColumnRole::other;
+      std::string note =
+          fmt::format("column {} is a time, too: {} is used", in_quotes(column.name), in_quotes(used->name));
+      if (std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
+        file.notes.push_back(std::move(note));
+    }
+  }
   return file;
 }
 
@@ -393,11 +417,12 @@ std::string beside_stated_maximum(const Export& file, const ExportOptions& optio
 
 OpenQuestion which_of(const Columns& columns) {
   const RoleWords& words = words_for(columns.front()->role);
-  const std::string with_read = fmt::format("{} {}", words.flag, columns.front()->number);
-  return {fmt::format("which of the columns {} is the {}?", listed_columns(columns), words.word()), with_read,
-          words.word() == "force"
-              ? with_read
-              : fmt::format("--displacement {} --displacement-column {}", words.word(), columns.front()->number)};
+  const std::string number = fmt::format("{}", columns.front()->number);
+  return {fmt::format("which of the columns {} is the {}?", listed_columns(columns), words.word()),
+          fmt::format("{} {}", words.flag, number),
+          words.word() == "force" ? std::vector<RecordKey>{{"force", number}}
+                                  : std::vector<RecordKey>{{"displacement", fmt::format("\"{}\"", words.word())},
+                                                           {"displacement_column", number}}};
 }
 
 // The unit of a column, and that which may be meant by what it says.
@@ -410,9 +435,9 @@ OpenQuestion unit_of(const ExportColumn& column) {
                       column.unit.empty() ? "" : ", which says " + in_quotes(column.unit),
                       meant.empty() ? "" : fmt::format(": {}", fmt::join(meant, " or "))),
           fmt::format("{} {}", words.unit_flag, unit),
-          column.role == ColumnRole::time
-              ? ""
-              : fmt::format("{} \"{} [{}]\"", is_force ? "--force" : "--displacement-column", column.name, unit)};
+          column.role == ColumnRole::time ? std::vector<RecordKey>{}
+                                          : std::vector<RecordKey>{{is_force ? "force" : "displacement_column",
+                                                                    fmt::format("\"{} [{}]\"", column.name, unit)}}};
 }
 
 // What is said of columns whose titles mean the force, and whose cells are no numbers.
@@ -475,17 +500,20 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
   constexpr const char* which = "--displacement crosshead|deflection";
   const bool has_units =
       std::any_of(columns.begin(), columns.end(), [](const ExportColumn& each) { return !each.unit.empty(); });
-  const std::string a_displacement =
-      fmt::format("{} --displacement-column {}", which, has_units ? "COLUMN" : "\"COLUMN [mm]\"");
+  const RecordKey which_displacement{"displacement", "\"crosshead|deflection\""};
+  const std::vector<RecordKey> a_displacement{which_displacement,
+                                              {"displacement_column", has_units ? "\"COLUMN\"" : "\"COLUMN [mm]\""}};
   if (forces.empty())
-    asks.push_back({"which column is the force?" + words_for_force(columns), "--force COLUMN, its name or number",
-                    has_units ? "--force COLUMN" : "--force \"COLUMN [N]\""});
+    asks.push_back({"which column is the force?" + words_for_force(columns),
+                    "--force COLUMN, its name or number",
+                    {{"force", has_units ? "\"COLUMN\"" : "\"COLUMN [N]\""}}});
   if (forces.size() > 1) asks.push_back(which_of(forces));
   if (!has_clear && unclear.empty()) asks.push_back({"which column is the displacement?", either, a_displacement});
   if (!has_clear && unclear.size() == 1)
     asks.push_back({fmt::format("is {} that of the crosshead or the deflection of the specimen?",
                                 in_quotes(unclear.front()->name)),
-                    which, which});
+                    which,
+                    {which_displacement}});
   if (!has_clear && unclear.size() > 1)
     asks.push_back({fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen?",
                                 listed_columns(unclear)),
@@ -502,6 +530,7 @@ Export decided(Export file, const ExportOptions& options, std::size_t header_lin
       options.displacement || std::any_of(options.columns.begin(), options.columns.end(),
                                           [](const auto& asked) { return is_displacement(asked.first); });
   file = with_columns(std::move(file), options.columns);
+  file = with_one_time(std::move(file));
   if (!asks_displacement) file = with_finest(std::move(file));
   require_no_voltage_for_force(file, options, header_line);
   if (options.displacement) file = with_displacement(std::move(file), *options.displacement);

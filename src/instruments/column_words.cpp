@@ -38,7 +38,7 @@ const std::vector<Meaning>& meanings() {
       // the machine's crosshead
       {ColumnRole::crosshead,
        {"stroke", "course", "actuator", "stage"},
-       {"crosshead", "travers", "standardweg", "grip separation", "ストローク", "クロスヘッド"}},
+       {"crosshead", "travers", "standardweg", "standard travel", "grip separation", "ストローク", "クロスヘッド"}},
       {ColumnRole::force,
        {"force", "load", "loadcell", "charge", "carga", "fuerza", "força", "forza", "carico", "kuvvet", "yük"},
        {"kraft", "荷重", "試験力", "力"}},

@@ -51,11 +51,17 @@ struct ExportColumn {
   std::vector<CellWithoutNumber> missing{};  // of a column of numbers, by row
 };
 
+// A key under [record] of a case, and what to write there: a text in quotes, or a number.
+struct RecordKey {
+  std::string_view name;
+  std::string value;
+};
+
 // What a file does not say and an evaluation needs.
 struct OpenQuestion {
-  std::string words;      // "which column is the force?"
-  std::string with_read;  // what says it: flags of read
-  std::string with_test;  // flags of all that evaluate a test; empty where they do not need it
+  std::string words;                 // "which column is the force?"
+  std::string with_read;             // what says it: flags of read
+  std::vector<RecordKey> with_test;  // keys of all that evaluate a test; empty where they do not need it
 };
 
 struct ExportedSpecimen {

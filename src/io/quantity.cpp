@@ -529,6 +529,8 @@ std::string readable(double value, const Kind& kind) {
 std::string readable(double value, double uncertainty, const Kind& kind) {
   if (!std::isfinite(uncertainty) || !std::isfinite(value)) return readable(value, kind) + " (uncertainty not known)";
   if (uncertainty == 0) return readable(value, kind) + " (exact)";
+  constexpr double millionth = 1e-6;
+  if (uncertainty < millionth * std::abs(value)) return readable(value, kind) + " (to a millionth)";
   const std::string_view unit = best_unit(std::max(std::abs(value), std::abs(uncertainty)), kind);
   const Unit scale = unit.empty() ? Unit{} : parse_unit(unit);
   const double shown = from_si(value, scale);

@@ -130,7 +130,7 @@ std::string typeset(std::string_view unit);
 std::string readable(double value, const Kind& kind);
 
 // The same with its standard uncertainty [SI], of which two digits are shown, the value to match: "10.90 ± 0.20 µm".
-// An uncertainty that is not known (NaN) is said to be so.
+// An uncertainty that is not known (NaN) is said to be so, and so is one below a millionth of the value, as readings without noise have.
 std::string readable(double value, double uncertainty, const Kind& kind);
 
 // A difference [1] as "+2.1 %".

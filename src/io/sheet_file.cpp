@@ -133,6 +133,7 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
   WorkbookSheet sheet = read_sheet(bytes, options.sheet, purpose);
   origin.sheet = std::move(sheet.name);
   origin.sheets = std::move(sheet.sheets);
+  origin.alike = std::move(sheet.alike);
   origin.which_sheet = std::move(sheet.which);
   origin.sheet_is_chosen = options.sheet.has_value();
   origin.has_delimiters = sheet.text.has_value();

@@ -30,6 +30,7 @@ struct SheetOrigin {
   char separator = '\t';
   std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
   std::vector<std::string> sheets{};   // of that workbook
+  std::vector<std::string> alike{};    // those of them that it may be as well, see WorkbookSheet
   std::string which_sheet{};           // and why, of several; among the notes as well
   bool sheet_is_chosen = false;        // by who called
 };

@@ -452,7 +452,14 @@ Table read_table(const std::string& path, const std::vector<WantedColumn>& wante
 
 Table read_record(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
                   const std::optional<SheetChoice>& sheet) {
-  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal, Gaps::left_out);
+  const SheetFile file = open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings);
+  if (!file.origin.alike.empty())
+    throw InputError({.file = file.origin.source,
+                      .field = "--sheet",
+                      .expected = "one of the sheets " + listed(file.origin.alike) + ", which hold such a table each",
+                      .found = "none",
+                      .key = "record.sheet"});
+  return recognise(file, wanted, decimal, Gaps::left_out);
 }
 
 Table record_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {

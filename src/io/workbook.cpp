@@ -391,6 +391,7 @@ struct Worksheet {
   Sheet cells;
   std::string lines;                   // in place of these: of words in one column alone
   std::size_t rows_of_readings = 0;    // with two numbers or more, or numbers alone
+  std::size_t first_reading = 0;       // row of the first of them, from 1
   std::size_t numbers = 0;             // cells
   std::size_t numeric_words = 0;       // cells whose words are digits and marks
   std::size_t first_numeric_word = 0;  // row, from 1
@@ -518,7 +519,7 @@ class SheetReader {
     for (const SheetCell& cell : cells_)
       if (!cell.text.empty())
         ++(cell.kind == CellKind::number || is_dated(cell.kind) || is_like_number(cell.text) ? numbers : words);
-    if (numbers > 1 || (numbers == 1 && words == 0)) ++out_.rows_of_readings;
+    if ((numbers > 1 || (numbers == 1 && words == 0)) && out_.rows_of_readings++ == 0) out_.first_reading = row_;
   }
 
   [[noreturn]] void refuse_large() const {
@@ -656,6 +657,16 @@ class Workbook {
     bool has_readings;
   };
 
+  // Names of the visible sheets whose readings stand below the same titles as those of a sheet, that among them; empty if it is the only one.
+  std::vector<std::string> alike(const Chosen& chosen) const {
+    const std::string titles = titles_of(chosen.sheet);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < sheets_.size() && !titles.empty(); ++i)
+      if (i == chosen.index || (!sheets_[i].is_hidden && titles_of(read(i)) == titles))
+        names.push_back(sheets_[i].name);
+    return names.size() > 1 ? names : std::vector<std::string>();
+  }
+
   Chosen choose(const std::optional<SheetChoice>& wanted, SheetFor purpose) const {
     if (wanted) {
       const std::size_t index = numbered(*wanted);
@@ -679,6 +690,15 @@ class Workbook {
   }
 
  private:
+  // The words above its readings: a row of units, too, if as many stand in the row above it.
+  static std::string titles_of(const Worksheet& sheet) {
+    const std::size_t first = sheet.first_reading;
+    if (sheet.rows_of_readings < fewest_readings || first < 2 || sheet.cells.is_blank(first - 2)) return "";
+    const std::string last(sheet.cells.text(first - 2));
+    const bool are_two = first > 2 && sheet.cells.cells(first - 3).size() == sheet.cells.cells(first - 2).size();
+    return are_two ? fmt::format("{}\n{}", sheet.cells.text(first - 3), last) : last;
+  }
+
   Worksheet read(std::size_t index) const {
     try {
       SheetReader sheet(strings_, styles_, dates_from_1904_);
@@ -768,9 +788,13 @@ CellKind kind_of_format(std::size_t number, std::string_view code) {
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted, SheetFor purpose) {
   if (bytes.starts_with(office_mark.substr(0, 4))) refuse_office_document(bytes);
   const Workbook workbook(bytes);
-  auto [index, sheet, has_readings] = workbook.choose(wanted, purpose);
+  auto chosen = workbook.choose(wanted, purpose);
+  std::vector<std::string> alike;
+  if (!wanted && purpose != SheetFor::words) alike = workbook.alike(chosen);
+  auto& [index, sheet, has_readings] = chosen;
   WorkbookSheet out{.name = workbook.names()[index],
                     .sheets = workbook.names(),
+                    .alike = std::move(alike),
                     .cells = std::move(sheet.cells),
                     .text = {},
                     .which = {},

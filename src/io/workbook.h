@@ -25,6 +25,8 @@ enum class SheetFor {
 struct WorkbookSheet {
   std::string name;
   std::vector<std::string> sheets;  // the names of all that hold cells, in their order
+  std::vector<std::string>
+      alike;  // those that hold readings below the same titles, where none is wanted and there are several: one specimen each
   // Row n is line n - 1. Numbers as the workbook has them, digit for digit; formulas by their stored values; TRUE and FALSE; dates as the
   // numbers of days that they are.
   Sheet cells;
@@ -39,7 +41,7 @@ bool is_packed(std::string_view bytes);
 // A sheet of a workbook: that wanted, or the one that suits.
 // Fails:      InputError, without a file, that says what to do: with a password, .xls, .xlsb, .ods, .numbers, another archive; damaged;
 //             no such sheet; none with a number; a cell that is out of place or no number; more than 512 MiB of text or 2^26 cells.
-// Cost:       10^5 rows of three columns in about 0.3 s, and the memory of their text and five bytes a cell.
+// Cost:       10^5 rows of three columns in about 0.3 s, of all sheets that may be alike, and the memory of their text and five bytes a cell.
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted = {},
                          SheetFor purpose = SheetFor::readings);
 

@@ -42,7 +42,7 @@ std::string fit_text(const FittedTest& test);
 std::string why_no_answer(const FittedTest& test);
 
 // The steps from the file to the record.
-Rows preparation_rows(const Preparation& preparation);
+Rows preparation_rows(const Measurement& measurement);
 
 // What the literature gives for the materials that the case states.
 std::optional<LiteratureFriction> literature_of(const FittedTest& test);

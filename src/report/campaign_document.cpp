@@ -135,9 +135,9 @@ std::string work_in_words(const Campaign& campaign) {
       shares.push_back(test.summary->friction_share);
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  const double mean = mean_of(shares);
-  return fmt::format("; {}{} of the work went into friction", format_percent(mean),
-                     shares.size() == 1 ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, format_percent(*most)));
+  const std::string low = fmt::format("{:.0f} %", 100 * *least), high = fmt::format("{:.0f} %", 100 * *most);
+  return fmt::format("; {}{} of the work went into friction", format_percent(mean_of(shares)),
+                     low == high ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, high));
 }
 
 // Over the tests that are not suspect, or over all if all are; null without tests.

@@ -97,6 +97,7 @@ Plot distribution_figure(const Campaign& campaign) {
   x.counts = true;
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
+  const bool tells_all = std::isfinite(all) && with_tests.size() > 1;  // of one category it is the mean of that
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
       indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
@@ -112,7 +113,7 @@ Plot distribution_figure(const Campaign& campaign) {
     Panel panel{.title = std::move(title), .x = x, .y = y};
     if (is_friction && literature)
       panel.marks.push_back(rectangle(-edge, literature->low, edge, literature->high, styles::literature));
-    if (is_friction && std::isfinite(all)) panel.marks.push_back(level(all, all_look));
+    if (is_friction && tells_all) panel.marks.push_back(level(all, all_look));
     if (std::isfinite(mean)) panel.marks.push_back(level(mean, mean_look));
     panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}, "", {belongs}});
     panel.marks.push_back(tests_that(disc, {{2, 0}, {9, 1}}));
@@ -141,14 +142,19 @@ Plot distribution_figure(const Campaign& campaign) {
                                 fmt::format("{}{}\n{}", waves > 0 && panels.size() == waves ? "B: " : "", each.title,
                                             std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean")));
     }
-  std::vector<Mark> entries{{.style = mean_look, .title = "Mean, suspects left out"},
-                            {.style = {.width = 0.7}, .title = "95 %; without a mark: limits"}};
-  if (std::isfinite(all))
-    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
+  // Of what is drawn somewhere.
+  std::vector<Mark> entries;
+  if (std::any_of(categories.begin(), categories.end(), [&](const Category& each) {
+        return std::isfinite(mean_of(campaign, each.category, &CategorySpread::mu0));
+      }))
+    entries.push_back({.style = mean_look, .title = "Mean, suspects left out"});
+  entries.push_back({.style = {.width = 0.7}, .title = "95 %; without a mark: limits"});
+  if (tells_all) entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
   const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
-  if (has([](const auto& row) { return row[2] == 1; }))
-    entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
-  if (has([](const auto& row) { return row[9] == 0 && std::isfinite(row[6]); }))
+  const bool has_suspects =
+      has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
+  if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
+  if (has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); }))
     entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave only indicative"});
   if (literature)
     entries.push_back({.kind = Mark::area,
@@ -160,11 +166,12 @@ Plot distribution_figure(const Campaign& campaign) {
   return {.name = "distributions",
           .title = "Wavelength and mean friction of all tests",
           .caption = fmt::format(
-              "{}mean friction, with its 95 % interval. Black lines: means of a category, grey line: mean of all. "
-              "Red-orange crosses: suspect tests, which the means leave out.{}",
+              "{}mean friction, with its 95 % interval. Black lines: means of a category{}.{}{}",
               waves > 0 ? "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a "
                           "sawtooth; grey where the wave is only indicative. B: "
                         : "The ",
+              tells_all ? ", grey line: mean of all" : "",
+              has_suspects ? " Red-orange crosses: suspect tests, which the means leave out." : "",
               literature ? fmt::format(" Green: what the literature gives for {} on {}, {:g} to {:g}.",
                                        literature->specimen, literature->support, literature->low, literature->high)
                          : ""),
@@ -187,9 +194,14 @@ std::string clipped(const std::string& name) {
   return name;
 }
 
+// None of a specimen that cracked, nor where there is no answer.
+bool tells_friction(const CampaignTest& test) {
+  return is_trusted(test.summary->standing) && test.verdict != word_of(VerdictCode::crack) &&
+         std::isfinite(test.summary->mu0.value);
+}
+
 // Its friction, a line each.
 std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
-  if (!is_trusted(test.standing) || !std::isfinite(test.mu0.value)) return "";
   std::string lines =
       fmt::format("*μ*_0 {} {:.3f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
   if (test.wave_claimed && test.wavelength && test.amplitude)
@@ -237,32 +249,36 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
     add(1, {{0, 0}, {w(plane.w_max), F(initial * plane.w_max)}});
     const auto smooth = frictionless_curve(curves, summary.bending_stiffness.value);
     add(2, plane.curve("", smooth).rows);
-    add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
+    if (tells_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
     add(4, line(curves.deflection, curves.force).rows);
     Panel panel{.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
                 .x = plane.x(1.04),
                 .y = plane.y(1.15)};
     for (std::size_t k = 0; k < data.size(); ++k)
-      panel.marks.push_back({Mark::line, data[k].name, {1, 2}, looks[k], "", {{0, number}}});
-    if (std::string parameters = parameters_of(summary, wavelength); !parameters.empty())
-      panel.marks.push_back(label(edge, -edge, std::move(parameters)));
+      if (std::any_of(data[k].rows.begin(), data[k].rows.end(),
+                      [&](const auto& row) { return !row.empty() && row[0] == number; }))
+        panel.marks.push_back({Mark::line, data[k].name, {1, 2}, looks[k], "", {{0, number}}});
+    if (tells_friction(*test)) panel.marks.push_back(label(edge, -edge, parameters_of(summary, wavelength)));
     panels.push_back(std::move(panel));
   }
-  for (std::size_t k = looks.size(); k-- > 0;) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
+  for (std::size_t k = looks.size(); k-- > 0;)
+    if (!data[k].rows.empty()) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
   const std::size_t count = panels.size(), rows = (count + panels_across - 1) / panels_across;
-  return {.name = std::move(name),
-          .title = title,
-          .caption =
-              title +
-              ": force against deflection at midspan, a panel a test. Blue: measured. Black: the mean of the fit run "
-              "forward. In the corner: the mean friction of the fit, and A and λ where a wave is claimed. Orange: "
-              "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
-              "load lines at the drops of the force, with the stiffness of the load train as slope. ×: suspect.",
-          .width = count < 3 ? 100.0 : 183.0,
-          .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
-          .data = std::move(data),
-          .panels = std::move(panels),
-          .columns = panels_across};
+  return {
+      .name = std::move(name),
+      .title = title,
+      .caption =
+          title +
+          ": force against deflection at midspan, a panel a test. Blue: measured. Black, where friction is told: the "
+          "mean of the fit run forward. In the corner: the mean friction of the fit, and A and λ where a wave is "
+          "claimed. Orange: "
+          "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
+          "load lines at the drops of the force, with the stiffness of the load train as slope. ×: suspect.",
+      .width = count < 3 ? 100.0 : 183.0,
+      .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
+      .data = std::move(data),
+      .panels = std::move(panels),
+      .columns = panels_across};
 }
 
 }  // namespace

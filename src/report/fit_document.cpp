@@ -340,7 +340,7 @@ Chapter cycles_chapter(T test) {
 
 Chapter preparation_chapter(T test) {
   return {"From the file to the record",
-          {preparation_rows(test.measurement.preparation), numbers(test, "contact"),
+          {preparation_rows(test.measurement), numbers(test, "contact"),
            is_fitted(test) ? numbers(test, "nominal_bending_stiffness") : PrintedTable{}}};
 }
 
@@ -416,17 +416,18 @@ std::string why_no_answer(const FittedTest& test) {
   return fmt::format("{}: {} {}", test.measurement.file, answer.findings.front().sentence, answer.next);
 }
 
-Rows preparation_rows(const Preparation& preparation) {
+Rows preparation_rows(const Measurement& measurement) {
   Rows rows;
-  for (const PreparationStep& step : preparation.steps) {
+  for (const PreparationStep& step : measurement.preparation.steps) {
     std::vector<std::string> about;
     if (const auto& value = step.value)
       about.push_back(value->error ? readable(value->value, *value->error, value->kind)
                                    : readable(value->value, value->kind));
     if (step.rows) about.push_back(fmt::format("rows {} to {}", step.rows->first, step.rows->last));
-    rows.push_back(
-        {step.name, fmt::format("{}{}{}", step.done, about.empty() ? "" : fmt::format(" ({})", fmt::join(about, "; ")),
-                                step.otherwise ? "; to change this: " + step.otherwise->in_case() : "")});
+    std::string done = step.done;
+    if (!about.empty()) done += fmt::format(" ({})", fmt::join(about, "; "));
+    if (const auto& change = step.otherwise) done += "; to change this: " + in_words(measurement.test, *change);
+    rows.push_back({step.name, std::move(done)});
   }
   return rows;
 }

@@ -82,8 +82,8 @@ Rows number_rows(const StandardTest& test) {
          fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)),
                      percent_to_two_digits(relative))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
-    rows.push_back({fmt::format("flexural modulus E_f without the {} that the supports add",
-                                percent_to_two_digits(*test.supports.alone)),
+    rows.push_back({fmt::format("flexural modulus E_f of the {}, without the {} that the supports add there",
+                                numbers.chord ? "chord" : "straight part", percent_to_two_digits(*test.supports.alone)),
                     three_digits(modulus->value, as(kind::pressure))});
   add_reached(rows, measurement.test, numbers.greatest, "greatest force", "flexural strength σ_fM",
               "at the greatest force");
@@ -93,8 +93,8 @@ Rows number_rows(const StandardTest& test) {
                   fmt::format("rows {} to {}, from {:.0f} % to {:.0f} % of {}", file_row(measurement, numbers.first),
                               last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
                               100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)))});
-  rows.push_back({"toe, where deflection and strain count from",
-                  readable(measurement.contact_offset + numbers.origin, as(kind::length))});
+  rows.push_back({"deflection and strain count from",
+                  readable(measurement.contact_offset + numbers.origin, numbers.origin_error, as(kind::length))});
   if (load_train_counts(test))
     rows.push_back(
         {"share of the displacement that the load train takes", percent_to_two_digits(numbers.load_train_share)});
@@ -110,7 +110,7 @@ std::string why_no_numbers(const StandardTest& test) {
   constexpr std::string_view check = "Check the units of force and displacement (flexslip read FILE shows them)";
   if (numbers.status == SmallDeflectionStatus::no_straight_part)
     return "The record has no straight rising part of three points or more over a quarter of its greatest force, so no "
-           "stiffness can be read off; --window names another part.";
+           "stiffness can be read off; another part can be named as the window.";
   if (numbers.status == SmallDeflectionStatus::too_stiff)
     return fmt::format("The modulus would be {}, and no material exceeds {}{}. {}, span and section{}.",
                        three_digits(*numbers.modulus, kind_in(test.measurement.test, kind::pressure)),
@@ -120,7 +120,7 @@ std::string why_no_numbers(const StandardTest& test) {
   if (!load_train)
     return fmt::format(
         "The error of the slope is more than half of it, so the record cannot tell a modulus. {}, and "
-        "name the straight part with --window.",
+        "name the straight part as the window.",
         check);
   return fmt::format(
       "The {}, and what it leaves is uncertain by more than half: the record cannot tell a modulus. {} and "
@@ -142,7 +142,9 @@ std::string friction_in_words(const StandardTest& test, const FrictionGain& gain
                        percent_range(gain.modulus), percent_range(gain.strength));
   words += fmt::format(", and takes {} of the work up to the greatest force.", percent_range(gain.work));
   if (gain.turns) words += " The rollers turn on their pins before it gets so high, which is taken into account.";
-  if (!gain.is_stated) words += " Another friction: modulus --friction.";
+  if (!gain.is_stated)
+    words +=
+        fmt::format(" Another friction: {}.", test.measurement.test.by_flags ? "modulus --friction" : "[friction] mu0");
   return words;
 }
 
@@ -174,17 +176,18 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
   if (supports_count(test))
     list.push_back(
         fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
-                    "stiffness given here.",
-                    percent_to_two_digits(*test.supports.alone)));
+                    "stiffness of the {}.",
+                    percent_to_two_digits(*test.supports.alone), numbers.chord ? "chord" : "straight part"));
   if (test.supports.friction) list.push_back(friction_in_words(test, *test.supports.friction));
   if (numbers.before_beginning > beginning_worth_a_word * numbers.greatest.deflection)
     list.emplace_back(
         "The straight part would meet zero force before the record begins, so deflection and strain count from its "
         "beginning.");
   if (numbers.chord_in_toe)
-    list.emplace_back(
-        "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: use the "
-        "modulus of the straight part.");
+    list.push_back(fmt::format(
+        "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: the "
+        "straight part is {} steeper, and supports and friction explain {}. Use the modulus of the straight part.",
+        format_percent(numbers.toe_excess), format_percent(numbers.toe_explained)));
   if (numbers.chord && numbers.modulus) {
     constexpr double clearly = 3;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
@@ -234,7 +237,7 @@ Chapter small_deflection_chapter(const FittedTest& test) {
 std::vector<Chapter> document_of(const StandardTest& test) {
   return {{"", {number_rows(test)}},
           {"What to know of them", paragraphs(small_deflection_in_words(test))},
-          {"From the file to the record", {preparation_rows(test.measurement.preparation)}}};
+          {"From the file to the record", {preparation_rows(test.measurement)}}};
 }
 
 }  // namespace flexslip

@@ -49,7 +49,7 @@ stiffness = "90 N/m"
 stage = "w [mm]"
 force = "F [N]"
 )");
-  folder.file("two.CSV", "");
+  folder.file("two.CSV", "w [mm],F [N]\n");
   folder.file("one.dat", "");
   folder.file("below/three.csv", "");
   folder.file("notes.md", "");
@@ -61,7 +61,7 @@ force = "F [N]"
   CHECK(plan[1].name == "two");
 }
 
-TEST_CASE("table: results, and copies with more columns, are no tests of a folder; the same record twice is said") {
+TEST_CASE("table: results, and copies with more columns, are no tests of a folder; the same record twice is one") {
   const TemporaryFolder folder;
   const auto common =
       folder.file("common.toml",
@@ -73,14 +73,28 @@ TEST_CASE("table: results, and copies with more columns, are no tests of a folde
   folder.file("b.csv", record);
   folder.file("profile.csv", "row,w_s [m],w [m],F [N],S [m],drawn_in [m]\n1,0,0,0,0,0\n");
   const CampaignPlan plan = plan_campaign(folder.path().string(), common);
-  REQUIRE(plan.tests.size() == 3);
+  REQUIRE(plan.tests.size() == 2);
   CHECK(plan.tests[0].name == "a");
   CHECK(plan.tests[1].name == "a_again");
   REQUIRE(plan.notes.size() == 4);
   CHECK(plan.notes[0] == "left out, as they are results of flexslip: 'profile.csv'");
   CHECK(has(plan.notes[1], "'a_dS.csv'"));
-  CHECK(has(plan.notes[2], "'b' has the record of 'a'"));
+  CHECK(plan.notes[2] == "'b' is left out, as it has the record of 'a', to the byte");
   CHECK(has(plan.notes[3], "no section is stated of any specimen"));
+}
+
+TEST_CASE("table: the same record under another case is a test of its own, and said to be none of another specimen") {
+  const TemporaryFolder folder;
+  folder.file("a.csv", "w [mm],F [N]\n0,0\n1,2\n2,4\n");
+  const auto table = folder.file("tests.csv",
+                                 "name,file,span,stiffness [N/m],stage,force\none,a.csv,1 mm,90,w [mm],F [N]\n"
+                                 "two,a.csv,1 mm,90,w [mm],F [N]\nthree,a.csv,1 mm,80,w [mm],F [N]\n");
+  const CampaignPlan plan = plan_campaign(table, std::nullopt);
+  REQUIRE(plan.tests.size() == 2);
+  CHECK(plan.tests[1].name == "three");
+  CHECK(has(plan.notes[0], "'two' is left out"));
+  CHECK(has(plan.notes[1], "'three' has the record of 'one'"));
+  CHECK(has(plan.notes[1], "counts as another specimen"));
 }
 
 TEST_CASE("table: units in titles of a table as in those of a record") {

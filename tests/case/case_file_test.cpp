@@ -562,6 +562,8 @@ TEST_CASE("identity: the effective case is read back as the same case") {
         std::string_view("[friction]\nmodel = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7"),
         std::string_view("reduced = true\n[rig]\nstiffness = inf\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\ndrift = "
                          "-0.3\nwaves = [{ amplitude = 1e-9, wavelength = 3 }]"),
+        std::string_view("reduced = true\n[friction]\nmodel = 'sinusoids'\nmu0 = 0.1\nwaves = [{ amplitude = 0, "
+                         "wavelength = 3 }]"),  // a required zero is written
         std::string_view("[friction]\nmodel = 'drift'\nmu0 = 0.1\ndrift = '-0.3 1/mm'\nreference = '1.3 mm'"),
         std::string_view("reduced = true\n[friction]\nmodel = 'sinusoid'\nmu0 = 0.1\namplitude = 0.2\nwavelength = "
                          "0.1\ndrift = 0\nreference = 1.123456789"),

@@ -286,6 +286,17 @@ TEST_CASE("measurement: all that a file leaves open is asked at once, in the wor
               "displacement = 'crosshead'\ndisplacement_column = 'Extension [mm]'\nforce = 'Load [kN]'\n") == "");
 }
 
+TEST_CASE("measurement: a displacement that is stated to be another than its name says is taken for it by name alone") {
+  const Folder folder;
+  const std::string above = "Time [s],Deflection [mm],Load [N]\n";
+  const std::string told = complaint([&] { folder.exported(above, "displacement = 'crosshead'\n"); });
+  CHECK(told.find("column 'Deflection': expected a displacement of the crosshead, as stated, found one whose name says "
+                  "deflection; write displacement = \"deflection\" into [record]; or write displacement_column = "
+                  "\"Deflection\" into [record] besides") != std::string::npos);
+  CHECK(complaint(
+            [&] { folder.exported(above, "displacement = 'crosshead'\ndisplacement_column = 'Deflection'\n"); }) == "");
+}
+
 TEST_CASE("measurement: readings that are missing are left out, and said in a step of their own (limit)") {
   const Folder folder;
   const std::string above = "Time [s],Crosshead [mm],Load [N]\n";
@@ -335,7 +346,7 @@ TEST_CASE("measurement: the steps are in their documented order, each with the f
   for (const PreparationStep& step : found.preparation.steps) names += step.name + " ";
   CHECK(names == "columns sign zero compliance end contact ");
   CHECK(step_of(found, "sign")->otherwise->in_case() == "[record] sign = \"reverse\"");
-  CHECK(step_of(found, "sign")->otherwise->flag() == "--sign \"reverse\"");
+  CHECK(step_of(found, "sign")->otherwise->flag() == "--sign reverse");
   CHECK(!step_of(found, "columns")->otherwise);
   CHECK(step_of(found, "end")->rows->first == last_before_failure + 1);
   CHECK(step_of(found, "end")->rows->last == rows);

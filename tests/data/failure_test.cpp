@@ -27,6 +27,7 @@ TEST_CASE("failure: it is the last point before the force is lost for good (trut
   SUBCASE("in two strokes, the first of them made up by nothing") {
     for (std::size_t i = 250; i < 300; ++i) record.force[i] *= i < 255 ? 0.8 : 0.05;
     CHECK(find_failure(record).points == 250);
+    CHECK(find_failure(record).fallen == 250);  // what falls behind that point fell after the break
   }
   SUBCASE("after a slip that loading makes up again") {
     for (std::size_t i = 245; i < 300; ++i) record.force[i] -= 0.06 * record.force[244];

@@ -121,6 +121,14 @@ TEST_CASE(
   CHECK(sampling_of(columns).rows.size() == 900);
 }
 
+TEST_CASE("identity: points behind which the stage halted are counted from the first asked for") {
+  Sampling sampling = sampling_of(readings());
+  sampling.halts = {sampling.rows[7], sampling.rows[20], sampling.rows[31]};
+  CHECK(sampling.halts_between(0, sampling.rows.size()) == std::vector<std::size_t>{7, 20, 31});
+  CHECK(sampling.halts_between(20, 31) == std::vector<std::size_t>{0});
+  CHECK(sampling.halts_between(21, 31).empty());
+}
+
 TEST_CASE("limit: of more rows than are asked for every so many count") {
   const auto sampling = sampling_of(readings(), 150);
   CHECK(sampling.stride == 3);

@@ -200,7 +200,23 @@ TEST_CASE("small_deflection: a chord in the toe is none; one of a specimen that 
   const auto steepened = small_deflection(in_steps(0.01e-3, 6e-3, 0.02, 1, pulled_in), known());
   REQUIRE(steepened.chord.has_value());
   CHECK_FALSE(steepened.chord_in_toe);
+  const auto on_pins = small_deflection(in_steps(0.01e-3, 6e-3, 0.02, 1, pulled_in), known(),
+                                        {.steepening = [](DeflectionRange, DeflectionRange) { return 0.01; }});
+  CHECK(on_pins.chord_in_toe);
+  CHECK(on_pins.toe_explained == 0.01);
+  CHECK(on_pins.toe_excess == to(1e-12, *steepened.modulus / steepened.chord->modulus - 1));
   CHECK(*steepened.modulus > 1.1 * steepened.chord->modulus);
+}
+
+TEST_CASE("small_deflection: what relaxes while the stage halts ends no straight part (limit)") {
+  constexpr std::size_t halt = 150;  // of 400: beyond a quarter of the greatest force
+  Record record = in_steps(0.01e-3, 4e-3, 0.02, 1, [](double w) { return k * w; });
+  for (std::size_t i = halt + 1; i < record.force.size(); ++i) record.force[i] -= 0.05 * record.force[halt];
+  const auto ends_at = [&](const SmallDeflectionOptions& options) {
+    return straight_part(record, known(), options)->last;
+  };
+  CHECK(ends_at({}) <= halt + 1);
+  CHECK(ends_at({.halts = {halt}}) > halt + 100);
 }
 
 TEST_CASE("small_deflection: the error of the load train counts, until the record tells no modulus (truth)") {

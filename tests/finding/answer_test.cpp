@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <set>
@@ -258,6 +259,41 @@ TEST_CASE("wrong load train: named before the bending stiffness, with that which
   CHECK(has(sentence_of(by_drops.verdict), "as on 91 N/m."));
 }
 
+TEST_CASE("stiffness: that of the loops is not called stated") {
+  const Test stiff =
+      read_case(FLEXSLIP_SOURCE_DIR "/examples/simulated/case.toml", std::vector<std::string>{"rig.stiffness=\"inf\""});
+  const FittedTest off_by_units = changed([](FittedTest& test) {
+    test.analysis.stiffness_implausible = true;
+    test.analysis.stiffness_over_slope = 16;
+  });
+  for (auto [code, test] :
+       {std::pair{"wrong_load_train", fit_test(stiff, {})}, std::pair{"wrong_stiffness", off_by_units}}) {
+    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness stated is"));
+    test.stiffness = StiffnessSource::mirror;
+    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness of the loops is"));
+  }
+}
+
+TEST_CASE("remedies: in keys of a case, or in flags for who states the test by these") {
+  std::size_t told = 0;
+  for (Situation& each : situations()) {
+    const auto remedy_of = [&] { return found(answer_of(each.test), each.code)->remedy; };
+    const std::string by_case = remedy_of();
+    each.test.measurement.test.by_flags = true;
+    const std::string by_flags = remedy_of();
+    INFO(each.code, ": ", by_case, " | ", by_flags);
+    CHECK(!has(by_case, "--"));
+    for (const char* key : {"[record]", "[rig]", "[specimen]"}) CHECK(!has(by_flags, key));
+    told += by_case != by_flags;
+  }
+  CHECK(told >= 5);
+  const FittedTest late = changed([](FittedTest& test) {
+    test.measurement.own_contact = {.status = ContactStatus::found, .offset = normal_estimate(4e-6, 4e-7)};
+  });
+  CHECK(found(answer_of(late), "other_contact")->remedy ==
+        "Write contact = \"find\" into [record] to count from there.");
+}
+
 TEST_CASE("contact: at the zero of the file, also where that is stated") {
   const auto assumed = [](ContactSource source, double offset) {
     return answer_of(changed([=](FittedTest& test) {
@@ -331,7 +367,7 @@ TEST_CASE("supports that are not stated: friction is told for both, and a verdic
   CHECK(cracks.verdict.finding == "supports_not_stated");
   CHECK(has(sentence_of(cracks.verdict), "UNDECIDED: slip on edges (friction 0."));
   CHECK(has(sentence_of(cracks.verdict), "; crack on rollers of 63.9 µm; which supports?"));
-  CHECK(cracks.next == "State [rig] supports = \"edges\", or the roller_radius.");
+  CHECK(cracks.next == "State [rig] supports = \"edges\", or [rig] roller_radius.");
 
   // Rollers that explain nothing take no verdict away.
   const Answer edges =

@@ -10,6 +10,7 @@
 
 #include "case/case_file.h"
 #include "finding/answer.h"
+#include "finding/findings.h"
 
 namespace flexslip {
 

@@ -70,6 +70,14 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
   CHECK(!lost_stiffness(judge(analysis, &stiffer)));
   CHECK(!judge(analysis, &noisy).changed_reload);
 
+  // Slopes alone tell it, of what has no answer, too: after the loading evaluated, or since the first.
+  CHECK(reload_change(softer.stiffness, 0).comes_after);
+  CHECK(reload_change(softer.stiffness, 0).softer);
+  CHECK(!reload_change(softer.stiffness, 1).comes_after);
+  CHECK(lost_stiffness(reload_change(softer.stiffness, 1)));
+  CHECK(!lost_stiffness(reload_change(stiffer.stiffness, 0)));
+  CHECK(std::isnan(reload_change({}, 0).loss));
+
   analysis.slip_or_crack.cracks_alone = 0.3;
   CHECK(judge(analysis, nullptr).drops == CrackVerdict::cannot_be_told);
   const auto as_stiff = reloaded(0.99, 0.01);

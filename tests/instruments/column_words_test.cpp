@@ -25,8 +25,8 @@ TEST_CASE("column_words: titles of the machines' manuals and dictionaries mean w
   for (const char* name :
        {"Load", "Axial Force", "Standardkraft", "Prüfkraft", "Charge", "Carga", "kuvvet", "試験力", "荷重", "F"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::force, name);
-  for (const char* name :
-       {"Crosshead", "Stroke", "Traverse absolue", "Standardweg", "Traversenweg", "ストローク", "w_s"})
+  for (const char* name : {"Crosshead", "Stroke", "Traverse absolue", "Standardweg", "Standard travel", "Traversenweg",
+                           "ストローク", "w_s"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::crosshead, name);
   for (const char* name : {"Deflection", "Durchbiegung", "Flèche", "FLÈCHE", "Flexure Extension", "たわみ", "w0"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::deflection, name);

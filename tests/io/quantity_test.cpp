@@ -269,6 +269,7 @@ TEST_CASE("table: a value shows as many digits as its uncertainty knows") {
   CHECK(signed_percent(-0.0001) == "+0.0 %");
   CHECK(signed_percent(-0.0213) == "-2.1 %");
   CHECK(readable(10.9e-6, std::nan(""), kind::length) == "10.9 µm (uncertainty not known)");
+  CHECK(readable(25e3, 2e-11, kind::stiffness) == "25 N/mm (to a millionth)");
 }
 
 TEST_CASE("table: units for figures and tables") {

@@ -186,11 +186,13 @@ step = "2 um"
     def test_whatever_the_names_there_is_a_report_and_no_formula_in_it(self):
         folder = self.simulated(1)
         names = ["'begins", "12'' rod", "it''s '''", "=cmd_' !A1", "+1", "-1", "@x", "'=quoted"]
+        for i in range(len(names)):  # the same to the byte are one test
+            (folder / f"r{i}.csv").write_text((folder / "t00.csv").read_text(encoding="utf-8") + i * "\n", encoding="utf-8")
 
         def campaign(cells):
             """The names in the report of a table with these."""
             with (folder / "table.csv").open("w", encoding="utf-8", newline="") as file:
-                csv.writer(file).writerows([["name", "file"], *([cell, "t00.csv"] for cell in cells)])
+                csv.writer(file).writerows([["name", "file"], *([cell, f"r{i}.csv"] for i, cell in enumerate(cells))])
             report = self.folder / "report"
             self.succeeds("campaign", folder / "table.csv", "--common", folder / "t00.toml", "--report", report, "--quiet")
             self.assertTrue((report / "report.html").exists())

@@ -8,7 +8,7 @@ import random
 import re
 import unittest
 
-from program import SOURCE, InFolder, run
+from program import SOURCE, InFolder, against, run
 
 EXAMPLE = SOURCE / "examples/simulated"
 CASE = EXAMPLE / "case.toml"
@@ -208,6 +208,55 @@ class Loading(InFolder):
                         "--supports", "edges", "--stiffness", "inf")
         self.assertEqual(fit["verdict"]["code"], "no_drops", fit["verdict"])
 
+    def reloaded(self, stiffness_left, first=3.0, second=3.0):
+        """fit of a bar that is bent to a deflection [mm], unloaded, and bent again, so many times as stiff."""
+        draw = random.Random(4)
+        ways = [(0.01 * i, 1) for i in range(int(100 * first))] + [(first - 0.01 * i, 1) for i in range(1, int(100 * first))]
+        ways += [(0.01 * i, stiffness_left) for i in range(int(100 * second))]
+        rows = [(w, w, STIFFNESS * 1e-3 * w * left + draw.gauss(0, 0.02)) for w, left in ways]
+        return self.json("fit", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection", "--modulus", "2.7 GPa",
+                         "--supports", "edges", "--stiffness", "inf")
+
+    def test_truth_a_bar_that_is_softer_when_it_is_loaded_again_lost_stiffness(self):
+        for second, row in ((3.0, "the last that can be compared is 30.0 ±"), (3.6, "that evaluated is 30.0 ±")):
+            fit = self.reloaded(0.7, second=second)
+            self.assertEqual(fit["verdict"]["code"], "crack", fit["verdict"])
+            self.assertIn("loaded again, it is 30.0 ±", fit["verdict"]["sentence"])
+            self.assertIn("friction cannot be told", fit["verdict"]["sentence"])
+            self.assertIn("softer_reload", against(fit))
+            self.assertIn(row, next(each["words"] for each in fit["answer"] if each["label"] == "reload"))
+        slightly = self.reloaded(0.93)
+        self.assertEqual(slightly["verdict"]["code"], "crack", slightly["verdict"])
+        self.assertIn("changed_reload", against(slightly))
+        as_stiff = self.reloaded(1)
+        self.assertEqual(as_stiff["verdict"]["code"], "no_drops", as_stiff["verdict"])
+        self.assertFalse({"softer_reload", "changed_reload"} & set(against(as_stiff)))
+
+    def test_limit_what_relaxes_during_a_hold_is_no_drop_of_another_loading(self):
+        draw = random.Random(9)
+        way = lambda most, left: [(0.01 * i, left if i > 150 else 1) for i in range(most)]
+        held = [(1.5, 0.85 + 0.15 * math.exp(-k)) for k in range(1, 9)]
+        up = way(151, 1) + held + way(300, 0.85)[151:]
+        down = [(3 - 0.01 * i, 0.85) for i in range(1, 300)]
+        flags = (*BAR, "--displacement", "deflection", "--modulus", "2.7 GPa", "--supports", "edges", "--stiffness", "inf")
+        readings = lambda ways: [(w, w, STIFFNESS * 1e-3 * w * left + draw.gauss(0, 0.02)) for w, left in ways]
+        twice = self.json("fit", self.file("bar.csv", bluehill(readings(up + down + [(0.01 * i, 0.85) for i in range(400)]), 1)), *flags)
+        self.assertEqual((twice["measurement"]["loading"], twice["measurement"]["drops_elsewhere"]), (2, 0))
+
+    def test_truth_drops_behind_the_break_are_counted(self):
+        draw = random.Random(4)
+        rows = [(0.01 * i, 0.01 * i, STIFFNESS * 1e-3 * 0.01 * i * (1 if i <= 280 else 0.45 if i <= 295 else 0.3) + draw.gauss(0, 0.02)) for i in range(310)]
+        path = self.file("bar.csv", bluehill(rows, 1))
+        flags = (*BAR, "--displacement", "deflection", "--supports", "edges", "--stiffness", "inf")
+        broken = self.json("fit", path, *flags)
+        self.assertEqual((broken["measurement"]["ends_with"], broken["measurement"]["last_row"]), ("failure", 281))
+        self.assertEqual(broken["measurement"]["drops_behind"], 1)
+        self.assertIn("; 1 more drop behind the break", broken["answer"][0]["words"])
+        stated = self.json("fit", path, *flags, "--until", "250")
+        self.assertEqual(stated["measurement"]["drops_behind"], 2)
+        self.assertIn("; 2 more drops behind that row", stated["answer"][0]["words"])
+        self.assertEqual(self.json("fit", path, *flags, "--failure", "none")["measurement"]["drops_behind"], 0)
+
     def test_truth_drops_of_a_bar_are_held_against_what_a_slip_can_do(self):
         """64 by 4 mm, bent by 3 mm: a slip can take 0.085 of the force at most."""
         for loss, verdict in ((0.25, "crack"), (0.03, "undecided"), (0, "no_drops")):
@@ -395,6 +444,37 @@ class Bar(InFolder):
         text = " ".join(self.succeeds("modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection").split())
         self.assertIn("lies in the toe", text)
         self.assertNotIn("Use the chord", text)
+
+    def test_truth_a_chord_in_a_toe_is_not_explained_by_a_friction_that_its_supports_do_not_have(self):
+        """A simulated bar of 2.5 GPa on rollers, whose contacts settle by 0.4 mm under 20 N."""
+        made = self.file("made.toml", """[specimen]
+width = "10 mm"
+height = "4 mm"
+modulus = "2.5 GPa"
+[rig]
+span = "64 mm"
+stiffness = "inf"
+roller_radius = "5 mm"
+[friction]
+model = "constant"
+mu0 = 0.2
+[stage]
+program = ["0 mm", "6 mm"]
+step = "0.02 mm"
+""")
+        for settles in (0, 0.4e-3):
+            draw = random.Random(2)
+            curve = csv.DictReader(self.succeeds("simulate", made, "--quiet").splitlines())
+            readings = [(float(row["w_s [m]"]), float(row["F [N]"])) for row in curve]
+            readings = [(1e3 * (w + settles * (1 - math.exp(-F / 20))), F + draw.gauss(0, 0.02)) for w, F in readings]
+            path = self.file("bar.csv", "w [mm],F [N]\n" + "".join(f"{w:.6f},{F:.5f}\n" for w, F in readings))
+            flags = (*BAR, "--deflection", "w", "--force", "F", "--set", "rig.roller_radius=5 mm", "--stiffness", "inf")
+            found = self.json("modulus", path, *flags)
+            self.assertEqual(found["chord_in_toe"], settles > 0)
+            self.assertAlmostEqual(found["modulus_less_supports"]["value"] / 2.5e9, 1, delta=0.06)
+            text = " ".join(self.succeeds("modulus", path, *flags).split())
+            told = f"of the {'straight part' if settles else 'chord'}, without the "
+            self.assertIn(told, text)
 
     def test_limit_no_straight_part(self):
         path = self.file("flat.csv", "w [mm],F [N]\n" + "".join(f"{i},{(i + 1) % 2}\n" for i in range(40)))

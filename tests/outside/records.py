@@ -100,7 +100,7 @@ class Records(InFolder):
         moved = [(0, 0.004), (2, -0.003), (4, 0.001)] + [(stage + 6, force) for stage, force in READINGS]
         left = self.fitted(moved)
         (finding,) = [f for f in left["findings"] if f["code"] == "other_contact"]
-        self.assertIn('contact = "find"', finding["remedy"])
+        self.assertIn("--contact find", finding["remedy"])
         found = self.fitted(moved, "--contact", "find")
         self.holds(found)
         contact = found["parameters"]["contact_offset"]
@@ -126,7 +126,7 @@ class Records(InFolder):
             left = self.fitted(moved)
             self.assertNotEqual(left["verdict"]["code"], "crack")
             (finding,) = [f for f in left["findings"] if f["code"] == "begins_under_force"]
-            self.assertIn('zero = "', finding["remedy"])
+            self.assertIn('--zero "', finding["remedy"])
             (force,) = [number["value"] for number in finding["numbers"] if number["name"] == "force"]
             self.assertAlmostEqual(force, shift / 1000, delta=2e-5)
             self.holds(self.fitted(moved, "--zero", f"{shift} mN"))

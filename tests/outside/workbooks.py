@@ -163,6 +163,10 @@ class Workbooks(InFolder):
         path = self.workbook({"Read me": [["nothing here"]], **sheets})
         first = run("read", "-o", "-", path, "--crosshead", "1")
         self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", first.stderr)
+        bar = ("--span", "20 mm", "--width", "2 mm", "--height", "1 mm")
+        self.refused("modulus", path, *bar, says=["which of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'", '--sheet "Specimen 1"'])
+        self.refused("modulus", path, *bar, "--displacement", "deflection", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
+        self.refused("modulus", path, *bar, "--deflection", "Extension", "--force", "Load", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
         for k in (1, 2, 3):
             for name in (f"Specimen {k}", str(k + 1)):
                 said = run("read", "-o", "-", path, "--crosshead", "1", "--sheet", name)

@@ -28,7 +28,7 @@ std::string on_one_line(const Campaign& campaign) { return in_text(document_of(c
 TEST_CASE("table: the answer of a campaign counted by hand") {
   CHECK(campaign_in_short(some_campaign()) ==
         "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.51 averaged over 4 "
-        "specimens, 0.30 to 0.75 between them; 25 % (25 to 25 %) of the work went into friction. SS8 is suspect. SS99 "
+        "specimens, 0.30 to 0.75 between them; 25 % of the work went into friction. SS8 is suspect. SS99 "
         "could not be "
         "evaluated.");
   CHECK(has(on_one_line(some_campaign()),

@@ -38,6 +38,37 @@ TEST_CASE("limit: a category without tests has no panel, nor have waves where no
   CHECK(figure.panels[0].title.find("almost no sawtooth") == 0);
 }
 
+TEST_CASE("limit: a legend has no entry of what is not drawn") {
+  const auto entry = [](const Plot& figure, std::string_view title) {
+    const auto& marks = figure.panels.front().marks;
+    return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.title.find(title) == 0; });
+  };
+  CHECK(entry(distribution_figure(some_campaign()), "Suspect"));
+  CHECK(entry(distribution_figure(some_campaign()), "Mean of all"));
+  CampaignTest limit = some_test("SS4", SawtoothCategory::none, 1.25, {});
+  limit.summary->mu0_is_bound = true;  // a suspect whose friction is only a limit: a line without a mark
+  const Plot bare = distribution_figure(campaign_of({limit}));
+  for (const char* title : {"Suspect", "Mean of all", "Mean, suspects left out", "Wave only"})
+    CHECK(!entry(bare, title));
+  // Of one category the mean is the mean of all.
+  CHECK(!entry(distribution_figure(campaign_of({some_test("SS4", SawtoothCategory::none, 0.4, {})})), "Mean of all"));
+}
+
+TEST_CASE("limit: the atlas draws no model of a specimen that cracked") {
+  CampaignTest cracked = some_test("K12", SawtoothCategory::clear, 0.4, 5.5e-6);
+  cracked.verdict = "CRACK";
+  cracked.summary->standing = Standing::suspect;
+  const auto models = [](const std::vector<CampaignTest>& tests) {
+    const Plot page = atlas_pages(campaign_of(tests)).at(0);
+    std::size_t drawn = 0;
+    for (const Panel& panel : page.panels)
+      for (const Mark& mark : panel.marks) drawn += mark.table == "model" || mark.title == "Model";
+    return drawn;
+  };
+  CHECK(models({cracked}) == 0);
+  CHECK(models({cracked, some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}) == 2);  // a line, and its entry
+}
+
 TEST_CASE("limit: nothing to distribute") {
   CHECK_THROWS_AS(distribution_figure(no_tests()), std::invalid_argument);
   CHECK_THROWS_AS(distribution_figure(only_failures()), std::invalid_argument);

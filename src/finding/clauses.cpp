@@ -1,0 +1,44 @@
+#include "finding/clauses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "finding/printed.h"
+
+namespace flexslip {
+
+std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.size(); }
+
+bool has_reload(const FittedTest& test) { return test.judgement && std::isfinite(test.judgement->loss_needed); }
+
+std::string mean_friction(const FrictionFit& fit) {
+  return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))
+                          : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
+}
+
+std::string cracks_in_words(const FittedTest& test) {
+  const double percent = 100 * test.judgement->cracks_alone;
+  constexpr double least = 1, most = 99;  // what simulated tests can tell
+  constexpr double unlikely = 5;          // beyond which, on either side, the verdict is decided
+  const double beside = std::abs(std::abs(percent - 50) - (50 - unlikely));
+  if (beside < 0.5) return fmt::format("cracks alone: {:.{}f} %", percent, beside < 0.05 ? 2 : 1);
+  return percent < least  ? fmt::format("cracks alone: less than {} %", least)
+         : percent > most ? fmt::format("cracks alone: more than {} %", most)
+                          : fmt::format("cracks alone: {:.0f} %", percent);
+}
+
+std::string usual_rollers(const FittedTest& test) {
+  return "rollers of " + Print(*test.on_rollers).length(test.on_rollers->analysis.rig.fibre.supports().radius);
+}
+
+std::optional<std::string> friction_on_rollers(const FittedTest& test) {
+  if (!test.on_rollers || !is_fitted(*test.on_rollers)) return std::nullopt;
+  const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
+  const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
+  if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
+  return fmt::format("{} on {}", mean_friction(rollers), usual_rollers(test));
+}
+
+}  // namespace flexslip

@@ -1,0 +1,30 @@
+// Clauses that findings, verdict and rows have in common, worded once.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "case/fitted.h"
+#include "inference/fit.h"
+
+namespace flexslip {
+
+std::size_t drops_of(const FittedTest& test);
+
+// Does a later loading bound what stiffness was lost in that evaluated?
+bool has_reload(const FittedTest& test);
+
+// "0.47 ± 0.06", or "at most 0.28".
+std::string mean_friction(const FrictionFit& fit);
+
+// "cracks alone: 2 %", of a test that is judged.
+std::string cracks_in_words(const FittedTest& test);
+
+// "rollers of 5 mm", as the case could state them; of a test that was fitted on rollers, too.
+std::string usual_rollers(const FittedTest& test);
+
+// "0.21 ± 0.05 on rollers of 5 mm", where friction is told there and differs from that on edges by more than the error of either.
+std::optional<std::string> friction_on_rollers(const FittedTest& test);
+
+}  // namespace flexslip
