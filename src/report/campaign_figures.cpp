@@ -48,6 +48,14 @@ std::vector<double> named_numbers_of(const Campaign& campaign) {
   return *seen.rbegin() - *seen.begin() <= most ? numbers : std::vector<double>{};
 }
 
+std::string clipped(const std::string& name) {
+  constexpr std::size_t longest = 20;  // [characters] above a panel
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
+  return name;
+}
+
 double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> category, Spread CategorySpread::*spread) {
   for (const CategorySummary& summary : campaign.categories)
     if (summary.category == category && (summary.without_suspects.*spread).count > 0)
@@ -93,8 +101,12 @@ Plot distribution_figure(const Campaign& campaign) {
   }
   const double space = std::max(1.0, 0.07 * (last - first));
   const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  Axis x{numbers.empty() ? "Test, counted in the order of the table" : "Test number", "", first - space, last + space};
+  Axis x{numbers.empty() ? "Test" : "Test number", "", first - space, last + space};
   x.counts = true;
+  if (numbers.empty())
+    for (std::size_t i = 0; i < campaign.tests.size(); ++i)
+      if (campaign.tests[i].summary)
+        x.names.push_back({static_cast<double>(i + 1), as_it_is(clipped(campaign.tests[i].name))});
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
@@ -141,12 +153,17 @@ Plot distribution_figure(const Campaign& campaign) {
                                 fmt::format("{}{}\n{}", waves > 0 && panels.size() == waves ? "B: " : "", each.title,
                                             std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean")));
     }
-  std::vector<Mark> entries{{.style = mean_look, .title = "Mean, suspects left out"},
-                            {.style = {.width = 0.7}, .title = "95 %; without a mark: limits"}};
+  const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
+  const bool has_limits = has([](const auto& row) { return std::isnan(row[3]); });
+  const bool has_means = std::any_of(with_tests.begin(), with_tests.end(), [&](SawtoothCategory category) {
+    return std::isfinite(mean_of(campaign, category, &CategorySpread::mu0));
+  });
+  std::vector<Mark> entries;
+  if (has_means) entries.push_back({.style = mean_look, .title = "Mean, suspects left out"});
+  entries.push_back({.style = {.width = 0.7}, .title = has_limits ? "95 %; without a mark: limits" : "95 %"});
   if (std::isfinite(all))
     entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
-  const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
-  if (has([](const auto& row) { return row[2] == 1; }))
+  if (has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); }))
     entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
   if (has([](const auto& row) { return row[9] == 0 && std::isfinite(row[6]); }))
     entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave only indicative"});
@@ -178,14 +195,6 @@ Plot distribution_figure(const Campaign& campaign) {
 namespace {
 
 constexpr std::size_t panels_across = 4, panels_on_page = 5 * panels_across;
-
-std::string clipped(const std::string& name) {
-  constexpr std::size_t longest = 20;  // [characters] above a panel
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
-  return name;
-}
 
 // Its friction, a line each.
 std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {

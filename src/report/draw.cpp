@@ -179,7 +179,9 @@ std::string set_axis(std::string_view name, const Axis& axis, const Plot& plot) 
   const double beyond = axis.logarithmic ? 1 + 1e-7 : 1;
   return fmt::format("  {}set logscale {}; set {}range [{:.10g}:{:.10g}] noextend\n  set {}tics ({}){}\n",
                      axis.logarithmic ? "" : "un", name, name, axis.from / beyond, axis.to * beyond, name, ticks,
-                     name == "x" ? " offset 0,up" : "") +
+                     name != "x"          ? ""
+                     : axis.names.empty() ? " norotate offset 0,up"
+                                          : " rotate by 90 right") +
          set_label(axis.title, plot);
 }
 
