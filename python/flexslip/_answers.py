@@ -15,6 +15,9 @@ ANSWERS: dict[str, dict[str, Any]] = _flexslip.answers()
 NAN = float("nan")
 Row = TypeVar("Row", covariant=True)
 
+if TYPE_CHECKING:
+    import pandas
+
 
 class Quantity(float):
     """A number and its unit: a float with `.unit`.
@@ -43,11 +46,14 @@ class Quantity(float):
         return readable(float(self), self.unit)
 
 
-def readable(value: float, unit: str) -> str:
-    """A number for people, in the unit that suits it."""
-    if unit in ("1", "", "rad") or "L" in unit or "EI" in unit:
-        return f"{value:.4g}" + (f" {unit}" if unit not in ("1", "") else "")
-    return str(_flexslip.readable(value, unit)) if value == value else "nan"
+_PLAIN = ("1", "", "rad", "L", "1/L", "EI", "EI/L", "EI/L^2", "EI/L^3", "EI/L^4", "L^3/EI")  # units that have no larger or smaller ones
+
+
+def readable(value: float, unit: str, stderr: float | None = None) -> str:
+    """A number for people, in the unit that suits it; with a standard error, rounded by it."""
+    known = "" if unit in _PLAIN else unit
+    words = str(_flexslip.readable(value, known) if stderr is None else _flexslip.readable_estimate(value, stderr, known))
+    return words if known or unit in ("1", "") else f"{words} {unit}"
 
 
 class Estimate:
@@ -98,9 +104,36 @@ class Estimate:
     def __float__(self) -> float:
         return self.value
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Estimate):
+            return NotImplemented
+        return same(self._data, other._data)
+
+    def __hash__(self) -> int:
+        return hash((self.value, self.stderr, self.unit))
+
+    def __str__(self) -> str:
+        if self.value != self.value:
+            return "unknown"
+        if self._data.get("bound"):  # of what cannot be told from zero
+            return f"at most {readable(float(f'{self.ci95[1]:.2g}'), self.unit)} (95 %)"
+        return readable(self.value, self.unit, self.stderr or None)
+
     def __repr__(self) -> str:
-        unit = f" {self.unit}" if self.unit not in ("1", "") else ""
-        return f"<{self.name + ': ' if self.name else ''}{self.value:.6g} ± {self.stderr:.2g}{unit}>"
+        return f"<{self.name + ': ' if self.name else ''}{self}>"
+
+
+def same(mine: Any, theirs: Any) -> bool:
+    """Are two data equal, what is not there (NaN) as well?"""
+    if isinstance(mine, np.ndarray) or isinstance(theirs, np.ndarray):
+        if not (isinstance(mine, np.ndarray) and isinstance(theirs, np.ndarray)):
+            return False
+        return bool(np.array_equal(mine, theirs, equal_nan=mine.dtype.kind == "f" and theirs.dtype.kind == "f"))
+    if isinstance(mine, Mapping) and isinstance(theirs, Mapping):
+        return mine.keys() == theirs.keys() and all(same(value, theirs[name]) for name, value in mine.items())
+    if isinstance(mine, (list, tuple)) and isinstance(theirs, (list, tuple)):
+        return len(mine) == len(theirs) and all(map(same, mine, theirs))
+    return bool(mine == theirs or (mine != mine and theirs != theirs))
 
 
 def _float(value: Any) -> float:
@@ -121,10 +154,10 @@ def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type], red
     shape = entry["shape"]
     if shape == "number":
         return _float(value)
+    if shape == "estimate":
+        return Estimate(value or {"unit": unit_of(entry, reduced)}, entry["entries"], entry["name"], entry["meaning"])
     if value is None:
         return None
-    if shape == "estimate":
-        return Estimate(value, entry["entries"], entry["name"], entry["meaning"])
     if shape == "quantity":
         return Quantity(_float(value["value"]), value["unit"])
     if shape == "group":
@@ -141,7 +174,7 @@ def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type], red
 class Answer:
     """A part of an answer: its numbers are attributes, and stand under their names in brackets.
 
-    A number that does not exist is NaN; words, groups and lists that do not are None. :meth:`describe` says what each is.
+    A number or an estimate that does not exist is NaN; words, groups and lists that do not are None. :meth:`describe` says what each is.
     """
 
     _entries: Sequence[Mapping[str, Any]] = ()
@@ -163,12 +196,12 @@ class Answer:
         for entry in self._entries:
             if entry["name"] == name and (name in self._data):
                 return _read(self._data[name], entry, self._classes, self._reduced)
-        raise KeyError(name)
+        raise KeyError(f"no {name!r}; there are {', '.join(self._data)}")
 
     def _of(self, entry: Mapping[str, Any]) -> Any:
-        if entry["name"] not in self._data:
+        if entry["name"] not in self._data and entry["shape"] != "estimate":
             raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
-        return _read(self._data[entry["name"]], entry, self._classes, self._reduced)
+        return _read(self._data.get(entry["name"]), entry, self._classes, self._reduced)
 
     def __contains__(self, name: object) -> bool:
         return name in self._data
@@ -178,6 +211,14 @@ class Answer:
 
     def __len__(self) -> int:
         return len(self._data)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Answer):
+            return NotImplemented
+        return type(self).__name__ == type(other).__name__ and self._reduced == other._reduced and same(self._data, other._data)
+
+    def __hash__(self) -> int:
+        return hash((type(self).__name__, *self._data))
 
     def keys(self) -> list[str]:
         """The names of what is there."""
@@ -203,9 +244,9 @@ class Answer:
         """What each number is, line by line: name, unit, meaning."""
         return Description(self._entries, self._reduced)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each number or estimate."""
-        import pandas
+        import pandas as pd
 
         rows = []
         for entry in self._in_order():
@@ -216,13 +257,14 @@ class Answer:
             elif isinstance(value, (bool, int, float, str)):
                 rows.append({"name": entry["name"], "value": value, "unit": getattr(value, "unit", unit_of(entry, self._reduced)),
                              "meaning": entry["meaning"]})
-        return pandas.DataFrame(rows).set_index("name") if rows else pandas.DataFrame()
+        return pd.DataFrame(rows).set_index("name") if rows else pd.DataFrame()
 
     def _shown(self) -> list[tuple[str, str, str]]:
         rows = []
         for entry in self._in_order():
             value = self[entry["name"]]
-            rows.append((entry["name"], _in_short(value), entry["meaning"]))
+            if value is not None and not (isinstance(value, (float, Estimate)) and float(value) != float(value)):
+                rows.append((entry["name"], _in_short(value, unit_of(entry, self._reduced)), entry["meaning"]))
         return rows
 
     def __repr__(self) -> str:
@@ -237,20 +279,26 @@ class Answer:
         return f"<table><caption>{html.escape(self._title or type(self).__name__)}</caption>{rows}</table>"
 
 
-def _in_short(value: Any) -> str:
-    if isinstance(value, Estimate):
-        return str(value)[1:-1].removeprefix(f"{value.name}: ")
+def _in_short(value: Any, unit: str) -> str:
     if isinstance(value, Table):
         return f"{len(value)} rows: {', '.join(value.keys())}"
     if isinstance(value, Answer):
         return "; ".join(value.keys())
     if isinstance(value, np.ndarray):
-        return f"{len(value)} numbers"
+        return f"{len(value)} numbers" + _in_brackets(unit)
     if isinstance(value, dict):
         return ", ".join(value)
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, tuple):
+        return ", ".join(value)
     if isinstance(value, float) and not isinstance(value, Quantity):
-        return f"{value:.6g}"
+        return readable(value, unit)
     return str(value)
+
+
+def _in_brackets(unit: str) -> str:
+    return f" [{unit}]" if unit not in ("1", "") else ""
 
 
 def _none_of(value: Any) -> Any:
@@ -304,6 +352,8 @@ class Table(Sequence[Row], Generic[Row]):
 
     def column(self, name: str) -> Any:
         """A column: a NumPy array of numbers, or of objects."""
+        if name not in self._data["columns"]:
+            raise KeyError(f"no column {name!r}; there are {', '.join(self.keys())}")
         values = self._data["columns"][name]
         if isinstance(values, np.ndarray):
             return values
@@ -374,30 +424,39 @@ class Table(Sequence[Row], Generic[Row]):
         """What each column is, line by line: name, unit, meaning."""
         return Description(self._entries, self._reduced)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame: an estimate takes four columns, NAME, NAME_standard_error, NAME_low and NAME_high; `attrs["units"]` has the units."""
-        import pandas
+        import pandas as pd
 
         columns: dict[str, Any] = {}
         units: dict[str, str] = {}
         for name, values in self._data["columns"].items():
             entry = self._entry(name)
             if entry["shape"] == "estimate":
-                read = [Estimate(value) if value is not None else None for value in values]
-                parts = [(NAN,) * 4 if e is None else (e.value, e.stderr, *e.ci95) for e in read]
+                read = [Estimate(value or {}) for value in values]
+                parts = [(e.value, e.stderr, *e.ci95) for e in read]
                 for k, suffix in enumerate(("", "_standard_error", "_low", "_high")):
                     columns[name + suffix] = np.array([part[k] for part in parts])
-                    units[name + suffix] = next((e.unit for e in read if e is not None), "")
+                    units[name + suffix] = next((value["unit"] for value in values if value), "")
                 continue
             columns[name] = values if isinstance(values, np.ndarray) else self.column(name)
             if entry["unit"]:
                 units[name] = unit_of(entry, self._reduced)
-        frame = pandas.DataFrame(columns, index=pandas.RangeIndex(len(self)))
+        frame = pd.DataFrame(columns, index=pd.RangeIndex(len(self)))
         frame.attrs["units"] = units
         return frame
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Table):
+            return NotImplemented
+        return same(self._data, other._data)
+
+    def __hash__(self) -> int:
+        return hash((len(self), *self.keys()))
+
     def __repr__(self) -> str:
-        return f"<{len(self)} rows: {', '.join(self.keys())}>"
+        units = {entry["name"]: _in_brackets(unit_of(entry, self._reduced)) for entry in self._entries}
+        return f"<{len(self)} rows: {', '.join(name + units[name] for name in self.keys())}>"
 
     def _repr_html_(self) -> str:
         return str(self.to_frame()._repr_html_())
@@ -420,11 +479,11 @@ class Description(Sequence[Any]):
     def __getitem__(self, at: Any) -> Any:
         return self._lines[at]
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame of name, shape, unit and meaning."""
-        import pandas
+        import pandas as pd
 
-        return pandas.DataFrame(self._lines, columns=["name", "shape", "unit", "meaning"]).set_index("name")
+        return pd.DataFrame(self._lines, columns=["name", "shape", "unit", "meaning"]).set_index("name")
 
     def __repr__(self) -> str:
         wide = max((len(line[0]) for line in self._lines), default=0)
@@ -487,8 +546,8 @@ def _table_of(data: Mapping[str, Any], path: tuple[str, ...], reduced: bool) -> 
     return Table(data, _MADE[path], reduced=reduced)
 
 
-def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool = False) -> Table[Any]:
-    """A table of an answer that is one itself."""
+def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool = False) -> Any:
+    """A table of an answer that is one itself; _fields.pyi has the types of those whose columns are known."""
     return Table(data, _row_class(entries), reduced=reduced)
 
 

@@ -3,15 +3,21 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Table, table_of
+from ._answers import ANSWERS, table_of
 from ._case import path_of, set_of
-from ._errors import one_of, wrong
+from ._errors import InputError, one_of, wrong
 from ._fields import CampaignFields
 from ._fit import positive
+from ._frames import in_words, in_words_of_frame, is_frame, table_of_tests
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._fields import CategoryRowsTable, SpecimenRowsTable, TestRowsTable
 
 
 
@@ -44,18 +50,21 @@ class Campaign(CampaignFields):
         return _campaign_again, (self._data, self._kept)
 
     @property
-    def table(self) -> Table[Any]:
-        return table_of(self._part("test_table"), _columns("campaign: tests.csv"))
+    def table(self) -> TestRowsTable:
+        table: TestRowsTable = table_of(self._part("test_table"), table_columns("campaign: tests.csv"))
+        return table
 
     @property
-    def category_table(self) -> Table[Any]:
-        return table_of(self._part("category_table"), _columns("campaign: categories.csv"))
+    def category_table(self) -> CategoryRowsTable:
+        table: CategoryRowsTable = table_of(self._part("category_table"), table_columns("campaign: categories.csv"))
+        return table
 
     @property
-    def specimen_table(self) -> Table[Any]:
-        return table_of(self._part("specimen_table"), _columns("campaign: specimens.csv"))
+    def specimen_table(self) -> SpecimenRowsTable:
+        table: SpecimenRowsTable = table_of(self._part("specimen_table"), table_columns("campaign: specimens.csv"))
+        return table
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each test: the columns of tests.csv, in SI."""
         frame = self.table.to_frame()
         return frame.set_index("test")
@@ -74,10 +83,15 @@ class Campaign(CampaignFields):
         return _plots.plot(self._part("figures"), figure, ax)
 
     def __repr__(self) -> str:
-        return f"<Campaign of {len(self.tests)} tests, {len(self.failures)} without an answer>"
+        return self.summary().split("\n\n")[0].strip()
+
+    def _repr_html_(self) -> str:
+        import html
+
+        return f"<p><b>{html.escape(repr(self))}</b></p>" + str(self.table.to_frame()._repr_html_())
 
 
-def _columns(answer: str) -> list[dict[str, Any]]:
+def table_columns(answer: str) -> list[dict[str, Any]]:
     """The columns of a table, those of an estimate one by one."""
     columns: list[dict[str, Any]] = []
     for entry in ANSWERS[answer]["entries"]:
@@ -107,8 +121,9 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
 
     Parameters
     ----------
-    path : path
-        A folder of case files; with `common`, of data files; or a table (CSV) with a test a row.
+    path : path or DataFrame
+        A folder of case files; with `common`, of data files; or a table with a test a row, a file (CSV) or a pandas.DataFrame, whose titles or
+        ``attrs["units"]`` have the units.
     common : path, optional
         A case file that says what all tests have in common.
     report : path, optional
@@ -151,10 +166,22 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     names = [share] if isinstance(share, str) else list(share)
     for name in names:
         one_of("share", name, _flexslip.shareable_names)
-    found = _flexslip.campaign(
-        os.fsencode(path_of(path, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")), set_of(set, False), model or "",
-        _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
-        _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
-        _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if report is None else os.fsencode(path_of(report, "report", "the name of a folder")), bool(figures),
-        bool(test_reports))
-    return Campaign(found.told(), found)
+    folder = None if report is None else path_of(report, "report", "the name of a folder")
+
+    def computed(table: Any) -> Any:
+        return _flexslip.campaign(
+            os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")),
+            set_of(set, False), model or "", _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
+            _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
+            _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if folder is None else os.fsencode(folder), bool(figures),
+            bool(test_reports))
+
+    if not is_frame(path):
+        found = computed(path)
+        return Campaign(found.told(), found)
+    with table_of_tests(path, folder) as table:
+        try:
+            found = computed(table)
+        except InputError as error:
+            raise in_words_of_frame(error, table) from None
+        return Campaign(in_words(found.told(), table), found, {"text": in_words(found.text(), table)})

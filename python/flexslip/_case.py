@@ -1,17 +1,20 @@
 """Cases from keywords, by the table of keys of which the reader of case files is made."""
 from __future__ import annotations
 
+import contextlib
 import os
 import tomllib
-from collections.abc import Mapping
-from typing import Any
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, TypeVar
 
 import numpy as np
 
 from . import _flexslip
 from ._answers import Quantity
-from ._errors import InputError, error_of, wrong, yes_no
+from ._errors import ARRAYS, InputError, error_of, of_keywords, wrong, yes_no
+from ._frames import is_frame, record_of
 
+Function = TypeVar("Function", bound=Callable[..., Any])
 SECTIONS = ("specimen", "rig", "friction", "stage", "record")
 KEYS = {(key["section"], key["name"]): key for key in _flexslip.keys()}
 # Keys that may stand without their section: those of specimen and rig, and those of a record that have a flag.
@@ -162,14 +165,15 @@ def _values(section: str, given: Any, reduced: bool) -> dict[str, str]:
     return values
 
 
+_WITH_OTHERS = ("sweep", "sweep.axes", "friction.other")  # sections whose keys are not all known here
 _UNKNOWN = {"is": "quantity", "unit": "", "holds": "a value", "example": ""}
 
 
-def _near(name: str) -> str:
+def _nearest(name: str, names: Iterable[str]) -> str:
     import difflib
 
-    near = difflib.get_close_matches(name, [*FLAT, *SECTIONS], 1)
-    return f"; did you mean {near[0]!r}?" if near else "; flexslip.keys() lists the keys"
+    near = difflib.get_close_matches(name, names, 1)
+    return f"did you mean {near[0]!r}?" if near else "flexslip.keys() lists the keys"
 
 
 def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
@@ -185,7 +189,7 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
         elif name in FLAT:
             sections.setdefault(FLAT[name]["section"], {})[name] = value
         else:
-            raise TypeError(f"unexpected keyword argument {name!r}" + _near(name))
+            raise TypeError(f"unexpected keyword argument {name!r}; " + _nearest(name, [*FLAT, *SECTIONS]))
     return sections
 
 
@@ -200,13 +204,15 @@ def set_of(given: Any, reduced: bool) -> list[str]:
         if not isinstance(name, str):
             raise wrong("set", "a name of a key", name)
         section, _, key = encodable("set", name, "a name of a key").rpartition(".")
+        if (section, key) not in KEYS and section not in _WITH_OTHERS:
+            names = [f"{of}.{known}" if of else known for of, known in KEYS]
+            raise wrong("set", "a key of a case, as in \"rig.stiffness\"", name, _nearest(name, names), key=name, kind="unknown")
         changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, reduced)}")
     return changes
 
 
 _COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a record has them
 _MA: Any = np.ma  # whose functions have no types
-_ARRAYS = "arrays"  # what a record in memory is called
 
 
 def _is_array(value: Any) -> bool:
@@ -225,9 +231,10 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
     except ValueError:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
     if array.dtype.kind not in "iuf":
-        first = repr(array.flat[0].item()) if array.size and array.dtype.kind in "USOc" else ""
-        units = f", and their unit beside them: {name}=(values, \"{'mN' if name == 'force' else 'um'}\")" if array.dtype.kind == "U" else ""
-        found = "text" if array.dtype.kind == "U" else array.dtype.name
+        first = repr(array.tolist()[0]) if array.size and array.dtype.kind in "USOc" else ""
+        is_text = array.dtype.kind == "U" or (array.dtype.kind == "O" and first[:1] in "'\"")
+        units = f", and their unit beside them: {name}=(values, \"{'mN' if name == 'force' else 'um'}\")" if is_text else ""
+        found = "text" if is_text else array.dtype.name
         raise TypeError(f"{name}: expected real numbers{units}, found {found} {first}".rstrip())
     if array.ndim != 1:
         raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", key=f"record.{name}")
@@ -247,6 +254,22 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         raise wrong(name, error.expected or "a unit", error.found, error.remedy, key=f"record.{name}") from None
 
 
+def _is_data(value: Any) -> bool:
+    return is_frame(value) or (_is_array(value) and not isinstance(value, os.PathLike))
+
+
+def _record_of(data: tuple[Any, ...], record: Mapping[str, Any]) -> dict[str, Any]:
+    """The record that a call begins with: a frame, or stage and force."""
+    if is_frame(data[0]) and len(data) == 1:
+        return record_of(data[0], record)
+    if len(data) != 2 or not all(_is_array(each) and not is_frame(each) for each in data):
+        raise TypeError("expected data as a file, as a DataFrame, or as two arrays, of the stage and of the force")
+    for name in ("stage", "force"):
+        if name in record:
+            raise TypeError(f"{name} is given twice")
+    return {**record, "stage": data[0], "force": data[1]}
+
+
 def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple[str, Any]]:
     """The columns of a record that a call has in memory; their titles take their place."""
     record = sections.get("record", {})
@@ -263,7 +286,7 @@ def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple
         if len(values) != len(columns[0][1]):
             raise wrong(name, f"as many readings as {names[0]} has, {len(columns[0][1])}", str(len(values)), key=f"record.{name}")
         record[name] = name if reduced else f"{name} [{'N' if name == 'force' else 'm'}]"
-    record["file"] = _ARRAYS
+    record["file"] = ARRAYS
     return columns
 
 
@@ -293,13 +316,19 @@ def path_of(file: Any, field: str = "file", what: str = "the name of a file") ->
     return path
 
 
+def _stated(values: Mapping[str, Any], above: str = "") -> list[str]:
+    """The whole names of keys."""
+    return [name for key, value in values.items() for name in (_stated(value, f"{above}{key}.") if isinstance(value, dict) and key in SECTIONS else [above + key])]
+
+
 class Case:
     """What is known of a test: its specimen, its rig, its friction, how the stage moves, and its record.
 
     Parameters
     ----------
-    file : path, optional
-        A case file (``.toml``), which the other arguments change; or a file of data, which they describe.
+    file : path, DataFrame or array, optional
+        A case file (``.toml``), which the other arguments change; or a file of data, which they describe. Or the data themselves: a pandas.DataFrame, whose
+        titles or ``attrs["units"]`` have the units; or two arrays, of the stage and of the force.
     set : mapping, optional
         Keys that change, ``{"rig.stiffness": "200 N/m"}``.
     reduced : bool
@@ -330,14 +359,18 @@ class Case:
     _source: str
     _changes: list[str]
     _given: list[tuple[str, Any]]
+    _is_written = False  # as the text of a case file, not as keywords
 
-    def __init__(self, file: Any = None, *, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
+    def __init__(self, file: Any = None, *arrays: Any, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
         reduced = yes_no("reduced", reduced)
         sections = sections_of(keywords)
+        if _is_data(file) or arrays:
+            sections["record"] = _record_of((file, *arrays), sections.get("record", {}))
+            file = None
         self._given = []
         if isinstance(file, Case):
             self._text, self._source, self._changes = file._text, file._source, list(file._changes)
-            self._given = file._given
+            self._given, self._is_written = file._given, file._is_written
             reduced = file.reduced
         elif file is not None and (path := path_of(file)).endswith(".toml"):
             if reduced:
@@ -359,14 +392,12 @@ class Case:
         try:
             self._case = _flexslip.read_case(self._text, os.fsencode(self._source), self._changes)
             if self._given:
-                self._case = _flexslip.with_record(self._case, self._given, _ARRAYS)
+                self._case = _flexslip.with_record(self._case, self._given, ARRAYS)
         except InputError as error:
-            if error.file or self._source:
-                raise
-            # The file, and its line, is a text that nobody wrote.
-            message = str(error).removeprefix(f"line {error.line}: ")
-            parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "expected", "found", "remedy")}
-            raise error_of(message, **parts) from None
+            raise self._in_own_words(error) from None
+
+    def _in_own_words(self, error: InputError) -> InputError:
+        return error if self._source or self._is_written else of_keywords(error)
 
     @classmethod
     def from_toml(cls, text: str, source: str = "") -> Case:
@@ -379,7 +410,7 @@ class Case:
         '[rig]\\nspan = "1 mm"\\n'
         """
         case = cls.__new__(cls)
-        case._text, case._source, case._changes, case._given = text, os.fsdecode(source), [], []
+        case._text, case._source, case._changes, case._given, case._is_written = text, os.fsdecode(source), [], [], True
         case._case = _flexslip.read_case(text, os.fsencode(case._source), [])
         return case
 
@@ -406,7 +437,7 @@ class Case:
         value: Any = self.to_dict()
         for part in key.split("."):
             if not isinstance(value, dict) or part not in value:
-                raise KeyError(key)
+                raise KeyError(f"the case does not state {key!r}; it states {', '.join(_stated(self.to_dict()))}")
             value = value[part]
         return value
 
@@ -415,7 +446,7 @@ class Case:
         return Case(self, set=set, **keywords)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read_again, (self._text, self._source, list(self._changes), self._given)
+        return _read_again, (self._text, self._source, list(self._changes), self._given, self._is_written)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case) or (self.toml, self.source) != (other.toml, other.source):
@@ -435,9 +466,9 @@ class Case:
         return f"<pre>{html.escape(self.toml)}</pre>"
 
 
-def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]]) -> Case:
+def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]], is_written: bool) -> Case:
     case = Case.__new__(Case)
-    case._text, case._source, case._changes, case._given = text, source, changes, given
+    case._text, case._source, case._changes, case._given, case._is_written = text, source, changes, given, is_written
     case._read()
     return case
 
@@ -458,22 +489,52 @@ def _says_reduced(text: str) -> bool:
         return False  # which the reader says with its words
 
 
-def with_keywords(function: Any) -> Any:
-    """Gives a function that takes the keys of a case their names: its signature, for completion, and what they mean."""
+KEYWORDS: dict[str, list[str]] = {}  # that the functions can use, by their names
+
+
+def with_keywords(*sections: str) -> Callable[[Function], Function]:
+    """Gives a function the keys of some sections as keywords: its signature, for completion, and what they mean."""
     import inspect
 
-    signature = inspect.signature(function)
-    kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
-    names = [*SECTIONS, *(name for name in FLAT if name not in SECTIONS)]
-    added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
-    function.__signature__ = signature.replace(parameters=[*kept, *added])
-    lines = [f"    {name} : {key['holds']}{' [' + key['unit'] + ']' if key['unit'] else ''}\n        {key['meaning']}" for name, key in FLAT.items()]
-    function.__doc__ = (function.__doc__ or "").rstrip() + "\n\n    Other Parameters\n    ----------------\n" + "\n".join(lines) + "\n    "
-    return function
+    flat = {name: key for name, key in FLAT.items() if key["section"] in sections and (name != "cracks" or "stage" in sections)}
+
+    def with_them(function: Function) -> Function:
+        names = KEYWORDS[function.__name__] = [*sections, *(name for name in flat if name not in sections)]
+        signature = inspect.signature(function)
+        kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
+        setattr(function, "__signature__", signature.replace(parameters=[*kept, *added]))  # noqa: B010
+        lines = [_of_section(section) for section in sections if section not in flat] + [_of_key(name, key) for name, key in flat.items()]
+        function.__doc__ = (function.__doc__ or "").rstrip() + "\n\n    Other Parameters\n    ----------------\n" + "\n".join(lines) + "\n    "
+        return function
+
+    return with_them
 
 
-def case_of(file: Any, set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002
+def _of_section(section: str) -> str:
+    return f"    {section} : dict\n        Keys of this section: {', '.join(name for of, name in KEYS if of == section)}."
+
+
+def _of_key(name: str, key: Mapping[str, Any]) -> str:
+    unit = f" [{key['unit']}]" if key["unit"] else ""
+    meaning = key["meaning"][:1].upper() + key["meaning"][1:]
+    if key["is"] == "title":
+        return f"    {name} : an array{unit}, an array and its unit, or {key['holds']}\n        {meaning}; or its readings."
+    holds = key["holds"] if name not in SECTIONS else f"{key['holds']}, or a dict of the section"
+    return f"    {name} : {holds}{unit}\n        {meaning}."
+
+
+@contextlib.contextmanager
+def in_words_of(case: Case) -> Iterator[Any]:
+    """What the module calls the case; its complaints are in the words in which the case was given."""
+    try:
+        yield case._case
+    except InputError as error:
+        raise case._in_own_words(error) from None
+
+
+def case_of(file: Any, arrays: tuple[Any, ...], set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002
     """The case that a call describes."""
-    if isinstance(file, Case) and not set and not keywords:
+    if isinstance(file, Case) and not (arrays or set or keywords):
         return file
-    return Case(file, set=set, **keywords)
+    return Case(file, *arrays, set=set, **keywords)

@@ -2,14 +2,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._answers import table_of
-from ._case import Case, case_of, quantity_in_words, unit_of_parameter, with_keywords
+from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
 from ._errors import wrong
 from ._fields import DesignFields
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
 
 
 
@@ -97,7 +100,7 @@ class DesignMap(_Kept):
         """As the program writes it with ``--json``, to the last byte."""
         return str(_flexslip.dumped(self.to_dict()))
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The designs as a pandas.DataFrame."""
         return self.designs.to_frame()
 
@@ -128,7 +131,7 @@ def _range(name: str, given: Any, reduced: bool) -> str:
     return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
 
 
-@with_keywords
+@with_keywords("specimen", "rig", "friction", "stage")
 def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: int | None = None,
            set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
     """Before a test: will it show a sawtooth, and what would change that?
@@ -161,13 +164,15 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: 
     >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
     3
     """
-    case = case_of(file, set, keywords)
+    case = case_of(file, (), set, keywords)
     if over is None:
-        answer = _flexslip.design(case._case)
+        with in_words_of(case) as given:
+            answer = _flexslip.design(given)
         return Design(answer.told(), case, answer)
     if not isinstance(over, Mapping) or not over:
         raise wrong("over", "a dict of ranges, {\"stiffness\": (\"10 N/m\", \"1000 N/m\")}", over)
     texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
-    found = _flexslip.design_map(case._case, texts, count)
+    with in_words_of(case) as given:
+        found = _flexslip.design_map(given, texts, count)
     return DesignMap(found.told(), case, found.entries(), found)

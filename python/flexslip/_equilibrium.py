@@ -2,12 +2,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
-from ._case import Case, case_of, quantity_in_words, with_keywords
+from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
 from ._fields import EquilibriumFields, EquilibriumRegionFields
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class _Drawn:
@@ -53,7 +56,7 @@ class Equilibrium(_Drawn, EquilibriumFields):
         EquilibriumFields.__init__(self, data, case.reduced)
         self._keep(case, study, kept)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The curve as a pandas.DataFrame."""
         return self.curve.to_frame()
 
@@ -77,7 +80,7 @@ class EquilibriumRegion(_Drawn, EquilibriumRegionFields):
         EquilibriumRegionFields.__init__(self, data, case.reduced)
         self._keep(case, study, kept)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The equilibria as a pandas.DataFrame."""
         return self.region.to_frame()
 
@@ -89,7 +92,7 @@ def _longest(value: Any, case: Case) -> str:
     return "" if value is None else quantity_in_words("longest", value, "m", "a length", case.reduced)
 
 
-@with_keywords
+@with_keywords("specimen", "rig", "friction", "stage")
 def equilibrium(file: Any = None, *, points: int | None = None, longest: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
                 **keywords: Any) -> Equilibrium:
     """The curve of loading: force and deflection where friction is fully mobilised, whatever the rig.
@@ -117,13 +120,14 @@ def equilibrium(file: Any = None, *, points: int | None = None, longest: Any = N
     >>> found.status, found.curve.force.max() > 1e-3
     ('ok', True)
     """
-    case = case_of(file, set, keywords)
+    case = case_of(file, (), set, keywords)
     count = 0 if points is None else whole("points", points, 2, _flexslip.most_equilibria)
-    study = _flexslip.equilibrium(case._case, False, count, 2, _longest(longest, case))
+    with in_words_of(case) as given:
+        study = _flexslip.equilibrium(given, False, count, 2, _longest(longest, case))
     return Equilibrium(study.told(), case, study)
 
 
-@with_keywords
+@with_keywords("specimen", "rig", "friction", "stage")
 def equilibrium_region(file: Any = None, *, points: int | None = None, levels: int = 41, longest: Any = None,
                        set: Mapping[str, Any] | None = None, **keywords: Any) -> EquilibriumRegion:  # noqa: A002
     """All equilibria of a specimen: those with less friction mobilised, too.
@@ -149,7 +153,8 @@ def equilibrium_region(file: Any = None, *, points: int | None = None, levels: i
     >>> found.region.q.min() < 0 < found.region.q.max()
     True
     """
-    case = case_of(file, set, keywords)
+    case = case_of(file, (), set, keywords)
     count = 0 if points is None else whole("points", points, 2, _flexslip.most_equilibria)
-    study = _flexslip.equilibrium(case._case, True, count, whole("levels", levels, 2, _flexslip.most_levels), _longest(longest, case))
+    with in_words_of(case) as given:
+        study = _flexslip.equilibrium(given, True, count, whole("levels", levels, 2, _flexslip.most_levels), _longest(longest, case))
     return EquilibriumRegion(study.told(), case, study)

@@ -7,6 +7,9 @@ from collections.abc import Sequence
 from typing import Any
 
 
+ARRAYS = "arrays"  # what a record in memory is called
+
+
 class InputError(ValueError):
     """Bad input: what was expected, what was found, where, and how to mend it.
 
@@ -83,25 +86,60 @@ _OF_SYSTEM = {
 }
 
 
-_FLAG = re.compile(r'--([a-z][a-z-]*)(?: ("[^"]*"|[0-9]+\b|crosshead\b|deflection\b))?')
+_FLAG = re.compile(r'(as in )?--([a-z][a-z-]*)(?: ((?(1)\S+|(?:"[^"]*"|[0-9]+\b|[A-Z]{3,}\b|crosshead\b|deflection\b|roughness\b))))?')
 _KEYS = re.compile(r'\bwrite (\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*) into \[\w+\]')
 _KEY = re.compile(r'(\w+) = ("[^"]*"|\S+)(?: and )?')
 
 
-def _in_python(text: str) -> str:
+def in_python(text: str) -> str:
     """Flags of the command line, and keys of a case, as arguments: --displacement crosshead is displacement="crosshead"."""
     def argument(found: re.Match[str]) -> str:
-        value = found.group(2) or ""
-        return found.group(1).replace("-", "_") + "=" + (f'"{value}"' if value[:1].isalpha() else value)
+        value = found.group(3) or ""
+        is_bare = value[:1] in '"' or value[:1].isdigit() or (value.isupper() and len(value) > 2)
+        return (found.group(1) or "") + found.group(2).replace("-", "_") + "=" + (value if is_bare else f'"{value}"')
 
     text = _KEYS.sub(lambda found: "pass " + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
-    return _FLAG.sub(argument, text)
+    text = re.sub(r"^--set: ", "", text)  # a key by its whole name follows
+    text = re.sub(r"^--([a-z-]+): ", lambda found: found.group(1).replace("-", "_") + ": ", text)
+    return re.sub(r"\bflexslip (sweep|fit|simulate|design|read|surface|modulus)\b", r"flexslip.\1", _FLAG.sub(argument, text))
+
+
+_ADDED = re.compile(r'(\w+) = ("[^"]*"|\[[^\]]*\]|[^,\s]+)')
+_BOTH = r"\1=\2"
+_NO_DATA = "no data: pass a file, a DataFrame, or two arrays, as in fit(stage, force)"
+
+
+def _in_keywords(text: str) -> str:
+    """Sections and keys of a case file that nobody wrote as keywords."""
+    def section(found: re.Match[str]) -> str:
+        name, keys = found.groups()
+        if name in ("friction", "stage"):
+            return f"{name} is missing; add {name}={{{', '.join(f'{chr(34)}{key}{chr(34)}: {value}' for key, value in _ADDED.findall(keys))}}}"
+        return f"{name} is missing; add {_ADDED.sub(_BOTH, keys)}"
+
+    text = re.sub(r"^line \d+: ", "", text)
+    text = re.sub(r"\[record\](?: file)? is missing; add .*", _NO_DATA, text)
+    text = re.sub(r"\[(\w+)\] is missing; add (.*)", section, text)
+    text = re.sub(r"(\w+) is missing; add \1 = ", r"\1 is missing; add \1=", text)
+    text = re.sub(r"\[(?:specimen|rig|record)\] (\w+)", r"\1", text)
+    text = re.sub(r"\[(friction|stage)\] (\w+)", r'\1["\2"]', text)
+    text = text.replace("write the modulus or bending_stiffness into [specimen]", "pass modulus or bending_stiffness")
+    return re.sub(r"\[(specimen|rig|friction|stage|record)\]", r"\1", text)
+
+
+def of_keywords(error: InputError) -> InputError:
+    """A complaint about a case file that nobody wrote, in words of the keywords that made it."""
+    if error.file not in (None, ARRAYS):
+        return error
+    parts = {name: getattr(error, name) for name in _PARTS if name != "line"}
+    parts |= {name: _in_keywords(parts[name]) for name in ("field", "remedy") if parts[name]}
+    return error_of(_in_keywords(str(error)), **parts)
 
 
 def error_of(message: str, **parts: Any) -> InputError:
     """The exception for a fault; of a file that is not there, one that is a FileNotFoundError as well."""
-    message = _in_python(message)
-    parts |= {name: _in_python(parts[name]) for name in ("field", "remedy") if parts.get(name)}
+    message = in_python(message)
+    parts |= {name: in_python(parts[name]) for name in ("field", "remedy") if parts.get(name)}
     error = _OF_SYSTEM.get(parts.get("found") or "", InputError)(message)
     for name, value in parts.items():
         setattr(error, name, value)

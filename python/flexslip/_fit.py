@@ -2,14 +2,20 @@
 from __future__ import annotations
 
 import os
+import textwrap
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
-from ._answers import ANSWERS, Answer, Estimate, Table, table_of
-from ._case import Case, case_of, path_of, with_keywords
+from ._answers import ANSWERS, table_of
+from ._case import Case, case_of, in_words_of, path_of, with_keywords
 from ._errors import one_of, wrong
 from ._fields import FitDraws, FitFields, FitParameters
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._fields import FitCurvesTable, Numbers
 
 _CURVES = ANSWERS["fit --curves"]["entries"]
 
@@ -26,7 +32,7 @@ class Fit(FitFields):
     success : bool
         Is there an answer? If not, `message` says why, and what depends on it is None or NaN.
     message : str
-        Why there is none; "" if there is one.
+        The verdict's sentence; where there is no answer, what to do about it, too.
     case : Case
         What was fitted.
     curves : Table
@@ -60,16 +66,23 @@ class Fit(FitFields):
 
     @property
     def message(self) -> str:
-        why = str(self._part("why_no_answer"))
-        return why if why or self.success else str(self._data["verdict"]["sentence"])
+        has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
+        return self.verdict.sentence if has_answer or not self.next else f"{self.verdict.sentence} {self.next}"
 
     @property
     def params(self) -> FitParameters:
         return self.parameters
 
     @property
-    def curves(self) -> Table[Any]:
-        return table_of(self._part("curves"), _CURVES, self._reduced)
+    def curves(self) -> FitCurvesTable:
+        table: FitCurvesTable = table_of(self._part("curves"), _CURVES, self._reduced)
+        return table
+
+    @property
+    def residual(self) -> Numbers:
+        """Measured less fitted force, point by point of `curves`, NaN where the fit does not reach. [N]"""
+        curves = self.curves
+        return curves.force - curves.model_force
 
     @property
     def draws(self) -> Draws:
@@ -83,7 +96,7 @@ class Fit(FitFields):
             return str(self._part("text"))
         return str(self._part("screen"))
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each parameter."""
         return self.parameters.to_frame()
 
@@ -116,22 +129,32 @@ class Fit(FitFields):
 
         return _plots.plot(self._part("figures"), figure, ax)
 
+    def _found(self) -> list[str]:
+        """The findings that did not pass, each with its remedy; of what the verdict says itself the remedy alone."""
+        told = [each for each in self.findings if each.severity not in ("passed", "unjudged")]
+        return [words for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
+
+    def _parameters_hold(self) -> bool:
+        return self.success and self.verdict.code in ("slip", "undecided", "no_drops")
+
     def __repr__(self) -> str:
-        if self.judgement is None:
-            return f"<Fit of {self.name}: {self.status}: {self.message}>"
-        lines = [f"<Fit of {self.name}: {self.model}, {self.category}, {self.judgement.standing}>"]
-        lines += [f"  {name:<20} {str(value)[1:-1].removeprefix(name + ': ')}" for name, value in self.parameters.items()
-                  if isinstance(value, Estimate)]
+        lines = textwrap.wrap(f"{self.name}  {self.verdict.sentence}", _WIDTH, subsequent_indent="    ")
+        for words in self._found():
+            lines += textwrap.wrap(words, _WIDTH, initial_indent="  - ", subsequent_indent="    ")
+        if self._parameters_hold():
+            lines += [f"  {name:<20} {value}" for name, value, _ in self.parameters._shown()]
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
         import html
 
-        head = f"Fit of {self.name}: {self.status if self.judgement is None else f'{self.model}, {self.judgement.standing}'}"
-        return f"<p><b>{html.escape(head)}</b></p>" + str(self.parameters._repr_html_())
+        found = "".join(f"<li>{html.escape(words)}</li>" for words in self._found())
+        head = f"<p><b>{html.escape(f'{self.name}  {self.verdict.sentence}')}</b></p>" + (f"<ul>{found}</ul>" if found else "")
+        return head + (self.parameters._repr_html_() if self._parameters_hold() else "")
 
 
-_ALWAYS_KEPT = ("why_no_answer", "curves", "text", "figures")
+_WIDTH = 100  # of what is printed
+_ALWAYS_KEPT = ("curves", "text", "figures")
 _KEPT = (*_ALWAYS_KEPT, "draws", "screen")
 
 
@@ -154,6 +177,10 @@ class Draws(FitDraws):
         EI that goes with each, in the unit of ``fit.params["bending_stiffness"]``.
     """
 
+    length: Numbers
+    mu: Numbers
+    deviation: Numbers
+    profiles: Numbers
     _title = "Draws"
 
     def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any], reduced: bool) -> None:
@@ -168,13 +195,13 @@ class Draws(FitDraws):
     def __reduce__(self) -> tuple[Any, ...]:
         return Draws, (self._data, self._table, self._reduced)
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""
-        import pandas
+        import pandas as pd
 
         columns = {"length": self.length, "mu": self.mu, "deviation": self.deviation}
         columns |= {f"draw_{k}": profile for k, profile in enumerate(self.profiles, 1)}
-        return pandas.DataFrame(columns)
+        return pd.DataFrame(columns)
 
     def __repr__(self) -> str:
         return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
@@ -191,16 +218,17 @@ def positive(name: str, value: Any) -> float:
     return number
 
 
-@with_keywords
-def fit(file: Any = None, *, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
+@with_keywords("specimen", "rig", "record")
+def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
         check_stability: bool = False, surface: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:
     """What friction a measured test shows, where along the specimen, and how certainly.
 
     Parameters
     ----------
-    file : path or Case
-        A case file (``.toml``), the data of a test, which the keywords describe, or a :class:`Case`.
+    file : path, Case, DataFrame or array
+        A case file (``.toml``), the data of a test, which the keywords describe, or a :class:`Case`. Data may be a file, a pandas.DataFrame, or two arrays,
+        ``(stage, force)``, in SI.
     model : {"roughness", "constant", "drift", "sinusoid", "sinusoids"}, optional
         The model of friction; as the case says, or roughness.
     false_alarms : float, optional
@@ -238,9 +266,10 @@ def fit(file: Any = None, *, model: str | None = None, false_alarms: float | Non
     """
     if model is not None:
         one_of("model", model, _flexslip.model_names)
-    case = case_of(file, set, keywords)
-    test = _flexslip.fit(case._case, model or "",
-                         _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
-                         _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit),
-                         bool(check_stability), None if surface is None else os.fsencode(path_of(surface, "surface")))
+    case = case_of(file, arrays, set, keywords)
+    alarms = _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms)
+    limit = _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit)
+    trace = None if surface is None else os.fsencode(path_of(surface, "surface"))
+    with in_words_of(case) as given:
+        test = _flexslip.fit(given, model or "", alarms, limit, bool(check_stability), trace)
     return Fit(test.told(), case, test)

@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from . import _flexslip
-from ._case import Case, case_of, quantity_in_words, with_keywords
+from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
 from ._errors import wrong
 from ._fields import ModulusFields
 
@@ -57,15 +57,16 @@ def _friction(given: Any) -> list[str]:
     return [quantity_in_words("friction_range", each, "", "a friction") for each in both]
 
 
-@with_keywords
-def modulus(file: Any = None, *, window: Sequence[Any] | None = None, friction_range: Any = None,
+@with_keywords("specimen", "rig", "friction", "record")
+def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None, friction_range: Any = None,
             set: Mapping[str, Any] | None = None, **keywords: Any) -> Modulus:  # noqa: A002
     """Stiffness and flexural modulus as the bending standards have them: small deflections, no friction, no shear.
 
     Parameters
     ----------
-    file : path or Case, optional
-        A case file, the data of a test, which the keywords describe, or a :class:`Case`. Without a span there is only a stiffness, without a section no
+    file : path, Case, DataFrame or array, optional
+        A case file, the data of a test, which the keywords describe, or a :class:`Case`. Data may be a file, a pandas.DataFrame, or two arrays,
+        ``(stage, force)``, in SI. Without a span there is only a stiffness, without a section no
         modulus.
     window : (from, to), optional
         The straight part, in shares of the greatest force at deflections below a tenth of the span; the steepest stretch that the
@@ -92,6 +93,7 @@ def modulus(file: Any = None, *, window: Sequence[Any] | None = None, friction_r
     >>> found.success, 20e9 < found.modulus.value < 40e9, found.modulus.unit
     (True, True, 'Pa')
     """
-    case = case_of(file, set, keywords)
-    found = _flexslip.modulus(case._case, _window(window), _friction(friction_range))
+    case = case_of(file, arrays, set, keywords)
+    with in_words_of(case) as given:
+        found = _flexslip.modulus(given, _window(window), _friction(friction_range))
     return Modulus(found["told"], case, tuple(found["words"]))

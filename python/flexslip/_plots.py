@@ -117,6 +117,8 @@ def _set_ticks(axis: Any, wanted: Mapping[str, Any]) -> None:
     axis.set_ticks([at for at, _ in with_number], [_text(text) if wanted["numbers"] else "" for _, text in with_number])
     axis.set_ticks([at for at, text in wanted["ticks"] if not text], minor=True)
     axis.set_tick_params(which="minor", labelleft=False, labelbottom=False)
+    if wanted["upright"]:
+        axis.set_tick_params(rotation=90)
 
 
 def _columns(figure: Mapping[str, Any], mark: Mapping[str, Any]) -> list[Any]:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from ._case import path_of
 from ._errors import one_of, wrong
 from ._fields import ExportFields
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
 
 _ROLES = ("time", "displacement", "crosshead", "deflection", "force")
 
@@ -52,11 +55,11 @@ class Export(ExportFields):
             raise values
         return values
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame of its columns, in the units of the file, which `attrs["units"]` has."""
-        import pandas
+        import pandas as pd
 
-        frame = pandas.DataFrame(self.data)
+        frame = pd.DataFrame(self.data)
         frame.attrs["units"] = {column["name"]: column["unit"] for column in self._columns}
         return frame
 

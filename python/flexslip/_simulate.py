@@ -2,12 +2,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
-from ._case import Case, case_of, quantity_in_words, with_keywords
+from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
 from ._errors import wrong
 from ._fields import ProfileFields, SimulationFields
+
+if TYPE_CHECKING:
+    import pandas
 
 
 
@@ -56,7 +59,7 @@ class Simulation(SimulationFields):
     def remarks(self) -> tuple[str, ...]:
         return tuple(self._kept["remarks"])
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The path as a pandas.DataFrame."""
         return self.path.to_frame()
 
@@ -100,7 +103,7 @@ class Profile(ProfileFields):
     def success(self) -> bool:
         return not self.message
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """Point by point, as a pandas.DataFrame."""
         return self.profile.to_frame()
 
@@ -121,7 +124,7 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
-@with_keywords
+@with_keywords("specimen", "rig", "friction", "stage")
 def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: int = 1, energies: bool = False,
              set: Mapping[str, Any] | None = None, **keywords: Any) -> Simulation:  # noqa: A002
     """What a specimen on a rig would show, loaded, unloaded and cycled.
@@ -155,22 +158,24 @@ def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: in
     >>> test.success, len(test.snaps) > 10, test.path.force.max() > 1e-3
     (True, True, True)
     """
-    case = case_of(file, set, keywords)
+    case = case_of(file, (), set, keywords)
     number = whole("points", points, 2, 1_000_000)
     whole("seed", seed, 0, 2**64 - 1)
     text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
-    test = _flexslip.simulate(case._case, number, text, int(seed))
+    with in_words_of(case) as given:
+        test = _flexslip.simulate(given, number, text, int(seed))
     return Simulation(test.told(bool(energies)), case, test)
 
 
-@with_keywords
-def friction_profile(file: Any = None, *, set: Mapping[str, Any] | None = None, **keywords: Any) -> Profile:  # noqa: A002
+@with_keywords("specimen", "rig", "record")
+def friction_profile(file: Any = None, *arrays: Any, set: Mapping[str, Any] | None = None, **keywords: Any) -> Profile:  # noqa: A002
     """Friction along the specimen, read off a record point by point at the bending stiffness stated, without a fit.
 
     Parameters
     ----------
-    file : path or Case
-        A case file, the data of a test, which the keywords describe, or a :class:`Case`.
+    file : path, Case, DataFrame or array
+        A case file, the data of a test, which the keywords describe, or a :class:`Case`. Data may be a file, a pandas.DataFrame, or two arrays,
+        ``(stage, force)``, in SI.
     set, **keywords
         As of :class:`Case`.
 
@@ -186,6 +191,7 @@ def friction_profile(file: Any = None, *, set: Mapping[str, Any] | None = None, 
     >>> 0.4 < read.profile.mu.mean() < 0.6
     True
     """
-    case = case_of(file, set, keywords)
-    answer = _flexslip.friction_profile(case._case)
+    case = case_of(file, arrays, set, keywords)
+    with in_words_of(case) as given:
+        answer = _flexslip.friction_profile(given)
     return Profile(answer["told"], case, tuple(answer["remarks"]), answer["why_no_answer"])

@@ -3,16 +3,21 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _flexslip
-from ._answers import ANSWERS, Table, table_of
+from ._answers import ANSWERS, table_of
 from ._case import encodable, path_of, quantity_in_words
 from ._errors import wrong
 from ._fields import SurfaceFields
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._fields import SpectrumRowsTable, TraceRowsTable
 
 
 class Surface(SurfaceFields):
@@ -45,12 +50,14 @@ class Surface(SurfaceFields):
         return Surface, (self._data, None, self._kept)
 
     @property
-    def profile(self) -> Table[Any]:
-        return table_of(self._part("trace_table"), ANSWERS["surface --profile"]["entries"])
+    def profile(self) -> TraceRowsTable:
+        table: TraceRowsTable = table_of(self._part("trace_table"), ANSWERS["surface --profile"]["entries"])
+        return table
 
     @property
-    def spectrum(self) -> Table[Any]:
-        return table_of(self._part("spectrum_table"), ANSWERS["surface --spectrum"]["entries"])
+    def spectrum(self) -> SpectrumRowsTable:
+        table: SpectrumRowsTable = table_of(self._part("spectrum_table"), ANSWERS["surface --spectrum"]["entries"])
+        return table
 
     @property
     def success(self) -> bool:
@@ -64,7 +71,7 @@ class Surface(SurfaceFields):
         """The answer in words, as the program prints it."""
         return str(self._part("text"))
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The heights, and what an edge sees of them, as a pandas.DataFrame."""
         return self.profile.to_frame()
 

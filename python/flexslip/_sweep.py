@@ -5,16 +5,19 @@ import os
 import tempfile
 import threading
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from . import _flexslip
 from ._answers import Quantity, Table, table_of
-from ._case import _in_quotes, case_of, path_of, quantity_in_words, unit_of_parameter, with_keywords
+from ._case import _in_quotes, case_of, in_words_of, path_of, quantity_in_words, unit_of_parameter, with_keywords
 from ._errors import one_of, wrong, yes_no
 from ._fields import SweepFields
 from ._simulate import whole
+
+if TYPE_CHECKING:
+    import pandas
 
 
 class Sweep(SweepFields):
@@ -44,9 +47,10 @@ class Sweep(SweepFields):
     @property
     def designs(self) -> Table[Any]:
         kept = self._read()
-        return table_of(kept["table"], kept["entries"], self._reduced)
+        table: Table[Any] = table_of(kept["table"], kept["entries"], self._reduced)
+        return table
 
-    def to_frame(self) -> Any:
+    def to_frame(self) -> pandas.DataFrame:
         """The designs as a pandas.DataFrame."""
         return self.designs.to_frame()
 
@@ -119,7 +123,7 @@ def _changes(axes: Any, samples: Any, seed: Any, reduced: bool) -> list[str]:
 _ONE_AT_A_TIME: dict[str, threading.Lock] = {}  # calls of this process that write one file: the second finds what the first has done
 
 
-@with_keywords
+@with_keywords("specimen", "rig", "friction", "stage")
 def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: int | None = None, seed: int | None = None, output: Any = None,
           threads: int | None = None, keep_parts: bool = False, set: Mapping[str, Any] | None = None, **keywords: Any) -> Sweep:  # noqa: A002
     """Thousands of designs of a test: a grid or a sample of them.
@@ -157,7 +161,7 @@ def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: i
     >>> len(found.designs), sorted(set(found.designs.mu0))
     (10, [0.3, 0.5])
     """
-    case = case_of(file, set, keywords)
+    case = case_of(file, (), set, keywords)
     changes = [*case._changes, *_changes(axes, samples, seed, case.reduced)]
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
     keep_parts = yes_no("keep_parts", keep_parts)
@@ -172,5 +176,6 @@ def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: i
 
 
 def _swept(case: Any, changes: list[str], path: str, threads: int, keep_parts: bool) -> Sweep:
-    found = _flexslip.sweep(case._text, os.fsencode(case._source), changes, os.fsencode(path), threads, keep_parts)
+    with in_words_of(case):
+        found = _flexslip.sweep(case._text, os.fsencode(case._source), changes, os.fsencode(path), threads, keep_parts)
     return Sweep(found.told(), case.reduced, found)

@@ -9,6 +9,19 @@ namespace flexslip::python {
 
 namespace py = pybind11;
 
+namespace {
+
+// That of an answer's unit; of what has none, that of plain numbers.
+const Kind& kind_of(const std::string& unit) {
+  if (!unit.empty())
+    for (const Kind* kind : {&kind::length, &kind::inverse_length, &kind::force, &kind::stiffness, &kind::compliance,
+                             &kind::pressure, &kind::bending_stiffness, &kind::energy, &kind::time})
+      if (parse_unit(unit).dimension == kind->dimension) return *kind;
+  return kind::number;
+}
+
+}  // namespace
+
 void add_descriptions(py::module_& module) {
   module.def("answers", [] {
     py::dict out;
@@ -19,12 +32,9 @@ void add_descriptions(py::module_& module) {
     return out;
   });
   module.def("dumped", [](const py::object& data) { return dumped(data); });
-  module.def("readable", [](double value, const std::string& unit) {
-    for (const Kind* kind : {&kind::length, &kind::inverse_length, &kind::force, &kind::stiffness, &kind::compliance,
-                             &kind::pressure, &kind::bending_stiffness, &kind::energy, &kind::time})
-      if (parse_unit(unit).dimension == kind->dimension) return readable(value, *kind);
-    return readable(value, kind::number);
-  });
+  module.def("readable", [](double value, const std::string& unit) { return readable(value, kind_of(unit)); });
+  module.def("readable_estimate",
+             [](double value, double error, const std::string& unit) { return readable(value, error, kind_of(unit)); });
   module.attr("version") = FLEXSLIP_VERSION;
 }
 

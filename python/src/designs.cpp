@@ -63,10 +63,10 @@ void add_designs(py::module_& module) {
         [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(one_loading_of(input))); });
   });
   module.def("design_map", [](const Test& given, const std::vector<std::string>& over, unsigned threads) {
-    return interruptible([&](const std::atomic<bool>& stop) {
+    return interruptible([&](const std::atomic<bool>&) {
       const Test input = one_loading_of(given);
       auto axes = map_axes(input, over);
-      auto points = design_map(input, axes, threads, &stop);
+      auto points = design_map(input, axes, threads);
       return std::make_shared<Map>(Map{input, std::move(axes), std::move(points)});
     });
   });

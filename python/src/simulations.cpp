@@ -1,4 +1,3 @@
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -28,14 +27,8 @@ struct Simulated {
   SimulatedTest test;
 };
 
-struct Stopped {};  // thrown to leave a history that nobody waits for
-
-std::shared_ptr<Simulated> run(const Test& input, int points, const std::string& noise, std::uint64_t seed,
-                               const std::atomic<bool>& stop) {
+std::shared_ptr<Simulated> run(const Test& input, int points, const std::string& noise, std::uint64_t seed) {
   SimulationOptions options{.points = points, .noise = 0, .seed = seed};
-  options.progress = [&](std::uint64_t, std::uint64_t) {
-    if (stop) throw Stopped{};
-  };
   if (!noise.empty()) try {
       options.noise = parse_quantity(noise, input.reduced ? kind::number : kind::force, Range::non_negative);
     } catch (const InputError& error) {
@@ -83,7 +76,7 @@ void add_simulations(py::module_& module) {
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });
   module.def("simulate", [](const Test& input, int points, const std::string& noise, std::uint64_t seed) {
-    return interruptible([&](const std::atomic<bool>& stop) { return run(input, points, noise, seed, stop); });
+    return interruptible([&](const std::atomic<bool>&) { return run(input, points, noise, seed); });
   });
   module.def("friction_profile", profile);
 }

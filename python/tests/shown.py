@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """outside: figures, frames and words: what is drawn is what the answer holds, with the report's labels; nothing is warned of."""
+import html
 import html.parser
+import inspect
 import os
 import pathlib
 import pickle
@@ -167,6 +169,74 @@ class Words(unittest.TestCase):
                 if hasattr(answer, "_repr_html_"):
                     self.assertEqual(Parser(answer._repr_html_()).open, [])
                 dir(answer)
+
+    def test_outside_a_fit_of_every_kind_says_its_answer(self):
+        rig, specimen = {"span": "1278 um", "stiffness": 90.65}, {"diameter": "34.8 um", "modulus": ("29.6 GPa", "3 %")}
+        smooth = flexslip.simulate(rig=rig, specimen=specimen, friction={"model": "constant", "mu0": 0.0}, stage={"program": [0, "600 um"], "step": "2 um"},
+                                   noise="10 uN", seed=3).path
+        few = smooth.stage < 50e-6
+        for code, status, fit in (("slip", "ok", flexslip.fit(case("simulated"))), ("crack", "ok", flexslip.fit(case("cracked"))),
+                                  ("check_input", "ok", flexslip.fit(case("simulated"), stiffness="inf")),
+                                  ("check_input", "not_explained", flexslip.fit(case("simulated"), modulus="1 GPa")),
+                                  ("no_drops", "ok", flexslip.fit(smooth.stage, smooth.force, rig=rig, specimen=specimen)),
+                                  ("no_drops", "too_few_points", flexslip.fit(np.linspace(0, 50e-6, 60), np.interp(np.linspace(0, 50e-6, 60), smooth.stage, smooth.force),
+                                                                              rig=rig, specimen=specimen))):
+            with self.subTest(code, status=status):
+                self.assertEqual((fit.verdict.code, fit.status, few.sum() > 10), (code, status, True))
+                self.assertTrue(fit.message.startswith(fit.verdict.sentence))
+                words = " ".join(repr(fit).split())
+                self.assertTrue(words.startswith(f"{fit.name} {fit.verdict.sentence}"), words)
+                page = fit._repr_html_()
+                self.assertEqual(Parser(page).open, [])
+                for each in fit.findings:
+                    told = each.severity not in ("passed", "unjudged")
+                    self.assertEqual(each.sentence in words, told, each.sentence)
+                    if told:
+                        self.assertIn(each.remedy, words)
+                        self.assertIn(html.escape(each.remedy), page)
+                has_parameters = code in ("slip", "no_drops") and fit.success
+                self.assertEqual("bending_stiffness" in words, has_parameters)
+                self.assertEqual("bending_stiffness" in page, has_parameters)
+                for shown in (words, page, fit.message, *map(repr, (fit[name] for name in fit if fit[name] is not None and not isinstance(fit[name], float)))):
+                    self.assertNotRegex(shown, r"\b(None|nan|NaN)\b")
+                for figure in fit._part("figures"):
+                    self.assertTrue(len(np.atleast_1d(np.asarray(fit.plot(figure["name"]), dtype=object))))
+                    plt.close("all")
+                fit.summary(), fit.summary(full=True), fit.to_frame(), fit.describe()
+                self.assertEqual(pickle.loads(pickle.dumps(fit)), fit)
+
+    def test_outside_a_campaign_says_its_answer(self):
+        campaign = flexslip.campaign("examples")
+        self.assertTrue(repr(campaign).startswith("4 tests: 3 slip, 0 undecided, 1 crack, 0 without drops."), repr(campaign))
+        self.assertTrue(campaign.summary().startswith(repr(campaign)))
+        self.assertEqual(Parser(campaign._repr_html_()).open, [])
+        for ax in campaign.plot():
+            self.assertEqual([text.get_text() for text in ax.get_xticklabels()], ["cracked", "cyclic", "simulated", "surface"])
+        told = [text.get_text() for legend in campaign.plot()[0].figure.legends for text in legend.get_texts()]
+        self.assertNotIn("Suspect", told)  # whose friction cannot be told
+
+    def test_outside_numbers_are_rounded_by_their_errors_in_units_that_read_well(self):
+        fit = flexslip.fit(case("simulated"))
+        self.assertRegex(str(fit.params.wavelength), r"^10\.9\d\d ± 0\.0\d\d µm$")
+        self.assertRegex(repr(fit.params.bending_stiffness), r"^<bending_stiffness: 2\.1\d\d ± 0\.0\d\d mN mm²>$")
+        self.assertRegex(repr(fit), r"\n  mu0 +0\.50\d ± 0\.011\n")
+        self.assertRegex(repr(fit.energy), r"work_of_fracture +7\.02\d µJ")
+        self.assertRegex(repr(fit.snaps), r"^<\d+ rows: stage \[m\], .*force_before \[N\]")
+        self.assertRegex(repr(flexslip.simulate("examples/cyclic/truth.toml").energy), "µJ")
+        self.assertEqual(str(flexslip.fit(case("simulated"), model="constant").params.wavelength), "unknown")  # of what a model has not
+
+    def test_outside_docstrings_list_the_keys_that_a_function_can_use(self):
+        for function, can, cannot in ((flexslip.fit, ("span", "force", "zero"), ("cracks",)), (flexslip.design, ("span", "cracks"), ("force", "zero", "sign")),
+                                      (flexslip.modulus, ("force",), ("cracks",)), (flexslip.simulate, ("cracks",), ("until",))):
+            lines = function.__doc__.split("Other Parameters")[1].splitlines()
+            named = [line.split(" : ")[0].strip() for line in lines if " : " in line]
+            for name in can:
+                self.assertIn(name, named, function)
+            for name in cannot:
+                self.assertNotIn(name, named, function)
+                self.assertNotIn(name, inspect.signature(function).parameters)
+            for below in lines[lines.index(next(line for line in lines if " : " in line)) + 1::2]:
+                self.assertRegex(below, r"^        [A-Z].*\.$|^    $")
 
     def test_outside_words_are_those_of_the_program(self):
         fit = flexslip.fit(case("simulated"))

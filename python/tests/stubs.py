@@ -2,12 +2,14 @@
 """outside: the types of the package are complete, and a user's own program is checked with them, by mypy."""
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
 import unittest
 
 import flexslip
+from package import SOURCE
 
 BUILT = pathlib.Path(flexslip.__file__).parent.parent
 USER = """
@@ -15,7 +17,7 @@ import flexslip
 import numpy as np
 
 fit = flexslip.fit("test.csv", span="1278 um", stiffness=90.65, modulus=("29.6 GPa", "3 %"), rig={"roller_radius": 0})
-assert fit.judgement is not None and fit.params.mu0 is not None  # there is an answer
+assert fit.judgement is not None  # there is an answer
 mu: float = fit.params.mu0.value
 low, high = fit.params.mu0.ci95
 standing: str = fit.judgement.standing
@@ -34,7 +36,6 @@ answer: str = flexslip.design("case.toml").answer
 curve: flexslip.Equilibrium = flexslip.equilibrium("case.toml", longest="1 mm")
 forces: np.float64 = curve.curve.force[0]
 modulus = flexslip.modulus("test.csv", span="64 mm", window=(0.1, 0.3)).modulus
-assert modulus is not None
 pascals: float = modulus.value
 slope = flexslip.surface("trace.csv", wavelength=["10 um"]).rms_slope
 designs: int | None = flexslip.sweep("case.toml", axes={"mu0": [0.3, 0.5]}).rows
@@ -45,7 +46,7 @@ for each in flexslip.campaign("tests").tests:
 WRONG = {  # and the code or words of what mypy says
     'flexslip.fit("test.csv").judgement.standing': "union-attr",  # a record without an answer has none
     'flexslip.fit("test.csv", spam="1278 um")': "call-overload|call-arg",
-    'flexslip.fit("test.csv").params.mu0.valeu': '"FitParametersMu0" of "Optional[FitParametersMu0]" has no attribute "valeu"',
+    'flexslip.fit("test.csv").params.mu0.valeu': '"FitParametersMu0" has no attribute "valeu"',
     'flexslip.fit("test.csv", span=object())': "arg-type",
     'flexslip.elastica(1.1)': "call-arg",
     'flexslip.design("case.toml", over={"mu0": (0, 1)}).answer': "attr-defined",
@@ -71,6 +72,19 @@ class Types(unittest.TestCase):
     def test_outside_package_is_typed(self):
         checked = mypy("-p", "flexslip", folder=self.folder)
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+
+    def test_outside_what_the_documentation_shows(self):
+        program = pathlib.Path(self.folder) / "guide.py"
+        blocks = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/python.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+        told = {"fit.params.mu0": "FitParametersMu0", 'fit.params["wavelength"]': "Estimate", "fit.curves.force": "ndarray", "fit.draws.profiles": "ndarray",
+                "fit.residual": "ndarray", "tests.table.mu0": "ndarray", "surface.profile.mu": "ndarray", "test.path.force": "ndarray", "standard.modulus": "Estimate"}
+        program.write_text("\n".join([*blocks, *(f"reveal_type({each})" for each in told)]))
+        checked = mypy(program, folder=self.folder)
+        self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)
+        revealed = re.findall(r'Revealed type is "(.*)"', checked.stdout)
+        self.assertEqual(len(revealed), len(told))
+        for (expression, kind), found in zip(told.items(), revealed):
+            self.assertRegex(found, rf"\b{kind}\b", expression)
 
     def test_outside_a_users_program(self):
         program = pathlib.Path(self.folder) / "user.py"

@@ -19,6 +19,7 @@
 #include "io/parallel.h"
 #include "io/sha256.h"
 #include "io/text_file.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "result/table.h"
 
@@ -262,7 +263,11 @@ class Runner {
   CampaignRun run() {
     for_each_index(plan_.size(), options_.threads, [this](std::size_t i) {
       if (options_.stop && options_.stop->load()) return;
-      finish(i, computed(plan_[i]));
+      const Stoppable stoppable(options_.stop);
+      try {
+        finish(i, computed(plan_[i]));
+      } catch (const Stopped&) {  // the test is as if it had not been begun
+      }
     });
     CampaignRun result{CampaignStatus::ok, {}, found_};
     std::vector<TestSummary> summaries;

@@ -54,7 +54,7 @@ struct CampaignOptions {
   // What it does belongs to the answer: `presented` names it, for the key under which a test is kept.
   std::function<void(const FittedTest& test, const std::string& folder)> present = {};
   std::string presented = {};
-  const std::atomic<bool>* stop = nullptr;  // becomes true: no further test is begun
+  const std::atomic<bool>* stop = nullptr;  // becomes true: no further test is begun, and those under way are given up
 };
 
 enum class CampaignStatus {

@@ -260,13 +260,11 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
   return axes;
 }
 
-std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads,
-                                 const std::atomic<bool>* stop) {
+std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads) {
   std::uint64_t count = 1;
   for (const DesignAxis& axis : axes) count *= points_of(axis);
   std::vector<MapPoint> points(count);
   for_each_index(count, threads, [&](std::size_t i) {
-    if (stop && *stop) return;
     MapPoint& point = points[i];
     Test there = input;
     point.values = grid_inputs(axes, i);
@@ -275,7 +273,6 @@ std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis
     point.margin =
         point.result.outcome ? stiffness_margin(design_of(there).design, *point.result.outcome) : not_a_number;
   });
-  if (stop && *stop) return {};
   return points;
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -83,9 +82,7 @@ struct MapPoint {
 // All of the grid, the last axis fastest.
 // Domain:     axes of ranges.
 // Cost:       one outcome and one critical stiffness each. The same points for any number of them.
-// Fails:      with an empty list once `stop` is true: at the end of the designs under way.
-std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads,
-                                 const std::atomic<bool>* stop = nullptr);
+std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads);
 
 // Where the margin of a map over two axes vanishes: on the edges of the grid's cells, evenly in the logarithm of a logarithmic axis, and straight
 // between them.

@@ -9,9 +9,11 @@
 #include <thread>
 #include <vector>
 
+#include "numerics/effort.h"
+
 namespace flexslip {
 
-// Calls work(0), ..., work(count - 1), each once, in any order. Returns when all are done.
+// Calls work(0), ..., work(count - 1), each once, in any order. Returns when all are done. What stops the thread that calls stops them all.
 // Fails:      with the exception of the call of least index that was made and failed; no further call is then begun.
 template <class Work>
 void for_each_index(std::size_t count, unsigned threads, const Work& work) {
@@ -19,7 +21,9 @@ void for_each_index(std::size_t count, unsigned threads, const Work& work) {
   std::mutex mutex;
   std::exception_ptr failure;
   std::size_t failed = count;
+  const auto* const stop = Stoppable::of_this_thread();
   const auto run = [&] {
+    const Stoppable stoppable(stop);
     for (std::size_t i = next++; i < count; i = next++) try {
         work(i);
       } catch (...) {

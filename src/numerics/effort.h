@@ -1,14 +1,55 @@
 // What the calculations of a thread have taken, counted where the work is done and not timed: tests bound it by the size of what is asked.
+// Whoever counts can be stopped there, so that no search needs to be told of it.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 
 namespace flexslip {
 
+// Thrown by work that was stopped: no fault, and no answer.
+struct Stopped {};
+
 // [a state of the elastica out of a table: some 30 ns]
-inline thread_local std::uint64_t effort_spent = 0;
+class Effort {
+ public:
+  constexpr Effort() = default;
+
+  // Fails:      Stopped while a Stoppable of this thread is asked to stop.
+  Effort& operator+=(std::uint64_t more) {
+    if (stop_ && stop_->load(std::memory_order_relaxed)) throw Stopped{};
+    spent_ += more;
+    return *this;
+  }
+  void clear() { spent_ = 0; }
+  std::uint64_t spent() const { return spent_; }
+
+ private:
+  friend class Stoppable;
+  std::uint64_t spent_ = 0;
+  const std::atomic<bool>* stop_ = nullptr;
+};
+
+inline constinit thread_local Effort effort_spent;
 
 // Of one of each, roughly, in that unit.
 inline constexpr std::uint64_t effort_of_general_state = 20, effort_of_supported_state = 100;
+
+// While it lives, work of this thread ends by Stopped soon after `stop` is true; nullptr: as without it.
+class Stoppable {
+ public:
+  explicit Stoppable(const std::atomic<bool>* stop) : before_(effort_spent.stop_) {
+    if (stop) effort_spent.stop_ = stop;
+  }
+  ~Stoppable() { effort_spent.stop_ = before_; }
+  Stoppable(const Stoppable&) = delete;
+  Stoppable& operator=(const Stoppable&) = delete;
+
+  // What work of this thread is stopped by, for threads that it shares its work with.
+  static const std::atomic<bool>* of_this_thread() { return effort_spent.stop_; }
+
+ private:
+  const std::atomic<bool>* before_;
+};
 
 }  // namespace flexslip

@@ -48,6 +48,14 @@ std::vector<double> named_numbers_of(const Campaign& campaign) {
   return *seen.rbegin() - *seen.begin() <= most ? numbers : std::vector<double>{};
 }
 
+std::string clipped(const std::string& name) {
+  constexpr std::size_t longest = 20;  // [characters] above a panel
+  std::size_t characters = 0;
+  for (std::size_t i = 0; i < name.size(); ++i)
+    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
+  return name;
+}
+
 double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> category, Spread CategorySpread::*spread) {
   for (const CategorySummary& summary : campaign.categories)
     if (summary.category == category && (summary.without_suspects.*spread).count > 0)
@@ -93,8 +101,12 @@ Plot distribution_figure(const Campaign& campaign) {
   }
   const double space = std::max(1.0, 0.07 * (last - first));
   const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  Axis x{numbers.empty() ? "Test, counted in the order of the table" : "Test number", "", first - space, last + space};
+  Axis x{numbers.empty() ? "Test" : "Test number", "", first - space, last + space};
   x.counts = true;
+  if (numbers.empty())
+    for (std::size_t i = 0; i < campaign.tests.size(); ++i)
+      if (campaign.tests[i].summary)
+        x.names.push_back({static_cast<double>(i + 1), as_it_is(clipped(campaign.tests[i].name))});
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
   const bool tells_all = std::isfinite(all) && with_tests.size() > 1;  // of one category it is the mean of that
@@ -148,9 +160,10 @@ Plot distribution_figure(const Campaign& campaign) {
         return std::isfinite(mean_of(campaign, each.category, &CategorySpread::mu0));
       }))
     entries.push_back({.style = mean_look, .title = "Mean, suspects left out"});
-  entries.push_back({.style = {.width = 0.7}, .title = "95 %; without a mark: limits"});
-  if (tells_all) entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
   const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
+  const bool has_limits = has([](const auto& row) { return std::isnan(row[3]); });
+  entries.push_back({.style = {.width = 0.7}, .title = has_limits ? "95 %; without a mark: limits" : "95 %"});
+  if (tells_all) entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
   const bool has_suspects =
       has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
   if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
@@ -185,14 +198,6 @@ Plot distribution_figure(const Campaign& campaign) {
 namespace {
 
 constexpr std::size_t panels_across = 4, panels_on_page = 5 * panels_across;
-
-std::string clipped(const std::string& name) {
-  constexpr std::size_t longest = 20;  // [characters] above a panel
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
-  return name;
-}
 
 // None of a specimen that cracked, nor where there is no answer.
 bool tells_friction(const CampaignTest& test) {

@@ -170,16 +170,25 @@ std::string set_label(const Text& text, const Plot& plot) {
                      text.upright ? " rotate by 90" : "", text.boxed ? " boxed" : "");
 }
 
+// Words at a tick are a format to gnuplot.
+std::string tick_words(std::string_view words) {
+  std::string out;
+  for (const char character : words) out += character == '%' ? "%%" : std::string(1, character);
+  return out;
+}
+
 std::string set_axis(std::string_view name, const Axis& axis, const Plot& plot) {
   std::string ticks;
   for (const Tick& tick : axis.ticks)
-    ticks += fmt::format("{}{} {:.10g}{}", ticks.empty() ? "" : ", ", quoted(axis.has_numbers ? tick.text : ""),
-                         tick.at, tick.text.empty() ? " 1" : "");
+    ticks += fmt::format("{}{} {:.10g}{}", ticks.empty() ? "" : ", ",
+                         quoted(axis.has_numbers ? tick_words(tick.text) : ""), tick.at, tick.text.empty() ? " 1" : "");
   // A tick at the very end of a logarithmic axis would be lost to rounding.
   const double beyond = axis.logarithmic ? 1 + 1e-7 : 1;
   return fmt::format("  {}set logscale {}; set {}range [{:.10g}:{:.10g}] noextend\n  set {}tics ({}){}\n",
                      axis.logarithmic ? "" : "un", name, name, axis.from / beyond, axis.to * beyond, name, ticks,
-                     name == "x" ? " offset 0,up" : "") +
+                     name != "x"          ? ""
+                     : axis.names.empty() ? " norotate offset 0,up"
+                                          : " rotate by 90 right") +
          set_label(axis.title, plot);
 }
 

@@ -141,7 +141,24 @@ std::vector<Tick> logarithmic_ticks(double from, double to, double length, doubl
   return numbers < 2 ? linear_ticks(from, to, length, closest_x) : ticks;
 }
 
+// Every so many of the names, that each has its line; the others are small ticks.
+std::vector<Tick> ticks_of_names(const Axis& axis, double length) {
+  const double distance = length / (axis.to - axis.from);
+  std::vector<Tick> ticks;
+  double next = -infinity;
+  for (const Tick& name : axis.names) {
+    const bool fits = name.at * distance >= next - 1e-9 * length;
+    ticks.push_back({name.at, fits ? name.text : ""});
+    if (fits) next = name.at * distance + line_height;
+  }
+  return ticks;
+}
+
 void decide_ticks(Axis& axis, double length, double closest) {
+  if (!axis.names.empty()) {
+    axis.ticks = ticks_of_names(axis, length);
+    return;
+  }
   axis.ticks = (axis.logarithmic ? logarithmic_ticks : linear_ticks)(axis.from, axis.to, length, closest);
   if (axis.counts) std::erase_if(axis.ticks, [](const Tick& tick) { return tick.at != std::round(tick.at); });
 }
@@ -151,6 +168,14 @@ double widest_number(const Axis& axis) {
   if (axis.has_numbers)
     for (const Tick& tick : axis.ticks) widest = std::max(widest, text_width(tick.text));
   return widest;
+}
+
+// From the frame to the lower end of what stands below it.
+double numbers_below_of(const Axis& axis) {
+  if (!axis.has_numbers || axis.names.empty()) return axis.has_numbers ? numbers_below : joined_gap / 2;
+  double longest = 0;
+  for (const Tick& name : axis.names) longest = std::max(longest, text_width(name.text));
+  return longest + to_numbers + 0.8;
 }
 
 std::string label_of(const Axis& axis) {
@@ -245,7 +270,7 @@ Json list_of(const std::vector<Each>& each) {
 Json json_of(const Axis& axis) {
   return {{"label", label_of(axis)},         {"from", axis.from},           {"to", axis.to},
           {"logarithmic", axis.logarithmic}, {"numbers", axis.has_numbers}, {"ticks", list_of(axis.ticks)},
-          {"title", json_of(axis.title)}};
+          {"upright", !axis.names.empty()},  {"title", json_of(axis.title)}};
 }
 
 Json json_of(const Style& style) {
@@ -324,7 +349,7 @@ Plot laid_out(Plot plot) {
                              plot.width / static_cast<double>(columns), plot.width - figure_edge) +
                  (row == 0 ? figure_edge + 1 : joined_gap / 2);
     each_in(row, [&](const Panel& panel) {
-      below[row] = std::max(below[row], (panel.x.has_numbers ? numbers_below : joined_gap / 2) +
+      below[row] = std::max(below[row], numbers_below_of(panel.x) +
                                             (panel.x.title.words.empty() ? 0 : line_height + (row + 1 < rows ? 1 : 0)));
       share[row] = std::max(share[row], panel.share);
     });
@@ -372,15 +397,16 @@ Plot laid_out(Plot plot) {
     panel.key_left += left;
     panel.width = width;
     decide_ticks(x, width, closest_x);
-    if (widest_number(x) + 2 > closest_x) decide_ticks(x, width, widest_number(x) + 2);
+    if (x.names.empty() && widest_number(x) + 2 > closest_x) decide_ticks(x, width, widest_number(x) + 2);
     // The last number would meet the first one of a neighbour that is close.
     const bool is_joined = i + 1 < count && (i + 1) % columns > 0 && !panels[i + 1].y.has_numbers;
     for (Tick& tick : x.ticks)
-      if (is_joined && (x.to - tick.at) / (x.to - x.from) * width < text_width(tick.text)) tick.text = "";
+      if (is_joined && x.names.empty() && (x.to - tick.at) / (x.to - x.from) * width < text_width(tick.text))
+        tick.text = "";
 
     const double middle = panel.bottom + panel.height / 2, top = panel.bottom + panel.height;
     x.title.x = left + width / 2;
-    x.title.y = panel.bottom - numbers_below - line_height / 2;
+    x.title.y = panel.bottom - numbers_below_of(x) - line_height / 2;
     panel.y.title.x = left - before[i % columns] + (i % columns == 0 ? first_edge : panel_gap) + line_height / 2;
     panel.y.title.y = middle;
     panel.colour.title = {

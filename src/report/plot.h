@@ -119,6 +119,7 @@ struct Axis {
   std::string unit{};  // "" of a plain number
   double from = as_the_data, to = as_the_data;
   bool logarithmic = false, counts = false;  // both ends above 0; ticks at whole numbers only
+  std::vector<Tick> names{};  // along x, upright: they stand for its numbers, every so many where they are too close
   // Decided by laid_out:
   std::vector<Tick> ticks{};
   bool has_numbers = true;  // none where a neighbour has them
@@ -141,10 +142,9 @@ struct Panel {
 // Panels stand in rows, from left to right. A key stands above the panel whose marks have titles, as wide as there is room. A neighbour with
 // the same axis shares its numbers and its label.
 struct Plot {
-  std::string name;   // of its files
-  std::string title;  // what it shows
-  std::string
-      caption;  // the same with what stands for what: read without the text around it, also by those who cannot see
+  std::string name;      // of its files
+  std::string title;     // what it shows
+  std::string caption;   // the same with what stands for what: read without the text around it, or aloud
   double width, height;  // [mm]
   std::vector<PlotTable> data{};
   std::vector<Panel> panels{};

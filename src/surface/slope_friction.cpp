@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
+#include "numerics/effort.h"
 #include "numerics/root.h"
 
 namespace flexslip {
@@ -112,6 +114,7 @@ class Dilation {
  private:
   void solve(std::ptrdiff_t first, std::ptrdiff_t last, std::ptrdiff_t least, std::ptrdiff_t greatest) {
     if (first > last) return;
+    effort_spent += static_cast<std::uint64_t>(greatest - least + 1);
     const std::ptrdiff_t middle = (first + last) / 2, reach = static_cast<std::ptrdiff_t>(drop_.size()) - 1;
     std::ptrdiff_t touched = middle;
     double highest = z_[static_cast<std::size_t>(middle)];

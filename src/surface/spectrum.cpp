@@ -11,6 +11,7 @@
 
 #include <Eigen/Dense>
 
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -21,6 +22,7 @@ constexpr double pi = std::numbers::pi;
 
 // v_k at all points: sin(kx) goes on from sin((k-1)x), sin((k-2)x) no better than by itself.
 std::vector<double> taper(std::size_t k, std::size_t n) {
+  effort_spent += n;
   std::vector<double> v(n);
   const auto period = static_cast<double>(n + 1);
   for (std::size_t t = 1; t <= n; ++t)
@@ -240,6 +242,7 @@ class Fitting {
 
  private:
   double likelihood(const Parameters& at) const {
+    effort_spent += bins_.size();
     const Continuum model = continuum_at(at, folding_, has_noise_, stated_);
     double sum = 0;
     for (const Bin& bin : bins_) {
@@ -250,6 +253,7 @@ class Fitting {
   }
 
   void collect(const Parameters& at, Eigen::Matrix<double, 5, 5>& information, Parameters& gradient) const {
+    effort_spent += (2 * 5 + 1) * bins_.size();
     constexpr double small = 1e-4;
     std::array<std::pair<Continuum, Continuum>, 5> beside{};
     for (int i = 0; i < 5; ++i) {

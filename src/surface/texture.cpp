@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/statistics.h"
@@ -201,6 +202,7 @@ class Demodulator {
   std::complex<double> wave(double f) const {
     constexpr std::size_t anew = 256;  // steps after which the turning begins from an exact angle
     const std::size_t n = weight_.size();
+    effort_spent += n;
     std::complex<double> sum = 0, turn = 1;
     const auto one = elementary::sine_and_cosine(2 * pi * std::fmod(f * trace_.step, 1));
     const std::complex<double> step{one.cosine, -one.sine};

@@ -82,7 +82,9 @@ TEST_CASE("identity: a test that fails is listed with its reason, and the others
   for (std::size_t i = 0; i + 1 < campaign.tests.size(); ++i) CHECK(campaign.tests[i].status == "ok");
 }
 
-TEST_CASE("identity: a campaign that is stopped begins no further test, keeps those done, and goes on where it was") {
+TEST_CASE(
+    "identity: a campaign that is stopped keeps the tests that are done, gives up that under way, and goes on where it "
+    "was") {
   const TemporaryFolder folder;
   write_campaign(folder);
   const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
@@ -91,7 +93,10 @@ TEST_CASE("identity: a campaign that is stopped begins no further test, keeps th
   auto stopping = options(1, (folder.path() / "kept").string());
   std::atomic<bool> stop = false;
   stopping.stop = &stop;
-  stopping.progress = [&](std::size_t done, std::size_t) { stop = done == 2; };
+  stopping.analysis = [&, begun = 0, analysis = stopping.analysis](const Test& test) mutable {
+    stop = ++begun == 3;
+    return analysis(test);
+  };
   const auto part = run_campaign(plan, stopping);
   CHECK(part.status == CampaignStatus::stopped);
   CHECK(part.campaign.tests.size() == 2);

@@ -15,6 +15,7 @@
 
 #include "bending_test/rig.h"
 #include "case/mechanics.h"
+#include "numerics/effort.h"
 #include "tests/approximately.h"
 #include "tests/design/some_design.h"
 #include "tests/generators.h"
@@ -196,10 +197,13 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
   }
 }
 
-TEST_CASE("design map, limit: one that is stopped gives nothing") {
+TEST_CASE("limit: a design or a map of them that is stopped gives nothing, on any thread") {
   const Test input = loading_of(spicule);
   const std::atomic<bool> stop = true;
-  CHECK(design_map(input, {map_axis(input, "mu0=0:0.6", 3)}, 2, &stop).empty());
+  const std::vector axes{map_axis(input, "mu0=0:0.6", 3)};
+  const Stoppable stoppable(&stop);
+  CHECK_THROWS_AS(design_map(input, axes, 2), Stopped);
+  CHECK_THROWS_AS(outcome_of(design_of(input).design), Stopped);
 }
 
 TEST_CASE("design map, contract: a range that makes no sense is refused with a remedy") {

@@ -64,9 +64,9 @@ TEST_CASE("effort: a fit takes no more than its rows allow, whatever its record 
   CHECK(rc::check("absurd tests", [] {
     const Record record = to_physical(some_record(), scales);
     const TestDescription description = some_description();
-    effort_spent = 0;
+    effort_spent.clear();
     analyse(record, description);
-    RC_ASSERT(effort_spent <= most_each * (record.force.size() + shortest));
+    RC_ASSERT(effort_spent.spent() <= most_each * (record.force.size() + shortest));
   }));
 }
 

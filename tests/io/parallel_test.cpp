@@ -29,3 +29,15 @@ TEST_CASE("parallel: the failure of least index is thrown, and no further call i
   for (int repeat = 0; repeat < 20; ++repeat)  // indices are handed out in their order
     CHECK_THROWS_WITH_AS(for_each_index(100, 2, work), "3", std::runtime_error);
 }
+
+TEST_CASE("parallel: what stops the thread that calls stops them all, and no further call is begun") {
+  std::atomic<std::size_t> calls = 0;
+  const std::atomic<bool> stop = true;
+  const Stoppable stoppable(&stop);
+  const auto work = [&](std::size_t) {
+    ++calls;
+    effort_spent += 1;
+  };
+  for (const unsigned threads : {1U, 4U}) CHECK_THROWS_AS(for_each_index(1000, threads, work), Stopped);
+  CHECK(calls <= 1 + 4);
+}

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -30,6 +31,28 @@ TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the f
   const auto numbered = campaign_of(
       {some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6), some_test("SS13", SawtoothCategory::none, 0.3, {})});
   CHECK(distribution_figure(numbered).data[0].rows[1][0] == 13);
+}
+
+TEST_CASE(
+    "outside: tests that are counted have their names along the axis, and the key has no more than what is drawn") {
+  const Plot figure = laid_out(distribution_figure(some_campaign()));
+  for (const Panel& panel : figure.panels) {
+    std::vector<std::string> names;
+    for (const Tick& tick : panel.x.ticks) names.push_back(tick.text);
+    std::vector<std::string> tests;
+    for (const CampaignTest& test : some_campaign().tests)
+      if (test.summary) tests.push_back(as_it_is(test.name));
+    CHECK(names == tests);
+  }
+  const auto has_entry = [](const Plot& plot, std::string_view title) {
+    return std::any_of(plot.panels.begin(), plot.panels.end(), [&](const Panel& panel) {
+      return std::any_of(panel.marks.begin(), panel.marks.end(), [&](const Mark& mark) { return mark.title == title; });
+    });
+  };
+  CHECK(has_entry(figure, "Suspect"));
+  const Plot one = distribution_figure(campaign_of({some_test("SS13", SawtoothCategory::none, 0.3, {})}));
+  CHECK(!has_entry(one, "Suspect"));
+  CHECK(has_entry(one, "95 %"));
 }
 
 TEST_CASE("limit: a category without tests has no panel, nor have waves where none is known") {

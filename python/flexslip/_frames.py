@@ -1,0 +1,123 @@
+"""pandas frames as data: a record, or the tests of a campaign. The program's own reader finds what their columns are."""
+from __future__ import annotations
+
+import contextlib
+import os
+import tempfile
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from ._errors import InputError, error_of, in_python, wrong
+
+NAME = "frame"  # what such data are called
+_ROLES = ("stage", "deflection", "force")  # that titles can say
+_COLUMNS = (*_ROLES, "length")
+_PAIRS = (("stage", "force"), ("deflection", "force"), ("stage", "deflection"))  # two tell the third
+
+
+def is_frame(value: Any) -> bool:
+    """Is it a pandas.DataFrame? Without importing pandas, which need not be there."""
+    return hasattr(value, "iloc") and hasattr(value, "columns")
+
+
+def _whole(frame: Any) -> Any:
+    """With an index that has a name as a column, and titles as text."""
+    if any(name is not None for name in frame.index.names):
+        frame = frame.reset_index()
+    return frame.set_axis([str(title) for title in frame.columns], axis=1)
+
+
+def _titles(frame: Any) -> dict[str, str]:
+    """Titles as a file has them, with the units of `attrs["units"]`."""
+    units = frame.attrs.get("units") or {}
+    return {title: f"{title} [{units[title]}]" if units.get(title) not in (None, "", "1") else title for title in frame.columns}
+
+
+def written(frame: Any, path: str) -> None:
+    """A frame as a file that the program reads, its numbers to the last bit."""
+    frame = _whole(frame)
+    frame.rename(columns=_titles(frame)).to_csv(path, index=False)
+
+
+def _given(frame: Any, record: Mapping[str, Any]) -> dict[str, tuple[str, str | None]]:
+    """The title of each column that the call names, and the unit beside it: force="Load", force=("Load", "kN")."""
+    given: dict[str, tuple[str, str | None]] = {}
+    for role in _COLUMNS:
+        named = record.get(role)
+        if isinstance(named, str):
+            named = named, None
+        if not (isinstance(named, tuple) and len(named) == 2 and isinstance(named[0], str)):
+            continue
+        title, unit = named
+        if title not in frame.columns:
+            raise wrong(role, f"one of the columns {', '.join(frame.columns)}", title, key=f"record.{role}")
+        given[role] = title, unit
+    return given
+
+
+def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
+    """What a call says of a record, with the columns of a frame as arrays: those that it names, or else those whose titles say what they are."""
+    frame = _whole(frame)
+    own = next((pair for pair in _PAIRS if all(name in frame.columns for name in pair)), ())  # as the package's own frames have them
+    given = _given(frame, record) or ({} if record.get("displacement") else {name: (name, None) for name in own})
+    titled, units = _read(frame, record.get("displacement"), len(given) < 2)
+    out = {name: value for name, value in record.items() if name not in (*_COLUMNS, "displacement")}
+    for role, (title, unit) in ({role: (title, None) for role, title in titled.items()} | given).items():
+        unit = unit or units.get(title)
+        if not unit and role not in given:
+            raise wrong(f"column {title!r}", "a unit", "none", f"name it as in {title + (' [N]' if role == 'force' else ' [mm]')!r}, or say {role}=({title!r}, \"{'N' if role == 'force' else 'mm'}\")",
+                        key=f"record.{role}")
+        values = frame[title].to_numpy()
+        out[role] = (values, unit) if unit else values
+    return out
+
+
+def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str], dict[str, str]]:
+    """The titles of stage, deflection and force, as far as they say so, and the units of all columns."""
+    from ._read import read  # which is made of cases
+
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "frame.csv")
+        written(frame.head(1000), path)
+        try:
+            columns = list(zip(frame.columns, read(path, displacement=displacement)._columns))
+        except InputError as error:
+            raise in_words_of_frame(error, path) from None
+    roles = {column["role"]: title for title, column in columns}
+    found = {role: roles[name] for role, name in (("stage", "crosshead"), ("deflection", "deflection"), ("force", "force")) if name in roles}
+    if by_titles and "displacement" in roles and len(found) == ("force" in found):
+        raise wrong(f"column {roles['displacement']!r}", "a title that says whether it is of the stage or at midspan", "one that does not",
+                    "say displacement=\"crosshead\" or displacement=\"deflection\"", key="record.displacement")
+    if by_titles and len(found) < 2:
+        raise wrong("DataFrame", "titles that say which columns are displacement and force", ", ".join(map(repr, frame.columns)),
+                    "say which they are, as in stage=(\"x\", \"mm\"), force=(\"F\", \"N\")", key="record.force" if "force" not in found else "record.stage")
+    return found if by_titles else {}, {title: column["unit"] for title, column in columns if column["unit"]} | {title: unit for title, unit in (frame.attrs.get("units") or {}).items() if unit}
+
+
+@contextlib.contextmanager
+def table_of_tests(frame: Any, report: str | None) -> Iterator[str]:
+    """The tests of a campaign as a file, in the folder of its report, where a later call finds it again, or in one that goes."""
+    frame = _whole(frame)
+    if "file" in frame.columns:
+        frame = frame.assign(file=[os.path.abspath(os.fsdecode(file)) if isinstance(file, (str, os.PathLike)) else file for file in frame["file"]])
+    with tempfile.TemporaryDirectory() as folder:
+        if report is not None:
+            os.makedirs(report, exist_ok=True)
+        path = os.path.join(folder if report is None else report, "frame.csv")
+        written(frame, path)
+        yield path
+
+
+def in_words(data: Any, path: str) -> Any:
+    """What is told of a file that nobody wrote, as of the frame that it holds."""
+    if isinstance(data, str):
+        return in_python(data.replace(path, NAME))
+    if isinstance(data, dict):
+        return {name: in_words(value, path) for name, value in data.items()}
+    return [in_words(value, path) for value in data] if isinstance(data, list) else data
+
+
+def in_words_of_frame(error: InputError, path: str) -> InputError:
+    """A complaint about a file that nobody wrote, in words of the frame that it holds."""
+    parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "expected", "found", "remedy")}
+    return error_of(str(error).replace(path, NAME), **parts)
