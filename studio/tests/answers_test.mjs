@@ -56,7 +56,7 @@ test("each status and each verdict: its sentence, its data, and Fit ready; the t
     assert.ok(await drawn(tab), `${what}: its data are drawn`);
     if (status === null) {
       assert.equal(typeof told, "string", what);
-      const words = await tab.locator("#answer").innerText(), sentence = told.trim().split("\n").pop().replace(/^flexslip: /, "").replace(`${name}.csv: `, "");
+      const words = await tab.locator("#answer").innerText(), sentence = told.trim().split("\n").pop().replace(/^flexslip: /, "").replace(`${name}.csv: `, "").replace(/^--[a-z]+: /, "");
       assert.ok(words.includes(sentence.slice(0, 60)), `${what}: ${words} says ${sentence}`);
       assert.doesNotMatch(words, /--[a-z]/, what);
     } else {

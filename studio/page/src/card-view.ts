@@ -175,7 +175,7 @@ export class CardView {
       if (read.specimens.length > 1) lines.push(["specimen", read.specimens.map((s, i) => ({ words: `${i + 1}${s.name ? `: ${s.name}` : ""}, ${s.rows} rows`, change: (): void => this.decide({ specimen: String(i + 1) }, true), chosen: (settings.specimen ?? "1") === String(i + 1) })), settings.specimen !== undefined]);
       const moves = settings.displacement ?? (read.columns.some((c) => c.role === "crosshead") ? "crosshead" : read.columns.some((c) => c.role === "deflection") ? "deflection" : undefined);
       const column = (flag: "crosshead" | "deflection" | "force", title: string, roles: string[]): void => {
-        const of = read.columns.filter((c) => roles.includes(c.role)), at = of.find((c) => c.role === flag) ?? of[0], open = flag === "crosshead" && of.filter((c) => c.role === flag).length > 1;
+        const of = read.columns.filter((c) => roles.includes(c.role)), at = of.find((c) => c.role === flag) ?? of[0], open = flag === "crosshead" && !settings.read.crosshead && of.filter((c) => c.role === flag).length > 1;
         const words = (c: ReadColumn): string => `${c.name || `column ${c.number}`}${c.unit ? `, in ${c.unit}` : ""}`, told = settings.read[flag] !== undefined;
         lines.push([title, [
           { words: open ? `one of ${of.length}: choose` : at ? words(at) : "not found: choose", change: nothing, chosen: true },

@@ -120,20 +120,13 @@ export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | 
 
 /** The report with the page's figures in it, and without links to files that are not beside it. */
 export function withFigures(html: string, figures: Record<string, string>): string {
-  const page = new DOMParser().parseFromString(html, "text/html");
-  page.querySelectorAll("figure").forEach((figure) => {
-    const part = /figures\/(\w+)\.gp/.exec(figure.innerHTML)?.[1] ?? "", text = figures[part === "profile" ? "friction" : part], plate = figure.querySelector(".plate");
-    if (!text || !plate) return figure.remove();  // what the page does not draw
-    plate.replaceChildren(page.importNode(new DOMParser().parseFromString(text, "image/svg+xml").documentElement, true));
-    for (const [name, value] of Object.entries({ width: "100%", height: "auto" })) plate.firstElementChild!.setAttribute(name, value);
-    figure.querySelector("figcaption")?.replaceChildren(CAPTIONS[part === "profile" ? "friction" : part] ?? "");
-  });
-  for (const link of page.querySelectorAll('a[href]:not([href^="#"]):not([href^="http"])')) {
-    const around = link.closest("p.files, .files");
-    if (around) around.remove();
-    else link.replaceWith(...link.childNodes);
-  }
-  return `<!doctype html>\n${page.documentElement.outerHTML}`;
+  const drawn = (block: string): string => {
+    const name = /figures\/(\w+)\.gp/.exec(block)?.[1] ?? "", part = name === "profile" ? "friction" : name, figure = figures[part];
+    if (!figure) return "";  // what the page does not draw
+    const inPage = figure.replace(/^<svg([^>]*?) width="[^"]*"/, '<svg$1 width="100%"').replace(/^<svg([^>]*?) height="[^"]*"/, "<svg$1");
+    return `<figure><div class="plate">${inPage}</div><figcaption>${CAPTIONS[part] ?? ""}</figcaption></figure>`;
+  };
+  return html.replace(/<figure[^>]*>[^]*?<\/figure>/g, drawn).replace(/<p class="files">[^]*?<\/p>/g, "").replace(/<a href="(?!#|https?:)[^"]*">([^]*?)<\/a>/g, "$1");
 }
 const CAPTIONS: Readonly<Record<string, string>> = {
   force: "Force as measured, and as the model has it. Dashed: Euler–Bernoulli; dotted: without friction. Marks: the drops, with their load lines.",

@@ -469,7 +469,7 @@ export function missingOf(test: Test): string[] {
   const unitless = (roles: string[]): boolean => read.columns.some((c) => roles.includes(c.role) && c.unit === null);
   if (!columns.includes("force")) missing.push("which column is the force");
   if (!settings.displacement && !columns.some((r) => r === "crosshead" || r === "deflection")) missing.push("whether its displacement is that of the crosshead or the deflection");
-  if (columns.filter((r) => r === "crosshead").length > 1) missing.push("which column is the crosshead");
+  if (columns.filter((r) => r === "crosshead").length > 1 && !settings.read.crosshead) missing.push("which column is the crosshead");
   if (unitless(["crosshead", "deflection", "displacement"]) && !settings.read["displacement-unit"]) missing.push("the unit of its displacement");
   if (unitless(["force"]) && !settings.read["force-unit"] && !settings.calibration) missing.push("the unit of its force");
   if (settings.span === undefined && !read.test.span) missing.push("the support span");

@@ -67,7 +67,8 @@ export class Test {
     if (!span) return null;
     return { span, diameter: settings.diameter ?? settings.height ?? text?.quantity("specimen.diameter") ?? text?.quantity("specimen.height") ?? read?.test.diameter ?? 0, stiffness, tipRadius: settings.tipRadius ?? text?.quantity("rig.roller_radius") ?? 0 };
   }
-  private get plainName(): string {
+  /** The table that `read` writes of a file that is read otherwise than found. */
+  get plainName(): string {
     return this.data.replace(/\.[^.]*$/, "") + ".plain.csv";
   }
   /** The commands that come to this answer, without what the page adds to see the numbers behind it. */
@@ -75,8 +76,11 @@ export class Test {
     const { settings } = this;
     if (this.isCase) return [["fit", this.main, ...changesOfCase(settings, this.roundDiameter)]];
     if (!this.isPlain) return [["fit", this.main, ...flagsOfData(settings)]];
-    const { specimen: _, sheet: __, calibration: ___, ...rest } = settings;
-    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest)]];
+    const { specimen: _, sheet: __, calibration: ___, ...rest } = settings, { crosshead, deflection } = settings.read, told = crosshead ?? deflection;
+    // The plain table has all columns of the file: which of them was chosen is said again, by its name.
+    const column = told === undefined ? undefined : this.read?.columns.find((c) => c.name === told || String(c.number) === told)?.name;
+    if (column) rest.displacement ??= crosshead ? "crosshead" : "deflection";
+    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest), ...(column ? ["--displacement-column", column] : [])]];
   }
   get commandLine(): string {
     return this.commands().map((args) => ["flexslip", ...args].map(shellWord).join(" ")).join(" && ");

@@ -14,7 +14,7 @@ export const BOXES: Readonly<Record<string, string>> = {
 export function inPageWords(sentence: string, test: Test): string {
   const name = test.isCase ? test.name : test.data;
   let words = sentence;
-  for (const file of [test.data, test.main]) {
+  for (const file of [test.data, test.main, test.plainName]) {
     if (words.startsWith(`${file}:`)) words = words.slice(file.length + 1).replace(/^(\d+): /, "line $1: ").trim();
     else if (words.startsWith(`${file} `)) return withBoxes(words);
   }
@@ -23,7 +23,7 @@ export function inPageWords(sentence: string, test: Test): string {
 
 /** "pass --force 2" is "choose “force”: 2", "add --span LENGTH" is "enter “span”". */
 export function withBoxes(sentence: string): string {
-  return sentence.replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
+  return sentence.replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
     const box = BOXES[name];
     if (box === undefined) return flag;
     const told = value === undefined || /^[A-Z]{2,}$|[…|]/.test(value) ? "" : `: ${value.replaceAll('"', "")}`;
