@@ -25,7 +25,7 @@ export interface FitAnswer {
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
-  preparation: Step[]; contact: { source: string; line_offset: Estimate } | null;
+  preparation: Step[]; contact: { source: string; line_offset: Estimate | null } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;
   profile: ProfilePoint[];

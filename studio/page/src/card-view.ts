@@ -208,12 +208,11 @@ export class CardView {
     const { settings, fit } = test, lines: [string, Choice[], boolean][] = [], decide = (change: Partial<Settings>) => (): void => this.decide(change);
     const contact = fit?.answer.contact;
     if (contact) {
-      const offset = contact.line_offset, u = unitFor(Math.max(Math.abs(offset.value), offset.standard_error), "length");
-      const taken = `${significant(fit!.answer.parameters.contact_offset!.value / u.factor, 3)} ${u.name}`;
-      const where = `${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name}`;
+      const offset = contact.line_offset, taken = fit!.answer.parameters.contact_offset, u = unitFor(Math.max(Math.abs(offset?.value ?? taken?.value ?? 0), offset?.standard_error ?? 0), "length");
+      const where = offset ? ` (${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name})` : "";
       lines.push(["contact", [
-        { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}: ${taken}`, change: () => undefined, chosen: true },
-        { words: `find (${where})`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
+        { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}${taken ? `: ${significant(taken.value / u.factor, 3)} ${u.name}` : ""}`, change: () => undefined, chosen: true },
+        { words: `find${where}`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
         ...(settings.contact ? [{ words: "as found", change: decide({ contact: undefined }) }] : []),
       ], settings.contact !== undefined]);
       const zero = fit!.answer.preparation.find((s) => s.step === "zero"), sign = fit!.answer.preparation.find((s) => s.step === "sign");

@@ -239,7 +239,7 @@ export class ForceView {
     const { x, y } = this.si(), { height, margins, width } = this.frame;
     const at = studio.axis === "stage" ? moment.stage : moment.deflection, px = x(at), py = y(moment.force);
     const bottom = height - margins.bottom;
-    if (px < margins.left - 1 || px > width - margins.right + 1 || py > bottom + 1 || py < 0) return;
+    if (px < margins.left - 1 || px > width - margins.right + 1 || !(py <= bottom + 1 && py >= 0)) return;
     if (moment.used && !studio.tried) this.drawLens(fit, px, py, at, moment.force, x, y);
     this.marker.append(svg("line", { x1: px, x2: px, y1: py + 6, y2: bottom, stroke: "var(--moment)", "stroke-width": 1, "stroke-opacity": .75 }));
     if (moment.drop) {

@@ -93,7 +93,7 @@ async function start(): Promise<void> {
     const tests = testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
       // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
-      if (like && !test.isCase) for (const key of OF_THE_RIG) if (like.settings[key] !== undefined) Object.assign(test.settings, { [key]: like.settings[key] });
+      if (like && !test.isCase) for (const key of OF_THE_RIG) if (key !== "modulus" && like.settings[key] !== undefined) Object.assign(test.settings, { [key]: like.settings[key] });
     }
     await studio.open(...tests);
   };

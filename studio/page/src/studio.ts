@@ -259,9 +259,9 @@ export class Studio {
       }
     this.tell("tests", "card", "rows", "fitting", "parameters");
   }
-  /** The other files that are open, which are asked the same as this one. */
+  /** The other files that are open and not fitted yet, which are asked the same as this one. */
   alike(test: Test): Test[] {
-    return test.isCase ? [] : this.tests.filter((other) => other !== test && !other.isCase);
+    return test.isCase ? [] : this.tests.filter((other) => other !== test && !other.isCase && !other.fit);
   }
   /** Reads again what was decided to be read otherwise; a fit is asked for by hand. */
   async reread(): Promise<void> {
