@@ -68,7 +68,7 @@ test("each status and each verdict: its sentence, its data, and Fit ready; the t
       assert.equal(/\d/.test(await tab.locator(".numbers .value").nth(1).innerText()), told.answer.some((line) => line.label === "work"), `${what}: the work`);
     }
     assert.deepEqual(tab.said, [], what);
-    assert.equal(await tab.locator("#error").isVisible(), status === null, what);
+    assert.equal(await tab.locator("#error").isVisible(), status === null, `${what}: ${await tab.locator("#error").textContent()}`);
     // What the test before showed it shows again.
     await tab.keyboard.press("Escape");
     await tab.locator("#tests li").first().click();

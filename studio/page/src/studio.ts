@@ -157,6 +157,7 @@ export class Studio {
     const fit = this.fit;
     this.values = fit ? { ...fit.fitted } : null;
     this.wave = fit?.wave ?? false;
+    this.bandReady = false;
   }
   remove(test: Test): void {
     const at = this.tests.indexOf(test);
