@@ -216,7 +216,8 @@ async function start(): Promise<void> {
   byId("fit-all").addEventListener("click", () => void studio.fitAll());
   byId("table-of-tests").addEventListener("click", () => openTests(studio));
   addEventListener("beforeunload", (event) => {
-    if (studio.tests.some((test) => isUnsaved(test))) event.preventDefault();
+    const linked = location.hash.startsWith("#s=");  // the address brings its state back
+    if (!linked && studio.tests.some((test) => isUnsaved(test))) event.preventDefault();
   });
   byId("undo").addEventListener("click", () => studio.undo());
   byId("redo").addEventListener("click", () => studio.redo());
