@@ -119,6 +119,14 @@ val shaped(const val& rig, double drawn, double friction, int points, double bey
   return answer([&] { return object_of(shape(rig_from(rig), drawn, friction, points, beyond)); });
 }
 
+val quantity_in(const std::string& words, const std::string& kind) {
+  return answer([&] { return val(quantity(words, kind)); });
+}
+
+val unit_in(const std::string& words, const std::string& kind) {
+  return answer([&] { return val(unit(words, kind)); });
+}
+
 val linear(const val& rig, double deflection) {
   return answer([&] { return val(euler_bernoulli(rig_from(rig), deflection)); });
 }
@@ -131,6 +139,8 @@ EMSCRIPTEN_BINDINGS(mechanics) {
   emscripten::function("equilibrium", &in_equilibrium);
   emscripten::function("shape", &shaped);
   emscripten::function("linear", &linear);
+  emscripten::function("quantity", &quantity_in);
+  emscripten::function("unit", &unit_in);
 }
 
 }  // namespace flexslip::studio

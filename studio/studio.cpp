@@ -1,6 +1,7 @@
 #include "studio/studio.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,10 +13,27 @@
 #include "contact/over_rollers.h"
 #include "data/names.h"
 #include "data/scales.h"
+#include "io/quantity.h"
 #include "numerics/elementary.h"
 
 namespace flexslip::studio {
 namespace {
+
+struct Box {
+  const Kind* kind;
+  Range range;
+};
+constexpr std::array boxes{Box{&kind::length, Range::positive},   Box{&kind::stiffness, Range::positive_or_infinite},
+                           Box{&kind::pressure, Range::positive}, Box{&kind::bending_stiffness, Range::positive},
+                           Box{&kind::force, Range::any},         Box{&kind::time, Range::positive},
+                           Box{&kind::angle, Range::any},         Box{&kind::number, Range::any}};
+
+const Box& box_of(std::string_view name) {
+  const auto* const box =
+      std::find_if(boxes.begin(), boxes.end(), [&](const Box& each) { return each.kind->name == name; });
+  if (box == boxes.end()) throw std::invalid_argument("no box holds " + std::string(name));
+  return *box;
+}
 
 Scales scales_of(const RigInput& rig) { return {rig.span, rig.bending_stiffness}; }
 
@@ -196,6 +214,13 @@ Shape shape(const RigInput& rig, double drawn, double friction, int points, doub
   result.force = scales.physical_force(state.F);
   return result;
 }
+
+double quantity(std::string_view words, std::string_view kind) {
+  const Box& box = box_of(kind);
+  return parse_quantity(words, *box.kind, box.range);
+}
+
+double unit(std::string_view words, std::string_view kind) { return to_si(1, parse_unit(words, *box_of(kind).kind)); }
 
 double euler_bernoulli(const RigInput& rig, double deflection) {
   const Scales scales = scales_of(rig);

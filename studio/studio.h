@@ -76,6 +76,15 @@ struct Shape {
 // Max error:  1e-6 of the span.
 Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond);
 
+// What is written in a box, [SI], by the parser that reads it in a case: of "a length", "a stiffness" (may be "inf"), "a modulus" or another kind of
+// io/quantity.h, by its name.
+// Fails:      InputError with its sentence, also for a value that such a box cannot have.
+double quantity(std::string_view words, std::string_view kind);
+
+// What one of a unit is in SI; of a kind likewise.
+// Fails:      InputError, if it is none.
+double unit(std::string_view words, std::string_view kind);
+
 // [N] 48 EI/L³ times a deflection [m].
 double euler_bernoulli(const RigInput& rig, double deflection);
 

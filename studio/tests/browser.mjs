@@ -26,7 +26,7 @@ export const close = async () => browser?.close();
 /** A page that has shown its first picture; `said` is what the console said, `asked` what was requested. */
 export async function open({ width = 1280, height = 800, theme = "light", hash = "", visited = true, wait = true, file = page, reducedMotion = "no-preference" } = {}) {
   const context = await (await launched()).newContext({ viewport: { width, height }, colorScheme: theme, acceptDownloads: true, offline: true, reducedMotion });
-  context.setDefaultTimeout(600_000);  // that of a hang: a loaded machine is no fault
+  context.setDefaultTimeout(Number(process.env.HANG ?? 600_000));  // that of a hang: a loaded machine is no fault
   const tab = await context.newPage(), said = [], asked = [];
   tab.on("console", (message) => said.push(`${message.type()}: ${message.text()}`));
   tab.on("pageerror", (error) => said.push(`error: ${error.message}`));

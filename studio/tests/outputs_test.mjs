@@ -67,6 +67,8 @@ test("report: one HTML file with the answer, that asks for nothing", { skip }, a
   const html = text(await exported(tab, "Report"), "simulated-report.html");
   assert.match(html, /<html/i);
   assert.match(html, /cracks alone/i);
+  assert.equal(html.match(/<svg[^>]*aria-label="simulated: /g)?.length, 2, "force and friction are drawn");
+  for (const [, target] of html.matchAll(/href="([^"]*)"/g)) assert.match(target, /^(#|https?:)/, "no link to a file that is not there");
   assert.doesNotMatch(html, /<(script|link|img|iframe)[^>]+(src|href)=["']https?:/i);
   await tab.end();
 });
@@ -80,6 +82,8 @@ test("figures: SVG without colours of the page's own names, PNG of 170 mm at 300
     assert.match(svg, /^<svg[^>]+width="170mm"/, name);
     assert.doesNotMatch(svg, /var\(--/, `${name}: colours are resolved`);
     assert.doesNotMatch(svg, /#191c20/i, `${name}: exported light`);
+    if (!name.includes("fibre")) assert.match(svg, /deflection at midspan|past each support/, `${name}: its axis is named`);
+    if (name.includes("force")) assert.match(svg, />model</, `${name}: its legend`);
     const parsed = await tab.evaluate((words) => new DOMParser().parseFromString(words, "image/svg+xml").querySelectorAll("parsererror").length, svg);
     assert.equal(parsed, 0, name);
   }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,6 +16,7 @@
 #include "case/mechanics.h"
 #include "case/simulated_test.h"
 #include "fibre/elastica.h"
+#include "io/input_error.h"
 #include "tests/unit.h"
 
 namespace flexslip {
@@ -212,6 +214,28 @@ TEST_CASE("identity: studio: what was asked before changes no bit of an answer")
     CHECK(again.force == first.force);
     CHECK(again.drawn == first.drawn);
   }
+}
+
+TEST_CASE("studio: a box takes what the program reads of its kind, and says why it takes nothing else") {
+  const auto sentence = [](std::string_view words, std::string_view kind) -> std::string {
+    try {
+      studio::quantity(words, kind);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  CHECK(studio::quantity("1278 um", "a length") == 1278e-6);
+  CHECK(studio::quantity("90.65 N/m", "a stiffness") == 90.65);
+  CHECK(studio::quantity("inf", "a stiffness") == infinity);
+  CHECK(studio::quantity("29.6 GPa", "a modulus") == 29.6e9);
+  CHECK(studio::unit("mN", "a force") == 1e-3);
+  CHECK(sentence("1278 N", "a length") != "");
+  CHECK(sentence("90.65 GPa", "a stiffness") != "");
+  CHECK(sentence("1278", "a length") != "");
+  CHECK(sentence("-3 mm", "a length") != "");
+  CHECK(sentence("inf", "a length") != "");
+  CHECK_THROWS_AS(studio::unit("mm", "a force"), InputError);
 }
 
 TEST_CASE("studio: what cannot be computed is refused with a sentence") {

@@ -16,19 +16,29 @@ interface Pending { resolve(answer: Answer): void; reject(error: Error): void; p
 
 const without = (why: string): Error => new Error(`the program ended without an answer: ${why}`);
 
+/** What the Workers of the page have in common: their script, and the module as the first of them compiled it, so that those after it need not. */
+interface Common { module: WebAssembly.Module | null; readonly script: string }
+
 class ProgramInWorker implements Program {
-  private module: WebAssembly.Module | null = null;  // as the first Worker compiled it: those after it need not
-  private readonly script = URL.createObjectURL(new Blob([textOf("worker")], { type: "text/javascript" }));
   private readonly pending = new Map<number, Pending>();
   private next = 0;
-  private worker: Worker | null = this.start();
+  private worker: Worker | null = null;
+
+  constructor(private readonly common: Common) {}
 
   /** The program is unpacked and compiled in the Worker, while the page makes its views. */
+  begin(): this {
+    this.worker ??= this.start();
+    return this;
+  }
+  another(): Program {
+    return new ProgramInWorker(this.common);
+  }
   private start(): Worker {
-    const worker = new Worker(this.script);
+    const { common } = this, worker = new Worker(common.script);
     worker.onmessage = ({ data }: MessageEvent<Told>) => {
       if ("module" in data) {
-        this.module = data.module;
+        common.module = data.module;
         return;
       }
       const run = this.pending.get(data.id);
@@ -47,7 +57,7 @@ class ProgramInWorker implements Program {
       this.end(without(event.message || "its Worker did not start"));
     };
     worker.onmessageerror = () => this.end(without("what its Worker said cannot be read"));
-    worker.postMessage((this.module ? { module: this.module } : { text: textOf("program") }) satisfies Asked);
+    worker.postMessage((common.module ? { module: common.module } : { text: textOf("program") }) satisfies Asked);
     return worker;
   }
 
@@ -60,9 +70,7 @@ class ProgramInWorker implements Program {
   }
 
   cancel(): void {
-    if (this.pending.size === 0) return;
-    this.end(new Cancelled());
-    this.worker = this.start();
+    if (this.pending.size > 0) this.end(new Cancelled());
   }
 
   private end(reason: Error): void {
@@ -75,7 +83,7 @@ class ProgramInWorker implements Program {
 }
 
 export function openProgram(): Program {
-  return new ProgramInWorker();
+  return new ProgramInWorker({ module: null, script: URL.createObjectURL(new Blob([textOf("worker")], { type: "text/javascript" })) }).begin();
 }
 
 function result<T>(answered: Answered<T>): T {
@@ -92,5 +100,7 @@ export async function openMechanics(): Promise<Mechanics> {
     equilibrium: (rig, points, longest = 1.5 * rig.span) => result(bound.equilibrium(rig, longest, points)),
     shape: (rig, drawn, friction, points, beyond = 0.15 * rig.span) => result(bound.shape(rig, drawn, friction, points, beyond)),
     linear: (rig, deflection) => result(bound.linear(rig, deflection)),
+    quantity: (words, kind) => result(bound.quantity(words, kind)),
+    unit: (words, kind) => result(bound.unit(words, kind)),
   };
 }

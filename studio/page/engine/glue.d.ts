@@ -27,6 +27,8 @@ declare module "mechanics-glue" {
     equilibrium(rig: unknown, longest: number, points: number): Answered<import("../src/engine").Loading>;
     shape(rig: unknown, drawn: number, friction: number, points: number, beyond: number): Answered<import("../src/engine").Shape>;
     linear(rig: unknown, deflection: number): Answered<number>;
+    quantity(words: string, kind: string): Answered<number>;
+    unit(words: string, kind: string): Answered<number>;
   }
   export default function flexslipMechanics(settings: Instantiation): Promise<Bound>;
 }

@@ -81,12 +81,15 @@ function checked(value: unknown): Link {
     const words = text(read[flag], 80);
     if (words !== null) settings.read[flag] = words;
   }
-  for (const name of ["specimen", "sheet", "calibration", "forceColumn", "displacementColumn", "sign", "zero", "contact", "failure"] as const) {
+  for (const name of ["specimen", "sheet", "calibration", "sign", "zero", "contact", "failure"] as const) {
     const words = text(given[name], 80);
     if (words !== null) settings[name] = words;
   }
   if (given["displacement"] === "crosshead" || given["displacement"] === "deflection") settings.displacement = given["displacement"];
-  for (const name of ["first", "until", "span", "diameter", "stiffness", "tipRadius", "heldStiffness"] as const) {
+  const { section, supports } = given;
+  if (section === "round" || section === "tube" || section === "rectangle") settings.section = section;
+  if (supports === "edges" || supports === "rollers") settings.supports = supports;
+  for (const name of ["first", "until", "span", "diameter", "wall", "width", "height", "modulus", "stiffness", "tipRadius", "heldStiffness"] as const) {
     const number = finite(given[name]);
     if (number !== null && number >= 0) settings[name] = number;
   }

@@ -1,9 +1,10 @@
 // The answer above the views: what was seen, the verdict, five numbers, the checks; and the strip of the marked moment.
 
-import { answerOf, dropInWords, slipOf, type CheckLine } from "./answer";
+import { answerOf, dropInWords, slipOf, tellsFriction, type CheckLine } from "./answer";
 import { byId, el, fill, rich, svg } from "./dom";
 import { fixed, significant, unitFor } from "./quantity";
 import type { Studio } from "./studio";
+import { inPageWords, withBoxes } from "./words";
 
 const glyph = (mark: CheckLine["mark"]): SVGElement =>
   svg("svg", { class: "glyph", viewBox: "0 0 14 14", role: "img", "aria-label": { passed: "passed", warning: "look at this", cannot: "cannot tell" }[mark] },
@@ -14,16 +15,17 @@ const glyph = (mark: CheckLine["mark"]): SVGElement =>
 export function drawAnswer(studio: Studio): void {
   const { fit, test } = studio, host = byId("answer");
   if (!fit) {
-    fill(host, el("p", { class: "lead" }, test ? `${test.name}: ${test.read ? `${test.read.rows} rows read` : "read"}.` : ""), el("h1", {}, studio.fitting?.test === test ? "Fitting…" : test ? "Not fitted yet." : ""),
-      el("p", { class: "lead" }, test && !studio.fitting ? "Say what is asked at the left, then press Fit." : ""));
+    const busy = studio.isBusy(test), words = !test ? "" : test.refusal ? inPageWords(test.refusal, test) : busy ? "" : "Say what is asked at the left, then press Fit.";
+    fill(host, el("p", { class: "lead" }, test?.read ? `${test.name}: ${test.read.rows} rows read.` : ""), el("h1", {}, studio.fitting?.test === test && test ? "Fitting…" : busy ? "Waits to be fitted…" : !test ? "" : test.read ? "Not fitted yet." : "Not read yet."),
+      el("p", { class: "say" }, words));
     return;
   }
   const answer = answerOf(fit.answer, fit.text);
-  fill(host,
-    el("h1", {}, answer.verdict, " ", el("span", {}, answer.rest)),
+  fill(host, test?.refusal ? el("p", { class: "say" }, inPageWords(test.refusal, test), " Below stands the answer before that.") : null,
+    el("h1", {}, answer.verdict, " ", el("span", {}, withBoxes(answer.rest))),
     el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
-    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, c.reason) : null))),
-    el("p", { class: "lead" }, answer.next ? `Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}` : "", studio.changed ? " By the last fit, not by hand." : ""));
+    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, withBoxes(c.reason)) : null))),
+    el("p", { class: fit.answer.status === "ok" ? "lead" : "say", title: answer.next || null }, answer.next ? withBoxes(`Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}`) : "", studio.changed ? " By the last fit, not by hand." : ""));
 }
 
 /** One line: the row, its numbers, and what can be said of the drop. */
@@ -38,13 +40,13 @@ export function drawMoment(studio: Studio): void {
   };
   const number = (value: number, factor: number, digits = 1): string => (Number.isFinite(value) ? fixed(value / factor, digits) : "–");
   const mu = Number.isFinite(moment.mu) ? `${fixed(moment.mu, 3)}${Number.isFinite(moment.muError) ? ` ± ${fixed(moment.muError, 3)}` : ""}` : "not told yet";
-  const words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number) : null;
+  const words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number, tellsFriction(fit.answer)) : null;
   fill(host, el("span", { class: "dot" }),
     studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name, "narrow-keep"),
     cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used ? mu : "–", 78, ""),
-    cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wide"),
-    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : !moment.used ? (studio.indexOf(moment.row) < 0 ? "before the rows used" : `after the rows used`) : null));
+    cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wider"),
+    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
 }
 
 /** For a screen reader, when the moment was moved by a key. */

@@ -13,10 +13,10 @@ export type Slip = "could" | "undecided" | "no";
 export const slipOf = (drop: Drop): Slip => (drop.slip === "possible" ? "could" : drop.slip === "too_short" ? "undecided" : "no");
 
 /** A drop in words: "Drop 9: can be a slip". */
-export function dropInWords(drop: Drop, number: number): { claim: string; rest: string; more: string } {
+export function dropInWords(drop: Drop, number: number, told = true): { claim: string; rest: string; more: string } {
   const mu = drop.mu_before !== null && drop.mu_after !== null ? `, *μ* ${fixed(drop.mu_before, 2)} to ${fixed(drop.mu_after, 2)}` : "";
   const drawn = drop.pulled_in ? `, ${written(drop.pulled_in.value / 2, "length")} pulled in over each support` : "";
-  return { claim: `Drop ${number}: ${drop.reading}`, rest: `; ${written(drop.force_fall, "force")} down`, more: slipOf(drop) === "could" ? `${mu}${drawn}` : "" };
+  return { claim: `Drop ${number}: ${drop.reading}`, rest: `; ${written(drop.force_fall, "force")} down`, more: told && slipOf(drop) === "could" ? `${mu}${drawn}` : "" };
 }
 
 const NOTHING = "–";
@@ -27,21 +27,30 @@ export function estimate(value: number, error: number, unit: Unit, most = 4): [s
   return [fixed(value / unit.factor, digits), `± ${fixed(error / unit.factor, digits)}`];
 }
 
+/** Where the verdict tells no friction, nothing of it is shown: no share of the work, no spacing, no slips. */
+export const tellsFriction = (fit: FitAnswer): boolean => !["crack", "check_input", "no_answer"].includes(fit.verdict.code);
+
+/** What the program says under this label of its answer; null if it says nothing. */
+const saidOf = (fit: FitAnswer, label: string): string | null => fit.answer.find((each) => each.label === label)?.words ?? null;
+
 function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, read = fit.friction_read, { slips, energy } = fit;
   const D = text.hasRoundSection ? text.quantity("specimen.diameter") : null;
   const signed = (share: number): string => `${fixed(Math.abs(100 * share), 0)} % ${share < 0 ? "less" : "more"}`;
-  const friction: KeyNumber = { label: "Friction at the supports *μ*", value: NOTHING, rest: "", condition: read ? `80 % of points ${fixed(read.low80, 2)} to ${fixed(read.high80, 2)}` : "" };
-  const told = !["crack", "check_input", "no_answer"].includes(fit.verdict.code);
+  const friction: KeyNumber = { label: "Friction at the supports *μ*", value: NOTHING, rest: "", condition: read && read.low80 !== null && read.high80 !== null ? `80 % of points ${fixed(read.low80, 2)} to ${fixed(read.high80, 2)}` : "" };
+  const told = tellsFriction(fit);
   if (!told) friction.condition = "none can be read off";
   else if (mu0?.bound) Object.assign(friction, { value: `≤ ${significant(mu0.interval95[1], 2)}`, rest: "(95 %)" });
   else if (mu0) [friction.value, friction.rest] = estimate(mu0.value, mu0.standard_error, { name: "", command: "", factor: 1 });
   const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: fit.verdict.code === "undecided" ? "if the drops are slips" : fit.judgement?.stiffness_lost == null ? "if no stiffness was lost" : "" };
-  if (energy && told && !mu0?.bound) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
-  const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
+  const ofWork = saidOf(fit, "work");
+  if (energy && ofWork) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
+  else work.condition = "";
+  if (ofWork?.startsWith("at least ")) work.condition = `at least, ${work.condition}`.replace(/, $/, "");
+  const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
   if (slips?.median_spacing && told) {
     const u = unitFor(slips.median_spacing, "length");
-    Object.assign(spacing, { value: significant(slips.median_spacing / u.factor, 2), rest: `${u.name}, median` });
+    Object.assign(spacing, { value: significant(slips.median_spacing / u.factor, 2), rest: u.name });
   }
   const stiffness: KeyNumber = { label: "Bending stiffness *EI*", value: NOTHING, rest: "", condition: "" };
   const modulus: KeyNumber = { label: "Modulus *E*", value: NOTHING, rest: "", condition: D === null ? "no round section stated" : "" };

@@ -15,9 +15,9 @@ export interface Sensitivity { quantity: string; title: string; stated: string; 
 export interface FitAnswer {
   status: string; name: string; model: string; suspect: boolean;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
-  friction_read: { median: number; low80: number; high80: number } | null;
+  friction_read: { median: number | null; low80: number | null; high80: number | null } | null;
   residual_rms: number | null; wave: Wave | null;
-  judgement: { stiffness_lost: number | null } | null;
+  judgement: { stiffness_lost: number | null; cracks_alone: number | null } | null;
   verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   energy: { work_of_fracture: number; friction_share: number } | null;
@@ -25,7 +25,7 @@ export interface FitAnswer {
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
-  preparation: Step[]; contact: { source: string; line_offset: Estimate } | null;
+  preparation: Step[]; contact: { source: string; line_offset: Estimate | null } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;
   profile: ProfilePoint[];

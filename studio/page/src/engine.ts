@@ -9,6 +9,8 @@ export interface Program {
   run(args: string[], files: Record<string, Uint8Array>, progress?: (line: string) => void): Promise<Answer>;
   /** Ends what runs and what waits; their promises are rejected with a Cancelled. */
   cancel(): void;
+  /** The same program in a Worker of its own, whose runs wait for none of this one. */
+  another(): Program;
 }
 export class Cancelled extends Error {
   constructor() {
@@ -29,7 +31,11 @@ export interface Mechanics {
   shape(rig: Rig, drawnLength: number, friction: number, points: number, beyond?: number): Shape;
   /** Euler-Bernoulli's force at a deflection. */
   linear(rig: Rig, deflection: number): number;
+  /** What is written in a box, by the program's own parser: a quantity of this kind ("a length", "a stiffness", …), or what one of a unit of it is. */
+  quantity(words: string, kind: QuantityKind): number;
+  unit(words: string, kind: QuantityKind): number;
 }
+export type QuantityKind = "a length" | "a stiffness" | "a modulus" | "a bending stiffness" | "a force" | "a time" | "an angle" | "a plain number";
 export interface Rig {
   span: number;              // [m]
   diameter: number;          // [m] depth of the section; 0: friction acts at the axis

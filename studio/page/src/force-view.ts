@@ -86,12 +86,12 @@ export class ForceView {
     const xs = this.abscissa(fit), force = fit.curves.column("F")!;
     const mostX = greatest(xs), mostF = greatest(force), { programmed } = studio;
     // The frame is that of the data; where the model leaves it, it grows in steps, so that it holds still while a slider moves.
-    const room = (data: number, model: number, most: number): number => data * Math.max(1, Math.min(most, Math.ceil((8 * model) / data - 0.16) / 8));
+    const room = (data: number, model: number, most: number): number => !(data > 0) ? data : data * Math.max(1, Math.min(most, Math.ceil((8 * model) / data - 0.16) / 8));
     const farthest = room(mostX, Math.max(programmed ? greatest(this.of(programmed)) : 0, studio.loading ? greatest(this.of(studio.loading)) : 0), 2);
     const highest = room(mostF, studio.loading ? greatest(studio.loading.force) : 0, 3);
     this.units = { x: unitFor(mostX, "length"), y: unitFor(mostF, "force") };
     const base = frameOf(this.host, MARGINS, [0, 1], [0, 1]);
-    const sx = base.x.copy().domain([0, (farthest * 1.06) / this.units.x.factor]), sy = base.y.copy().domain([0, (highest * 1.16) / this.units.y.factor]);
+    const sx = base.x.copy().domain([0, (farthest * 1.06) / this.units.x.factor || 1]), sy = base.y.copy().domain([0, (highest * 1.16) / this.units.y.factor || 1]);
     const { transform: t } = this;
     const dx = t.rescaleX(sx).domain() as [number, number], dy = t.rescaleY(sy).domain() as [number, number];
     this.frame = { ...base, x: sx.domain(dx), y: sy.domain(dy) };
@@ -239,7 +239,7 @@ export class ForceView {
     const { x, y } = this.si(), { height, margins, width } = this.frame;
     const at = studio.axis === "stage" ? moment.stage : moment.deflection, px = x(at), py = y(moment.force);
     const bottom = height - margins.bottom;
-    if (px < margins.left - 1 || px > width - margins.right + 1 || py > bottom + 1 || py < 0) return;
+    if (px < margins.left - 1 || px > width - margins.right + 1 || !(py <= bottom + 1 && py >= 0)) return;
     if (moment.used && !studio.tried) this.drawLens(fit, px, py, at, moment.force, x, y);
     this.marker.append(svg("line", { x1: px, x2: px, y1: py + 6, y2: bottom, stroke: "var(--moment)", "stroke-width": 1, "stroke-opacity": .75 }));
     if (moment.drop) {

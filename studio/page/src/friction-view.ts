@@ -1,5 +1,6 @@
 // Friction along the fibre: points read off the curve with their errors, the mean of the fit and its band, friction by the sliders.
 
+import { tellsFriction } from "./answer";
 import { byId, el, fill, label, svg } from "./dom";
 import { area, axes, dots, dotted, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, sizeOf, type Frame } from "./plot";
 import { signed, unitFor, type Unit } from "./quantity";
@@ -42,7 +43,8 @@ export class FrictionView {
     this.frame = null;
     if (!fit || !fit.friction.length.length) {
       this.host.setAttribute("aria-label", "Friction along the fibre: nothing to show yet");
-      return sized(this.drawing, this.host, svg("g"));
+      const { height } = sizeOf(this.host);
+      return sized(this.drawing, this.host, fit && height > 40 ? svg("text", { x: MARGINS.left, y: 34 }, "No friction was read off this record.") : svg("g"));
     }
     const points = fit.answer.profile.filter((p) => p.mu_error < UNTOLD);
     const px = Float64Array.from(points, (p) => (p.length - fit.fitted.L) / 2), mu = Float64Array.from(points, (p) => p.mu);
@@ -56,23 +58,24 @@ export class FrictionView {
     const bottom = frame.height - MARGINS.bottom, right = frame.width - MARGINS.right;
     const clip = svg("clipPath", { id: "friction-clip" }, svg("rect", { x: MARGINS.left, y: MARGINS.top - 4, width: Math.max(0, right - MARGINS.left), height: Math.max(0, bottom - MARGINS.top + 4) }));
     const inside = svg("g", { "clip-path": "url(#friction-clip)" });
-    inside.append(svg("path", { d: area(bandX, mean.map((m, i) => m - 1.96 * deviation[i]!), mean.map((m, i) => m + 1.96 * deviation[i]!), x, y), fill: "var(--band)" }));
+    const told = tellsFriction(fit.answer);
+    if (told) inside.append(svg("path", { d: area(bandX, mean.map((m, i) => m - 1.96 * deviation[i]!), mean.map((m, i) => m + 1.96 * deviation[i]!), x, y), fill: "var(--band)" }));
     inside.append(path(points.map((p, i) => `M${x(px[i]!).toFixed(1)} ${y(p.mu - p.mu_error_force).toFixed(1)}V${y(p.mu + p.mu_error_force).toFixed(1)}`).join(""), "var(--mute)", 1));
-    for (const slip of this.slips(fit)) {
+    for (const slip of told ? this.slips(fit) : []) {
       const a = x((slip[0] - fit.fitted.L) / 2), b = x((slip[1] - fit.fitted.L) / 2);
       inside.append(svg("rect", { x: a, y: bottom - 6, width: Math.max(1.5, b - a), height: 5, fill: "var(--ok)" }));
     }
     if (hand) inside.append(path(lineThrough(this.past(fit, hand.length), hand.mu, x, y), "var(--model)", 1.4));
     inside.append(dotted(dots(px, mu, x, y), "var(--data)", px.length > 600 ? 1.8 : 2.4));
     const side = svg("g"), mu0 = fit.answer.parameters.mu0;
-    if (mu0 && !mu0.bound) {
+    if (mu0 && !mu0.bound && told) {
       const cx = right + 12, at = y(studio.values?.mu0 ?? mu0.value);
       side.append(svg("line", { x1: cx, x2: cx, y1: y(mu0.interval95[0]), y2: y(mu0.interval95[1]), stroke: "var(--model)", "stroke-width": 3 }),
         svg("circle", { cx, cy: at, r: 3.5, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.6 }), label("mean *μ*₀", { x: cx + 8, y: at + 4 }));
       side.append(svg("text", { x: right + 2, y: bottom - 1, fill: "var(--ink3)" }, "slips"));
     }
     sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `fibre past each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
-    this.host.setAttribute("aria-label", `Friction along the fibre of ${fit.answer.name}: ${points.length} points, mean ${(mu0?.value ?? 0).toFixed(2)}. Arrow keys move row by row.`);
+    this.host.setAttribute("aria-label", `Friction along the fibre of ${fit.answer.name}: ${points.length} points${told && mu0 ? `, mean ${mu0.value.toFixed(2)}` : ""}. Arrow keys move row by row.`);
     this.mark();
   }
 

@@ -16,8 +16,9 @@ import { isAllowed, type Key } from "./parameters";
 import { ProgrammeView } from "./programme-view";
 import { fixed, written } from "./quantity";
 import { RowsView } from "./rows-view";
-import { messageOf, Studio, type Topic } from "./studio";
-import { drawPins, drawTests } from "./tests-view";
+import { ERROR_LINE, messageOf, OF_THE_RIG, Studio, type Topic } from "./studio";
+import type { Test } from "./test";
+import { drawPins, drawTests, openTests } from "./tests-view";
 import { startTheme, turnTheme } from "./theme";
 import { drawTour } from "./tour";
 
@@ -43,39 +44,42 @@ async function start(): Promise<void> {
   const programme = new ProgrammeView(studio), parameters = new ParametersView(studio), card = new CardView(studio);
 
   // ---- views
-  const any = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
+  const has = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
   let changed = false, analysed = false;
-  studio.listen((topics) => {
-    if (topics.has("error")) drawError(studio);
-    if (any(topics, "tests", "fitting")) drawTests(studio);
-    if (any(topics, "tests", "card", "view")) drawHead(studio);
-    if (any(topics, "card", "fitting")) card.draw();
-    if (any(topics, "answer", "tests") || (any(topics, "model", "fitting") && (studio.changed !== changed || !studio.fit))) drawAnswer(studio);
+  studio.listen(ERROR_LINE, ["error"], () => drawError(studio));
+  studio.listen("The list of tests", ["tests", "fitting"], () => drawTests(studio));
+  studio.listen("The line at the top", ["tests", "card", "view"], () => drawHead(studio));
+  studio.listen("How the file was read", ["tests", "card", "fitting"], () => card.draw());
+  studio.listen("The answer", ["answer", "tests", "model", "fitting", "card"], (topics) => {
+    if (has(topics, "answer", "tests") || studio.changed !== changed || !studio.fit) drawAnswer(studio);
     changed = studio.changed;
     if (studio.fit && !analysed) {
       analysed = true;
       requestAnimationFrame(() => performance.mark("analysed"));  // for the benchmark
     }
-    if (any(topics, "model", "axis", "pins", "theme", "view", "rows")) force.draw(), force.drawResiduals();
-    else if (topics.has("moment")) force.mark();
-    if (any(topics, "rows", "view")) rows.draw();
-    else if (topics.has("moment")) rows.mark();
-    if (any(topics, "model", "view")) friction.draw();
-    else if (any(topics, "moment", "doubted")) friction.mark();
-    if (any(topics, "moment", "model", "view")) drawMoment(studio), fibre.draw();
-    if (any(topics, "answer", "programme", "view", "card")) programme.draw();
-    else if (topics.has("moment")) programme.mark();
-    if (any(topics, "model", "parameters")) parameters.draw();
-    if (any(topics, "model", "fitting", "progress", "parameters")) parameters.drawFit();
-    if (topics.has("pins")) drawPins(studio);
-    if (any(topics, "tour", "view", "answer")) drawTour(studio);
+  });
+  studio.listen("Force", ["model", "axis", "pins", "theme", "view", "rows", "moment"], (topics) => {
+    if (!has(topics, "model", "axis", "pins", "theme", "view", "rows")) return force.mark();
+    force.draw();
+    force.drawResiduals();
+  });
+  studio.listen("The rows", ["rows", "view", "moment"], (topics) => (has(topics, "rows", "view") ? rows.draw() : rows.mark()));
+  studio.listen("Friction along the specimen", ["model", "view", "moment", "doubted"], (topics) => (has(topics, "model", "view") ? friction.draw() : friction.mark()));
+  studio.listen("The line of the moment", ["moment", "model", "view"], () => drawMoment(studio));
+  studio.listen("The specimen", ["moment", "model", "view"], () => fibre.draw());
+  studio.listen("The programme", ["answer", "programme", "view", "card", "moment"], (topics) => (has(topics, "answer", "programme", "view", "card") ? programme.draw() : programme.mark()));
+  studio.listen("The parameters", ["model", "parameters"], () => parameters.draw());
+  studio.listen("The line of the fit", ["model", "fitting", "progress", "parameters"], () => parameters.drawFit());
+  studio.listen("The pinned curves", ["pins"], () => drawPins(studio));
+  studio.listen("The first steps", ["tour", "view", "answer"], () => drawTour(studio));
+  studio.listen("The buttons", null, () => {
     byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
     byId<HTMLButtonElement>("redo").disabled = !studio.canRedo;
     byId<HTMLButtonElement>("pin").disabled = byId<HTMLButtonElement>("export").disabled = !studio.fit;
     const command = studio.test?.commandLine ?? "", line = byId("command");
     if (line.textContent !== command) line.textContent = line.title = command;
-    if (any(topics, "answer", "tests")) bandWhenAtRest(studio);
   });
+  studio.listen("The band of the draws", ["answer", "tests"], () => bandWhenAtRest(studio));
   let sized = 0;
   const watcher = new ResizeObserver(() => {
     cancelAnimationFrame(sized);
@@ -89,10 +93,9 @@ async function start(): Promise<void> {
     const tests = testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
       // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
-      if (like && !test.isCase) Object.assign(test.settings, { span: like.settings.span, diameter: like.settings.diameter, stiffness: like.settings.stiffness, displacement: like.settings.displacement });
-      for (const key of Object.keys(test.settings)) if (test.settings[key as "span"] === undefined) delete test.settings[key as "span"];
-      await studio.open(test);
+      if (like && !test.isCase) for (const key of OF_THE_RIG) if (key !== "modulus" && like.settings[key] !== undefined) Object.assign(test.settings, { [key]: like.settings[key] });
     }
+    await studio.open(...tests);
   };
   const showExample = async (): Promise<void> => take(standing("example"), EXAMPLE);
   const picker = byId<HTMLInputElement>("picker");
@@ -200,15 +203,21 @@ async function start(): Promise<void> {
   listenToKeys({
     row: (by) => (studio.tried = null, studio.setRow(studio.row + by), studio.tell("moment"), announce(momentInWords(studio))),
     drop: (by) => (studio.tried = null, studio.toDrop(by), announce(momentInWords(studio))),
-    play: () => programme.play(), fit: () => void (studio.fitting ? undefined : studio.runFit()),
+    play: () => programme.play(), fit: () => void studio.runFit(),
     escape: () => {
       if (closeDialog() || closeMenu()) return;
-      if (studio.fitting) return studio.cancelFit();
+      if (studio.fitting) return studio.cancelFit(studio.isBusy(studio.test) ? studio.test : studio.fitting.test);
       if (studio.error) return studio.report("");
       if (studio.step >= 0) (studio.step = -1), studio.tell("tour");
     },
     reset: () => studio.reset(), pin: () => studio.pin(), first: () => edge("first"), last: () => edge("last"), test: (by) => studio.next(by), undo: () => studio.undo(), redo: () => studio.redo(),
     theme, table: () => openTable(studio), help: () => openKeys(tour),
+  });
+  byId("fit-all").addEventListener("click", () => void studio.fitAll());
+  byId("table-of-tests").addEventListener("click", () => openTests(studio));
+  addEventListener("beforeunload", (event) => {
+    const linked = location.hash.startsWith("#s=");  // the address brings its state back
+    if (!linked && studio.tests.some((test) => isUnsaved(test))) event.preventDefault();
   });
   byId("undo").addEventListener("click", () => studio.undo());
   byId("redo").addEventListener("click", () => studio.redo());
@@ -246,7 +255,7 @@ async function start(): Promise<void> {
   const tests = given();
   if (!(await openLink())) {
     const error = studio.error;
-    if (tests.length) for (const test of tests) await studio.open(test);
+    if (tests.length) await studio.open(...tests);
     else {
       if (remembered("visited") === null) studio.step = 0;
       await showExample();
@@ -264,6 +273,9 @@ const isExample = (files: Record<string, Uint8Array>): boolean => {
   const example = standing("example");
   return example.length === Object.keys(files).length && example.every((f) => files[f.name]?.length === f.bytes.length && f.bytes.every((b, i) => files[f.name]![i] === b));
 };
+
+/** What would be lost with the page: files that were dropped and not taken out as they were fitted, and what was decided of the example. */
+const isUnsaved = (test: Test): boolean => (isExample(test.files) ? Object.keys(test.settings).length > 1 || Object.keys(test.settings.read).length > 0 : test.fit === null || test.saved !== test.fit);
 
 function drawError(studio: Studio): void {
   const host = byId("error");

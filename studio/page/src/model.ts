@@ -1,6 +1,6 @@
 // The mechanics behind the views: the model at the values of the sliders, the reference curves, the band of the draws.
 
-import type { Loading, Mechanics, Rig, Shape } from "./engine";
+import type { Loading, Mechanics, QuantityKind, Rig, Shape } from "./engine";
 import { frictionOf, type Values } from "./parameters";
 import type { Fit } from "./test";
 
@@ -35,6 +35,13 @@ export class Model {
 
   constructor(private readonly mechanics: Mechanics) {}
 
+  /** What is written in a box, by the program's own parser; throws its sentence. */
+  quantity(words: string, kind: QuantityKind): number {
+    return this.mechanics.quantity(words, kind);
+  }
+  unit(words: string, kind: QuantityKind): number {
+    return this.mechanics.unit(words, kind);
+  }
   rig(fit: Fit, values: Values, wave: boolean): Rig {
     return rigOf(fit, values, fit.friction.at(frictionOf(values, wave)));
   }

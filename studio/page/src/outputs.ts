@@ -1,7 +1,7 @@
 // What can be taken out: what the program wrote, byte by byte, and the figures as they are drawn, in the light theme.
 
 import { sentence } from "./answers";
-import { byId } from "./dom";
+import { byId, label, svg } from "./dom";
 import { lightColours } from "./theme";
 import type { Studio } from "./studio";
 import { OUTPUTS, type Fit, type Test } from "./test";
@@ -21,33 +21,34 @@ export function download(name: string, data: BlobPart, type: string): void {
 const FIGURE_WIDTH = 170;  // [mm] two columns of a journal
 const DOTS = 300;          // [1/inch]
 
-/** A drawing of the page by itself, its layers in one: colours resolved, without what marks the moment. */
-export function standalone(host: Element, title: string): { text: string; width: number; height: number } {
+interface Drawn { text: string; width: number; height: number }
+
+/** A drawing of the page by itself, its layers in one: colours resolved, without what marks the moment; with the title of its vertical axis, and its legend under its own. */
+export function standalone(host: Element, title: string, legend: Element | null = null, yTitle = ""): Drawn {
   const [copy, ...layers] = [...host.querySelectorAll(":scope > svg")].map((layer) => layer.cloneNode(true) as SVGSVGElement) as [SVGSVGElement, ...SVGSVGElement[]];
   for (const layer of layers) copy.append(...layer.childNodes);
   copy.querySelectorAll(".marker").forEach((marker) => marker.remove());
-  const width = host.clientWidth, height = host.clientHeight, head = 22;
-  copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-  copy.setAttribute("viewBox", `0 ${-head} ${width} ${height + head}`);
-  copy.setAttribute("width", `${FIGURE_WIDTH}mm`);
-  copy.setAttribute("height", `${((FIGURE_WIDTH * (height + head)) / width).toFixed(2)}mm`);
+  const entries = [...(legend?.children ?? [])].filter((entry) => entry.textContent), width = host.clientWidth, height = host.clientHeight, head = entries.length ? 40 : 22;
+  let at = 8;
+  for (const entry of entries) {
+    const mark = entry.querySelector("svg");
+    if (mark) copy.append(svg("g", { transform: `translate(${at} -18)` }, ...[...mark.cloneNode(true).childNodes] as SVGElement[]));
+    copy.append(svg("text", { x: at + (mark ? 26 : 0), y: -8 }, entry.textContent!));
+    at += (mark ? 26 : 0) + 6.2 * entry.textContent!.length + 18;
+  }
+  if (yTitle) copy.append(label(yTitle, { x: 8, y: 10 }));
+  for (const [name, value] of Object.entries({
+    xmlns: "http://www.w3.org/2000/svg", viewBox: `0 ${-head} ${width} ${height + head}`, width: `${FIGURE_WIDTH}mm`, height: `${((FIGURE_WIDTH * (height + head)) / width).toFixed(2)}mm`, role: "img", "aria-label": title,
+  })) copy.setAttribute(name, value);
   copy.removeAttribute("aria-hidden");
-  const text = document.createElementNS("http://www.w3.org/2000/svg", "text");
-  text.setAttribute("x", "8");
-  text.setAttribute("y", "-6");
-  text.setAttribute("font-weight", "600");
-  text.textContent = title;
-  const ground = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-  for (const [name, value] of Object.entries({ x: 0, y: -head, width, height: height + head, fill: "#ffffff" })) ground.setAttribute(name, String(value));
-  const style = document.createElementNS("http://www.w3.org/2000/svg", "style");
-  style.textContent = 'text{font:11px "Segoe UI","Helvetica Neue","Liberation Sans",Arial,sans-serif;fill:var(--ink2)}.quantity{font-family:"Liberation Serif",Georgia,serif;font-style:italic}';
-  copy.prepend(style, ground, text);
+  const style = svg("style", {}, 'text{font:11px "Segoe UI","Helvetica Neue","Liberation Sans",Arial,sans-serif;fill:var(--ink2)}.quantity{font-family:"Liberation Serif",Georgia,serif;font-style:italic}');
+  copy.prepend(style, svg("rect", { x: 0, y: -head, width, height: height + head, fill: "#ffffff" }), svg("text", { x: 8, y: 14 - head, "font-weight": 600 }, title));
   const colours = lightColours();
   const resolved = new XMLSerializer().serializeToString(copy).replace(/var\((--[\w-]+)\)/g, (_, name: string) => colours.get(name) ?? "#000");
   return { text: resolved, width, height: height + head };
 }
 
-async function pngOf(figure: { text: string; width: number; height: number }): Promise<Blob> {
+async function pngOf(figure: Drawn): Promise<Blob> {
   const image = new Image(), address = URL.createObjectURL(new Blob([figure.text], { type: "image/svg+xml" }));
   image.src = address;
   await image.decode();
@@ -59,6 +60,7 @@ async function pngOf(figure: { text: string; width: number; height: number }): P
   return await new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("the picture is too large"))), "image/png"));
 }
 
+const YTITLES: Readonly<Record<string, string>> = { force: "*F*", friction: "friction *μ*" };
 const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the fibre"], ["fibre", "fibre-plot", "The fibre"]] as const;
 
 /** A case that simulates what the sliders say, to be run with the table of friction beside it: the page's curve, bit by bit. */
@@ -84,16 +86,18 @@ export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | 
   if (!test || !fit) return [];
   const { name } = test, text = "text/plain;charset=utf-8", csv = "text/csv;charset=utf-8";
   const bytes = (file: string): BlobPart => (fit.files[file] ?? new Uint8Array()).slice();
+  const drawings = (): [string, Drawn][] => FIGURES.map(([part, id, title]) => [part, standalone(byId(id), `${name}: ${title}`, part === "force" ? byId("force-marks") : null, YTITLES[part] && `${YTITLES[part]} ${part === "force" ? byId("force-unit").textContent ?? "" : ""}`.trim())]);
   const figures = async (kind: "svg" | "png"): Promise<void> => {
-    for (const [part, id, title] of FIGURES) {
-      const unit = part === "force" ? `, ${byId("force-unit").textContent ?? ""}` : "";
-      const figure = standalone(byId(id), `${name}: ${title}${unit}`);
+    for (const [part, figure] of drawings())
       if (kind === "svg") download(`${name}-${part}.svg`, figure.text, "image/svg+xml");
       else download(`${name}-${part}.png`, await pngOf(figure), "image/png");
-    }
   };
-  return [
-    { title: "Report", note: "HTML, one file", save: () => report(studio, test) },
+  const saved = (output: Output): Output => ({ ...output, save: async () => {
+    await output.save();
+    test.saved = fit;
+  } });
+  const all: (Output | null)[] = [
+    { title: "Report", note: "HTML, one file", save: () => report(studio, test, Object.fromEntries(drawings().map(([part, { text }]) => [part, text]))) },
     { title: "Figures", note: "SVG, 170 mm", save: () => figures("svg") },
     { title: "Figures", note: "PNG, 300 dpi, 170 mm", save: () => figures("png") },
     null,
@@ -111,14 +115,33 @@ export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | 
     null,
     { title: "Link to this state", note: "in the address", save: link },
   ];
+  return all.map((output) => output && saved(output));
 }
 
-async function report(studio: Studio, test: Test): Promise<void> {
-  const commands = test.commands(), args = commands[commands.length - 1]!;
-  let files = test.files;
-  if (commands.length > 1) files = { ...files, ...(await studio.program.run(commands[0]!, files)).files };
-  const answer = await studio.program.run([...args, "--report", "report", "--quiet"], files);
-  const page = answer.files["report/report.html"];
-  if (!page) return studio.report(`The report could not be written: ${sentence(answer.err)}`);
-  download(`${test.name}-report.html`, page.slice(), "text/html");
+/** The report with the page's figures in it, and without links to files that are not beside it. */
+export function withFigures(html: string, figures: Record<string, string>): string {
+  const drawn = (block: string): string => {
+    const name = /figures\/(\w+)\.gp/.exec(block)?.[1] ?? "", part = name === "profile" ? "friction" : name, figure = figures[part];
+    if (!figure) return "";  // what the page does not draw
+    const inPage = figure.replace(/^<svg([^>]*?) width="[^"]*"/, '<svg$1 width="100%"').replace(/^<svg([^>]*?) height="[^"]*"/, "<svg$1");
+    return `<figure><div class="plate">${inPage}</div><figcaption>${CAPTIONS[part] ?? ""}</figcaption></figure>`;
+  };
+  return html.replace(/<figure[^>]*>[^]*?<\/figure>/g, drawn).replace(/<p class="files">[^]*?<\/p>/g, "").replace(/<a href="(?!#|https?:)[^"]*">([^]*?)<\/a>/g, "$1");
+}
+const CAPTIONS: Readonly<Record<string, string>> = {
+  force: "Force as measured, and as the model has it. Dashed: Euler–Bernoulli; dotted: without friction. Marks: the drops, with their load lines.",
+  friction: "Friction along the specimen: read off the force point by point, with the errors of its noise. Line and band: the mean of the fit, 95 %. Bars: the slips.",
+};
+
+async function report(studio: Studio, test: Test, figures: Record<string, string>): Promise<void> {
+  const commands = test.commands(), args = commands[commands.length - 1]!, lane = studio.program.another();
+  try {
+    let files = test.files;
+    if (commands.length > 1) files = { ...files, ...(await lane.run(commands[0]!, files)).files };
+    const answer = await lane.run([...args, "--report", "report", "--quiet"], files), page = answer.files["report/report.html"];
+    if (!page) throw new Error(sentence(answer.err));
+    download(`${test.name}-report.html`, withFigures(new TextDecoder().decode(page), figures), "text/html");
+  } finally {
+    lane.cancel();
+  }
 }

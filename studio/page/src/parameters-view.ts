@@ -25,7 +25,7 @@ export class ParametersView {
     byId("reset").addEventListener("click", () => studio.reset());
   }
   pressFit(): void {
-    if (this.studio.fitting) this.studio.cancelFit();
+    if (this.studio.isBusy(this.studio.test)) this.studio.cancelFit();
     else void this.studio.runFit();
   }
 
@@ -40,7 +40,7 @@ export class ParametersView {
     if (needed.some((value, i) => value !== this.built[i])) this.build(host, needed);
     for (const row of this.rows) this.show(row);
     if (this.modulus) {
-      const E = values.D > 0 ? values.EI / inertia(values.D) : NaN;
+      const E = fit.text.hasRoundSection && values.D > 0 ? values.EI / inertia(values.D) : NaN;
       fill(this.modulus, Number.isFinite(E) ? rich(`*E* ${written(E, "modulus")}`) : null);
     }
   }
@@ -180,16 +180,19 @@ export class ParametersView {
   /** Fit or Cancel in place, and what the last fit missed by. */
   drawFit(): void {
     const { studio } = this, { fitting, fit } = studio, button = byId<HTMLButtonElement>("fit"), said = byId("fit-said"), bar = byId("fit-bar");
-    const busy = fitting !== null && fitting.test === studio.test;
-    button.textContent = fitting ? "Cancel" : "Fit";
+    const busy = fitting !== null && fitting.test === studio.test, waits = studio.test !== null && studio.waiting.includes(studio.test);
+    button.textContent = busy || waits ? "Cancel" : "Fit";
     button.disabled = !studio.test;
     byId<HTMLButtonElement>("reset").disabled = !studio.changed;
-    const passed = fitting ? performance.now() - fitting.since : 0;
-    (bar.firstElementChild as HTMLElement).style.width = busy ? `${Math.min(95, (100 * passed) / studio.lastFit)}%` : "0";
+    // How long a fit will take is not known before its end: the bar says that it runs, the words for how long.
+    const passed = fitting ? performance.now() - fitting.since : 0, others = studio.waiting.length > (waits ? 1 : 0) ? `; ${studio.waiting.length - (waits ? 1 : 0)} more wait` : "";
+    bar.classList.toggle("runs", busy);
     const off = (newtons: number): string => {
       const u = unitFor(newtons, "force");
       return `${significant(newtons / u.factor, 2)} ${u.name}`;
     };
-    said.textContent = busy ? fitting.line || `Fitting: ${Math.floor(passed / 1000)} s` : fitting ? `Fitting ${fitting.test.name}` : !fit ? "" : fit.answer.status !== "ok" ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : studio.stale ? "Settings changed: press F to fit" : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
+    const ok = fit?.answer.status === "ok";
+    said.textContent = busy ? `Fitting: ${Math.floor(passed / 1000)} s${others}` : waits ? `Waits for ${fitting?.test.name ?? "the next"}` : fitting ? `Fitting ${fitting.test.name}${others}` : studio.reading ? "Reading…"
+      : !fit ? "" : studio.stale ? "Settings changed: press F to fit" : !ok ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
   }
 }

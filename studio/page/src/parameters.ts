@@ -35,7 +35,7 @@ export function valuesOf(fit: FitAnswer, text: CaseText): Values {
     mu0: p.mu0?.value ?? 0, rms: p.roughness?.value ?? 0, len: p.correlation_length?.value ?? span / 200,
     amp: wave?.claimed ? wave.amplitude.value : 0.1, lam: wave?.wavelength.value ?? span / 100, phi: wrapped(wave?.phase_at_middle.value ?? 0),
     EI: p.bending_stiffness?.value ?? fit.nominal_bending_stiffness?.nominal ?? 0,
-    D: text.quantity("specimen.diameter") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
+    D: text.quantity("specimen.diameter") ?? text.quantity("specimen.height") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
   };
 }
 
@@ -45,7 +45,7 @@ export const frictionOf = (values: Values, wave: boolean): FrictionValues => ({
 });
 
 /** Rows of parameters for a fit: ranges about its values, so that a spicule and a bar of steel both fill their sliders. */
-export function parametersOf(fit: FitAnswer, fitted: Values): Parameter[] {
+export function parametersOf(fit: FitAnswer, fitted: Values, isRound: boolean): Parameter[] {
   const span = fitted.L;
   const interval = (key: Key): [number, number] | null => {
     const name = FITTED[key], estimate = name ? fit.parameters[name] : undefined;
@@ -67,7 +67,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values): Parameter[] {
     row("lam", "Wave", "length *λ*", lam, fitted.lam / 5, fitted.lam * 5, digitsOf(fitted.lam, lam, 4), { logarithmic }),
     row("phi", "Wave", "phase *φ*", degrees, -Math.PI, Math.PI, 1),
     row("EI", "Specimen", "stiffness *EI*", EI, fitted.EI / 2, fitted.EI * 2, digitsOf(fitted.EI, EI, 4), { lock: "choice", logarithmic }),
-    row("D", "Specimen", "diameter", D, fitted.D / 3, fitted.D * 3, digitsOf(fitted.D, D, 3), { lock: "measured", logarithmic }),
+    row("D", "Specimen", isRound ? "diameter" : "height", D, fitted.D / 3, fitted.D * 3, digitsOf(fitted.D, D, 3), { lock: "measured", logarithmic }),
     row("kc", "Rig", "load train *k*_c_", k, (Number.isFinite(fitted.kc) ? fitted.kc : 1) / 20, (Number.isFinite(fitted.kc) ? fitted.kc : 1) * 20, digitsOf(fitted.kc, k, 4), { lock: "measured", logarithmic }),
     row("L", "Rig", "span *L*", L, span / 2, span * 2, digitsOf(span, L, 4), { lock: "measured", logarithmic }),
     row("R", "Rig", "tip radius", L, 0, Math.max(span / 10, 2 * fitted.R), 1, { lock: "measured" }),

@@ -1,9 +1,7 @@
 // What the user decided about a test, beside what its file says, as the flags of the command line.
 
-import { exactly, type Unit } from "./quantity";
+import { exactly, unitFor, type Unit } from "./quantity";
 
-const micro: Unit = { name: "µm", command: "um", factor: 1e-6 };
-const perMetre: Unit = { name: "N/m", command: "N/m", factor: 1 };
 const bending: Unit = { name: "N m²", command: "N m^2", factor: 1 };
 const giga: Unit = { name: "GPa", command: "GPa", factor: 1e9 };
 
@@ -12,10 +10,11 @@ export const READ_FLAGS = ["encoding", "separator", "decimal", "thousands", "tim
 
 export interface Settings {
   read: Partial<Record<(typeof READ_FLAGS)[number], string>>;
-  specimen?: string; sheet?: string; calibration?: string; forceColumn?: string; displacementColumn?: string;
+  specimen?: string; sheet?: string; calibration?: string;
   displacement?: "crosshead" | "deflection";
   sign?: string; zero?: string; contact?: string; failure?: string; first?: number; until?: number;
-  span?: number; diameter?: number; stiffness?: number; tipRadius?: number;  // SI
+  section?: "round" | "tube" | "rectangle"; supports?: "edges" | "rollers";
+  span?: number; diameter?: number; wall?: number; width?: number; height?: number; modulus?: number; stiffness?: number; tipRadius?: number;  // SI
   heldStiffness?: number;  // [N m²] EI that the fit holds
 }
 
@@ -30,8 +29,8 @@ export function changesOfCase(settings: Settings, roundDiameter: number | null):
   const text = (key: string, value: string | undefined): string[] => set(key, value === undefined ? undefined : quoted(value));
   const EI = settings.heldStiffness, held = EI !== undefined && roundDiameter !== null;
   return [
-    ...text("rig.span", length(settings.span)), ...(held ? set("specimen.diameter", `{ value = ${quoted(length(roundDiameter)!)}, uncertainty = "0 %" }`) : text("specimen.diameter", length(settings.diameter))),
-    ...text("rig.stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
+    ...text("rig.span", length(settings.span)), ...text("specimen.height", length(settings.height)), ...(held ? set("specimen.diameter", `{ value = ${quoted(length(roundDiameter)!)}, uncertainty = "0 %" }`) : text("specimen.diameter", length(settings.diameter))),
+    ...text("rig.stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, unitFor(settings.stiffness, "stiffness", 2000))),
     ...set("rig.supports", settings.tipRadius ? "rollers" : undefined), ...text("rig.roller_radius", length(settings.tipRadius || undefined)),
     ...(EI === undefined ? [] : roundDiameter !== null
       ? set("specimen.modulus", `{ value = ${quoted(exactly(EI / inertia(roundDiameter), giga))}, uncertainty = "${HELD}" }`)
@@ -47,10 +46,12 @@ export function flagsOfData(settings: Settings): string[] {
   const flag = (name: string, value: string | undefined): string[] => (value === undefined ? [] : [`--${name}`, value]);
   const EI = settings.heldStiffness;
   return [
-    ...flag("displacement", settings.displacement), ...flag("displacement-column", settings.displacementColumn), ...flag("force", settings.forceColumn),
+    ...flag("displacement", settings.displacement),
     ...flag("sheet", settings.sheet), ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
-    ...flag("span", length(settings.span)), ...flag("diameter", length(settings.diameter)),
-    ...flag("stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, perMetre)),
+    ...flag("span", length(settings.span)), ...SECTIONS[settings.section ?? "round"].flatMap((name) => flag(name, length(settings[name]))),
+    ...flag("modulus", settings.modulus === undefined ? undefined : exactly(settings.modulus, giga)),
+    ...flag("stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, unitFor(settings.stiffness, "stiffness", 2000))),
+    ...flag("supports", settings.supports ?? (settings.tipRadius ? "rollers" : undefined)),
     ...(settings.tipRadius ? ["--set", `rig.roller_radius=${quoted(length(settings.tipRadius)!)}`] : []),
     ...(EI === undefined ? [] : ["--set", `specimen.bending_stiffness={ value = ${quoted(exactly(EI, bending))}, uncertainty = "${HELD}" }`]),
     ...flag("sign", settings.sign), ...flag("zero", settings.zero), ...flag("contact", settings.contact), ...flag("failure", settings.failure),
@@ -58,10 +59,13 @@ export function flagsOfData(settings: Settings): string[] {
   ];
 }
 
+/** What each section is said by. */
+export const SECTIONS = { round: ["diameter"], tube: ["diameter", "wall"], rectangle: ["width", "height"] } as const;
+
 /** The second moment of area of a round section [m⁴]. */
 export const inertia = (diameter: number): number => (Math.PI * diameter ** 4) / 64;
 
-const length = (value: number | undefined): string | undefined => (value === undefined ? undefined : exactly(value, micro));
+const length = (value: number | undefined): string | undefined => (value === undefined ? undefined : exactly(value, unitFor(value, "length", 2000)));
 
 /** An argument as a shell takes it. */
 export const shellWord = (word: string): string => (/^[\w./:=@%+,-]+$/.test(word) ? word : /["'$`\\!\n]/.test(word) ? `'${word.replaceAll("'", "'\\''")}'` : `"${word}"`);

@@ -7,21 +7,25 @@ import { forceAt, misfit, Model, type Curve } from "./model";
 import { frictionOf, type Key, type Values } from "./parameters";
 import type { Settings } from "./settings";
 import type { Fit, Test } from "./test";
+import { inPageWords } from "./words";
 
 export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "progress" | "tour" | "error" | "axis" | "theme" | "view" | "doubted";
 export interface Pin { name: string; on: boolean; curve: Curve }
-interface State { test: Test; values: Values | null; wave: boolean; settings: Settings; programme: number[] | null; fit: Fit | null }
+interface State { test: Test | null; values: Values | null; wave: boolean; programme: number[] | null; removed: ReadonlySet<Test>; tests: { test: Test; settings: Settings; fit: Fit | null }[] }
 
-export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; drop: { drop: Drop; number: number } | null }
+export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; leftOut: string /* why it was not used */; drop: { drop: Drop; number: number } | null }
 
 const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", support_radius: "R" };  // of what is measured of the rig
 const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
+export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "section", "diameter", "wall", "width", "height", "modulus", "stiffness", "supports", "tipRadius", "displacement", "calibration"]);
+export const ERROR_LINE = "The line of errors";  // which cannot say that it was not drawn
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
 const REST = 250;  // [ms] after which a slider that is held still is taken to rest
 
 export class Studio {
-  readonly tests: Test[] = [];
+  private readonly all: Test[] = [];  // in the order they came
+  private removed: ReadonlySet<Test> = new Set();  // of these: undo brings them back
   test: Test | null = null;
   values: Values | null = null;  // of the sliders
   wave = false;
@@ -30,8 +34,9 @@ export class Studio {
   axis: "deflection" | "stage" = "deflection";
   pins: Pin[] = [];
   error = "";
-  fitting: { test: Test; line: string; since: number } | null = null;
-  lastFit = 1000;  // [ms] that the last one took: what the next is measured by
+  fitting: { test: Test; since: number } | null = null;
+  waiting: readonly Test[] = [];  // to be fitted, in this order
+  reading = 0;  // files that are read
   step = -1;  // of the first visit; -1: none
   bandReady = false;  // the band of the draws is computed once the page is at rest
   doubted: Sensitivity | null = null;  // what friction hangs on, pointed at: as if it were stated larger by what it may be off
@@ -44,21 +49,26 @@ export class Studio {
   residual: Float64Array = new Float64Array(0);
   rms = NaN;
   private readonly history = new History<State>();
-  private listeners: ((topics: ReadonlySet<Topic>) => void)[] = [];
+  private readonly listeners: { view: string; topics: readonly Topic[] | null; draw: (topics: ReadonlySet<Topic>) => void }[] = [];
   private dirty = new Set<Topic>();
   private frame = 0;
   private ahead = false;     // a model was computed before the frame that shows it
   private computed = false;  // and is that of the values as they stand
 
+  private readonly reader: Program;  // what is dropped while a fit runs is read and seen
+  private line: Promise<void> = Promise.resolve();  // of fits: one runs at a time
+
   /** A fit is under way while the mechanics are still opened. */
   constructor(readonly program: Program, mechanics: Promise<Mechanics>) {
+    this.reader = program.another();
     this.ready = mechanics.then((opened) => void (this.model = new Model(opened)));
     this.ready.catch(() => undefined);  // said by each fit
   }
 
   // ---- telling the views, once a frame
-  listen(listener: (topics: ReadonlySet<Topic>) => void): void {
-    this.listeners.push(listener);
+  /** Draws this view where one of these topics is told; without topics at each. What one view cannot draw stops no other. */
+  listen(view: string, topics: readonly Topic[] | null, draw: (topics: ReadonlySet<Topic>) => void): void {
+    this.listeners.push({ view, topics, draw });
   }
   tell(...topics: Topic[]): void {
     topics.forEach((topic) => this.dirty.add(topic));
@@ -73,7 +83,13 @@ export class Studio {
     if (topics.has("model") && !this.computed) this.recompute();
     this.computed = false;
     this.ahead = false;
-    for (const listener of this.listeners) listener(topics);
+    for (const { view, topics: of, draw } of this.listeners)
+      if (of === null || of.some((topic) => topics.has(topic)))
+        try {
+          draw(topics);
+        } catch (cause) {
+          if (view !== ERROR_LINE) this.report(`${view} could not be drawn: ${messageOf(cause)}`);
+        }
   }
   private recompute(): void {
     const fit = this.fit, { values } = this;
@@ -87,7 +103,7 @@ export class Studio {
       ({ rms: this.rms, residual: this.residual } = misfit(fit, this.loading));
       if (this.programme) this.programmed = this.model.loading(rig, this.programme, this.live);
     } catch (cause) {
-      this.report(`The model has no curve at these values: ${messageOf(cause)}`);
+      if (this.changed) this.report(`The model has no curve at these values: ${messageOf(cause)}`);  // of what the fit found, its verdict says why
     }
   }
 
@@ -101,28 +117,29 @@ export class Studio {
   get fit(): Fit | null {
     return this.test?.fit ?? null;
   }
-  async open(test: Test): Promise<void> {
-    if (test.isCase) {
-      // A case says all that a fit needs: its answer first, then the rows as they stand in the file.
-      this.tests.push(test);
+  get tests(): readonly Test[] {
+    return this.all.filter((test) => !this.removed.has(test));
+  }
+  /** Reads these tests, so that they are seen, and fits those that say all a fit needs; of the others it is said what is missing, once for all. */
+  async open(...tests: Test[]): Promise<void> {
+    const fits: Promise<void>[] = [], short: Test[] = [];
+    this.reading += tests.length;
+    this.tell("fitting");
+    for (const test of tests) {
+      await test.open(this.reader);
+      --this.reading;
+      if (test.refusal && !test.isCase && !test.canBeTold) {
+        this.report(inPageWords(test.refusal, test));
+        continue;
+      }
+      this.all.push(test);
       this.select(test);
-      await this.runFit();
-      await test.open(this.program).catch(() => undefined);  // what is wrong with the data the fit has said
-      return this.tell("card", "rows", "tests");
+      if (!test.isCase && (test.refusal || missingOf(test).length)) short.push(test);
+      else fits.push(this.runFit(test));
     }
-    try {
-      await test.open(this.program);
-    } catch (cause) {
-      return this.report(`${test.data}: ${messageOf(cause)}`);
-    }
-    this.tests.push(test);
-    this.select(test);
-    const missing = missingOf(test);
-    if (missing.length) {
-      this.report(`${test.data} does not say ${list(missing)}. Enter ${missing.length === 1 ? "it" : "them"} under “How ${test.data} was read”, then press Fit.`);
-      return;
-    }
-    await this.runFit();
+    if (short.length) this.report(askedOf(short));
+    this.tell("fitting");
+    await Promise.all(fits);
   }
   select(test: Test | null): void {
     this.test = test;
@@ -140,13 +157,16 @@ export class Studio {
     const fit = this.fit;
     this.values = fit ? { ...fit.fitted } : null;
     this.wave = fit?.wave ?? false;
+    this.bandReady = false;
   }
   remove(test: Test): void {
     const at = this.tests.indexOf(test);
     if (at < 0) return;
-    this.tests.splice(at, 1);
+    this.remember();
+    this.cancelFit(test);
+    this.removed = new Set([...this.removed, test]);
     if (this.test === test) this.select(this.tests[Math.min(at, this.tests.length - 1)] ?? null);
-    this.tell("tests");
+    this.tell("tests", "fitting");
   }
   next(by: 1 | -1): void {
     const at = this.test ? this.tests.indexOf(this.test) + by : -1;
@@ -154,31 +174,30 @@ export class Studio {
   }
 
   // ---- changes, each of which can be taken back
-  private get state(): State | null {
-    const { test } = this;
-    return test && { test, values: this.values && { ...this.values }, wave: this.wave, settings: structuredClone(test.settings), programme: this.programme && [...this.programme], fit: test.fit };
+  private get state(): State {
+    return {
+      test: this.test, values: this.values && { ...this.values }, wave: this.wave, programme: this.programme && [...this.programme], removed: this.removed,
+      tests: this.all.map((test) => ({ test, settings: structuredClone(test.settings), fit: test.fit })),
+    };
   }
   private restore(state: State | null): void {
-    if (!state || !this.tests.includes(state.test)) return;
-    this.test = state.test;
-    Object.assign(this, { values: state.values && { ...state.values }, wave: state.wave, programme: state.programme && [...state.programme] });
-    state.test.settings = structuredClone(state.settings);
-    state.test.fit = state.fit;
+    if (!state) return;
+    this.removed = state.removed;
+    for (const { test, settings, fit } of state.tests) Object.assign(test, { settings: structuredClone(settings), fit });
+    Object.assign(this, { test: state.test, values: state.values && { ...state.values }, wave: state.wave, programme: state.programme && [...state.programme] });
     this.tell("tests", "card", "answer", "moment", "model", "parameters", "rows", "programme", "fitting");
+    void this.reread();
   }
   /** Call before a change; a drag calls it once. */
   remember(): void {
-    const state = this.state;
-    if (state) this.history.push(state);
+    this.history.push(this.state);
     this.tell("fitting");
   }
   undo(): void {
-    const now = this.state;
-    if (now) this.restore(this.history.undo(now));
+    this.restore(this.history.undo(this.state));
   }
   redo(): void {
-    const now = this.state;
-    if (now) this.restore(this.history.redo(now));
+    this.restore(this.history.redo(this.state));
   }
   get canUndo(): boolean {
     return this.history.canUndo;
@@ -188,7 +207,7 @@ export class Studio {
   }
   set(key: Key, value: number, live = false): void {
     if (!this.values) return;
-    this.cancelFit();
+    if (this.isBusy(this.test)) this.cancelFit();
     this.values[key] = value;
     this.live = live;
     clearTimeout(this.resting);
@@ -227,27 +246,35 @@ export class Studio {
     const fit = this.fit;
     return !!fit && !!this.values && (this.wave !== fit.wave || (Object.keys(this.values) as Key[]).some((key) => this.isChanged(key)));
   }
+  /** Of the test that is shown; what is said of the rig also of all files that are open and were told the same, or nothing. */
   decide(change: Partial<Settings>): void {
-    if (!this.test) return;
-    Object.assign(this.test.settings, change);
-    for (const [key, value] of Object.entries(change)) if (value === undefined) delete this.test.settings[key as keyof Settings];
-    this.tell("card", "rows", "fitting", "parameters");
-  }
-  /** Reads the file again, by the flags that were decided; a fit is asked for by hand. */
-  async reread(): Promise<void> {
     const { test } = this;
     if (!test) return;
-    try {
-      await test.open(this.program);
-    } catch (cause) {
-      this.report(`${test.name}: ${messageOf(cause)}`);
-    }
-    this.tell("card", "rows", "view");
+    const told = this.alike(test), before = structuredClone(test.settings);
+    for (const each of [test, ...told])
+      for (const [name, value] of Object.entries(change)) {
+        const key = name as keyof Settings;
+        if (each !== test && (!OF_THE_RIG.has(key) || JSON.stringify(each.settings[key]) !== JSON.stringify(before[key]))) continue;
+        if (value === undefined) delete each.settings[key];
+        else Object.assign(each.settings, { [key]: value });
+      }
+    this.tell("tests", "card", "rows", "fitting", "parameters");
+  }
+  /** The other files that are open and not fitted yet, which are asked the same as this one. */
+  alike(test: Test): Test[] {
+    return test.isCase ? [] : this.tests.filter((other) => other !== test && !other.isCase && !other.fit);
+  }
+  /** Reads again what was decided to be read otherwise; a fit is asked for by hand. */
+  async reread(): Promise<void> {
+    const tests = this.tests.filter((test) => test.isReadOtherwise);
+    for (const test of tests) await test.open(this.reader);
+    if (!tests.length) return;
+    this.report(this.test?.refusal ? inPageWords(this.test.refusal, this.test) : "");
+    this.tell("tests", "card", "answer", "rows", "view", "model");
   }
   /** Settings were changed since the last fit. */
   get stale(): boolean {
-    const { test } = this;
-    return !!test?.fit && JSON.stringify(test.settings) !== test.fit.settings;
+    return !!this.test?.fit && isStale(this.test);
   }
   setProgramme(programme: number[] | null): void {
     this.programme = programme;
@@ -255,45 +282,54 @@ export class Studio {
     this.tell("model", "programme");
   }
 
-  // ---- the fit, in the Worker
-  async runFit(): Promise<void> {
-    const { test, values } = this;
-    if (!test || this.fitting) return;
-    if (test.fit && values) this.holdMeasured(test, test.fit, values);
-    const fitting = { test, line: "", since: performance.now() };
+  // ---- the fits, in the Worker, one after the other
+  runFit(test: Test | null = this.test): Promise<void> {
+    if (!test || this.isBusy(test)) return Promise.resolve();
+    this.waiting = [...this.waiting, test];
+    if (this.test === test) this.report("");
+    this.tell("fitting");
+    return (this.line = this.line.then(() => (this.waiting.includes(test) ? this.fitNow(test) : undefined)));
+  }
+  /** All that were not fitted, or not as they are told now. */
+  async fitAll(): Promise<void> {
+    const tests = this.tests.filter((test) => isStale(test)), short = tests.filter((test) => !test.isCase && (test.refusal ? !test.read : missingOf(test).length > 0));
+    if (short.length) this.report(askedOf(short));
+    await Promise.all(tests.filter((test) => !short.includes(test)).map((test) => this.runFit(test)));
+  }
+  isBusy(test: Test | null): boolean {
+    return !!test && (this.fitting?.test === test || this.waiting.includes(test));
+  }
+  private async fitNow(test: Test): Promise<void> {
+    this.waiting = this.waiting.filter((other) => other !== test);
+    if (this.test === test && test.fit && this.values) this.holdMeasured(test, test.fit, this.values);
+    const fitting = { test, since: performance.now() };
     this.fitting = fitting;
     const clock = setInterval(() => this.tell("progress"), 200);
-    this.error = "";
-    this.tell("fitting", "error");
+    this.tell("fitting");
     const before = this.state;
     if (!this.fit) void this.ready.then(() => setTimeout(() => this.fitting === fitting && this.prepare(test), SOON), () => undefined);
     try {
-      const fit = await test.analyse(this.program, (line) => {
-        fitting.line = line;
-        this.tell("progress");
-      });
+      const fit = await test.analyse(this.program);
       await this.ready;
       if (this.fitting !== fitting) return;
       this.fitting = null;
-      this.lastFit = performance.now() - fitting.since;
-      if (test.fit && before) this.history.push(before);
+      const first = !test.fit;
+      if (!first) this.history.push(before);
       test.fit = fit;
+      test.refusal = "";
       if (this.test === test) {
-        const { row } = this;
-        const first = !before?.fit;
         this.takeFit();
-        this.tell("tests", "card", "answer", "moment", "model", "parameters", "rows", "programme", "fitting");
+        this.tell("tests", "card", "answer", "moment", "model", "parameters", "rows", "programme");
         if (first) this.select(test);
-        else this.row = row;
       }
-      this.tell("tests", "fitting");
     } catch (cause) {
       if (this.fitting !== fitting) return;
       this.fitting = null;
-      this.report(`${test.name}: ${messageOf(cause)}`);
-      this.tell("fitting");
+      test.refusal = messageOf(cause);
+      this.report(inPageWords(test.refusal, test));
     } finally {
       clearInterval(clock);
+      this.tell("tests", "answer", "fitting");
     }
   }
   /** While the first fit runs there is nothing to see, nor to point at. */
@@ -309,14 +345,17 @@ export class Studio {
   /** What the fit does not find it holds at the sliders: span, diameter, load train, tip radius. */
   private holdMeasured(test: Test, fit: Fit, values: Values): void {
     const change = (key: Key): number | undefined => (values[key] !== fit.fitted[key] ? values[key] : undefined);
-    const set = { span: change("L"), diameter: change("D"), stiffness: change("kc"), tipRadius: change("R") };
+    const set = { span: change("L"), [fit.text.words("specimen.height") === null ? "diameter" : "height"]: change("D"), stiffness: change("kc"), tipRadius: change("R") };
     for (const [name, value] of Object.entries(set)) if (value !== undefined) (test.settings as unknown as Record<string, unknown>)[name] = value;
     if (test.settings.heldStiffness !== undefined) test.settings.heldStiffness = values.EI;
   }
-  cancelFit(): void {
-    if (!this.fitting) return;
-    this.fitting = null;
-    this.program.cancel();
+  /** Of this test alone: the others go on. */
+  cancelFit(test: Test | null = this.test): void {
+    this.waiting = this.waiting.filter((other) => other !== test);
+    if (this.fitting && this.fitting.test === test) {
+      this.fitting = null;
+      this.program.cancel();
+    }
     this.tell("fitting");
   }
 
@@ -346,17 +385,22 @@ export class Studio {
     if (!fit) return null;
     if (this.tried !== null && path && this.tried < path.stage.length) {
       const at = this.tried;
-      return { row: this.row, used: true, stage: path.stage[at]!, deflection: path.deflection[at]!, force: path.force[at]!, mu: path.friction[at]!, muError: NaN, drawn: path.drawn[at]!, drop: null };
+      return { row: this.row, used: true, leftOut: "", stage: path.stage[at]!, deflection: path.deflection[at]!, force: path.force[at]!, mu: path.friction[at]!, muError: NaN, drawn: path.drawn[at]!, drop: null };
     }
     const i = this.indexOf(this.row), used = i >= 0 && fit.rows[i] === this.row, at = Math.max(0, i);
     const column = (name: string): number => fit.curves.column(name)?.[at] ?? NaN;
     const number = fit.answer.drops.findIndex((d) => this.row >= d.row_before && this.row <= d.row_after);
-    const rows = this.test?.rows;
-    const stage = used ? column("w_s") : (rows?.stage[this.row - 1] ?? NaN), force = used ? column("F") : (rows?.force[this.row - 1] ?? NaN);
+    const raw = this.test?.rows, [stage, force] = used || !raw ? [column("w_s"), column("F")] : [asUsed(raw.stage, fit, "w_s", this.row), asUsed(raw.force, fit, "F", this.row)];
     return {
-      row: this.row, used, stage, force, deflection: used ? column("w") : stage - force / fit.fitted.kc, mu: used ? column("mu") : NaN, muError: used ? column("mu_error") : NaN,
+      row: this.row, used, leftOut: used ? "" : this.leftOut(fit), stage, force, deflection: used ? column("w") : stage - force / fit.fitted.kc, mu: used ? column("mu") : NaN, muError: used ? column("mu_error") : NaN,
       drawn: Math.max(0, column("S") - fit.fitted.L), drop: number < 0 ? null : { drop: fit.answer.drops[number]!, number: number + 1 },
     };
+  }
+  private leftOut(fit: Fit): string {
+    const { rows } = fit;
+    if (!rows.length || this.row < rows[0]!) return "before the rows used";
+    if (this.row > fit.answer.measurement.last_row) return "after the rows used";
+    return fit.answer.preparation.find((step) => step.step === "thinning" && step.changed)?.done ?? "left out";
   }
   /** To the next drop, or the one before. */
   toDrop(by: 1 | -1): void {
@@ -404,18 +448,41 @@ export class Studio {
   }
 }
 
+/** What the file holds at a row, with the sign and from the zero with which the rows used are counted. */
+function asUsed(raw: Float64Array, fit: Fit, name: string, row: number): number {
+  const used = fit.curves.column(name), { rows } = fit;
+  if (!used?.length) return raw[row - 1] ?? NaN;
+  const far = used.reduce((best, value, i) => (Math.abs(value - used[0]!) > Math.abs(used[best]! - used[0]!) ? i : best), 0), of = (i: number): number => raw[rows[i]! - 1] ?? NaN;
+  const sign = (used[far]! - used[0]!) * (of(far) - of(0)) < 0 ? -1 : 1;
+  return sign * ((raw[row - 1] ?? NaN) - of(0)) + used[0]!;
+}
+
 export const messageOf = (cause: unknown): string => (cause instanceof Error ? cause.message : String(cause));
 export const list = (words: string[]): string => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`);
+
+export const isStale = (test: Test): boolean => test.fit === null || JSON.stringify(test.settings) !== test.fit.settings;
 
 /** What a data file must be told before it can be fitted. */
 export function missingOf(test: Test): string[] {
   const { settings, read } = test;
-  const stated = read?.test;
-  const columns = read?.columns.map((c) => c.role) ?? [];
-  const missing: string[] = [];
-  if (!columns.includes("force") && !settings.forceColumn) missing.push("which column is the force");
-  if (!settings.displacement && !settings.displacementColumn && !columns.some((r) => r === "crosshead" || r === "deflection")) missing.push("whether its displacement is that of the crosshead or the deflection");
-  if (settings.span === undefined && !stated?.span) missing.push("the support span");
-  if (settings.stiffness === undefined && (settings.displacement ?? (columns.includes("crosshead") ? "crosshead" : "deflection")) === "crosshead") missing.push("the stiffness of the load train");
+  if (!read) return [];
+  const columns = read.columns.map((c) => c.role), missing: string[] = [];
+  const unitless = (roles: string[]): boolean => read.columns.some((c) => roles.includes(c.role) && c.unit === null);
+  if (!columns.includes("force")) missing.push("which column is the force");
+  if (!settings.displacement && !columns.some((r) => r === "crosshead" || r === "deflection")) missing.push("whether its displacement is that of the crosshead or the deflection");
+  if (columns.filter((r) => r === "crosshead").length > 1 && !settings.read.crosshead) missing.push("which column is the crosshead");
+  if (unitless(["crosshead", "deflection", "displacement"]) && !settings.read["displacement-unit"]) missing.push("the unit of its displacement");
+  if (unitless(["force"]) && !settings.read["force-unit"] && !settings.calibration) missing.push("the unit of its force");
+  if (settings.span === undefined && !read.test.span) missing.push("the support span");
+  if (settings.stiffness === undefined) missing.push("the stiffness of the load train");
   return missing;
+}
+
+/** What these files must be told, in one sentence. */
+function askedOf(tests: readonly Test[]): string {
+  const [first] = tests as [Test], unread = tests.find((test) => test.refusal);
+  if (unread) return inPageWords(unread.refusal, unread);
+  const missing = [...new Set(tests.flatMap(missingOf))], it = missing.length === 1 ? "it" : "them";
+  return tests.length === 1 ? `${first.data} does not say ${list(missing)}. Enter ${it} under “How ${first.data} was read”, then press Fit.`
+    : `${tests.length} files do not say ${list(missing)}. Enter ${it} at the left, once for all of them, then press Fit all.`;
 }

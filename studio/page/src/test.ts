@@ -14,6 +14,7 @@ export type Files = Record<string, Uint8Array>;
 /** A fit, with all that the program wrote: what is shown and what is exported are the same bytes. */
 export interface Fit {
   json: string; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
+  given: Files;  // what it was made of beside the test's files: the plain table, where the file was read otherwise than found
   curves: Table; rows: Float64Array; text: CaseText;
   friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
 }
@@ -28,7 +29,8 @@ export class Test {
   read: ReadAnswer | null = null;
   rows: Rows | null = null;
   fit: Fit | null = null;
-  asks: string[] = [];  // what must be said before there can be a fit
+  refusal = "";  // the program's sentence, where the file was not read, or not fitted
+  saved: Fit | null = null;  // what was taken out last
 
   /** `main` is the file that `fit` is given: a case, or a data file; `data` the one with the rows. */
   constructor(readonly name: string, readonly files: Files, readonly main: string, readonly data: string) {}
@@ -39,6 +41,15 @@ export class Test {
   /** Whether `read` was told otherwise than it found, so that `fit` takes the plain table. */
   get isPlain(): boolean {
     return !this.isCase && Object.keys(this.settings.read).length > 0;
+  }
+  /** The file was not read, and the sentence says what must be told. */
+  get canBeTold(): boolean {
+    return /--[a-z]/.test(this.refusal);
+  }
+  private readAs = "";
+  /** Decided otherwise since it was read. */
+  get isReadOtherwise(): boolean {
+    return JSON.stringify(this.readFlags()) !== this.readAs;
   }
   private readFlags(): string[] {
     const { read, specimen, sheet, calibration } = this.settings;
@@ -54,9 +65,10 @@ export class Test {
     const text = this.isCase ? new CaseText(decode(this.files[this.main])) : null, { settings, read } = this;
     const span = settings.span ?? text?.quantity("rig.span") ?? read?.test.span, stiffness = settings.stiffness ?? text?.quantity("rig.stiffness") ?? Infinity;
     if (!span) return null;
-    return { span, diameter: settings.diameter ?? text?.quantity("specimen.diameter") ?? read?.test.diameter ?? 0, stiffness, tipRadius: settings.tipRadius ?? text?.quantity("rig.roller_radius") ?? 0 };
+    return { span, diameter: settings.diameter ?? settings.height ?? text?.quantity("specimen.diameter") ?? text?.quantity("specimen.height") ?? read?.test.diameter ?? 0, stiffness, tipRadius: settings.tipRadius ?? text?.quantity("rig.roller_radius") ?? 0 };
   }
-  private get plainName(): string {
+  /** The table that `read` writes of a file that is read otherwise than found. */
+  get plainName(): string {
     return this.data.replace(/\.[^.]*$/, "") + ".plain.csv";
   }
   /** The commands that come to this answer, without what the page adds to see the numbers behind it. */
@@ -64,54 +76,64 @@ export class Test {
     const { settings } = this;
     if (this.isCase) return [["fit", this.main, ...changesOfCase(settings, this.roundDiameter)]];
     if (!this.isPlain) return [["fit", this.main, ...flagsOfData(settings)]];
-    const { specimen: _, sheet: __, calibration: ___, ...rest } = settings;
-    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest)]];
+    const { specimen: _, sheet: __, calibration: ___, ...rest } = settings, { crosshead, deflection } = settings.read, told = crosshead ?? deflection;
+    // The plain table has all columns of the file: which of them was chosen is said again, by its name.
+    const column = told === undefined ? undefined : this.read?.columns.find((c) => c.name === told || String(c.number) === told)?.name;
+    if (column) rest.displacement ??= crosshead ? "crosshead" : "deflection";
+    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest), ...(column ? ["--displacement-column", column] : [])]];
   }
   get commandLine(): string {
     return this.commands().map((args) => ["flexslip", ...args].map(shellWord).join(" ")).join(" && ");
   }
 
-  /** Reads the rows of the data file; says in `asks` what is missing. Throws the program's sentence. */
+  /** Reads the rows of the data file; `refusal` is why it cannot. */
   async open(program: Program): Promise<void> {
     const given = { [this.data]: this.files[this.data]! };
-    const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
-    if (told.code !== 0) throw new Error(sentence(told.err));
-    this.read = JSON.parse(told.out) as ReadAnswer;
-    const plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
-    this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
-    this.asks = [...this.read.asks];
+    this.read = this.rows = null;
+    this.readAs = JSON.stringify(this.readFlags());
+    try {
+      const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
+      this.refusal = told.code === 0 ? "" : sentence(told.err);
+      if (told.code !== 0) return;
+      this.read = JSON.parse(told.out) as ReadAnswer;
+      const plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
+      this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
+    } catch (cause) {
+      this.refusal = cause instanceof Error ? cause.message : String(cause);
+    }
   }
 
   /** Fits, by the command of `commands`. Throws the program's sentence; the last fit stays. */
-  async analyse(program: Program, progress?: (line: string) => void): Promise<Fit> {
-    let files = this.files;
+  async analyse(program: Program): Promise<Fit> {
+    let files = this.files, given: Files = {};
     const settings = JSON.stringify(this.settings);
     const commands = this.commands();
     if (commands.length > 1) {
       const plain = await program.run(commands[0]!, files);
       if (plain.code !== 0) throw new Error(sentence(plain.err));
-      files = { ...files, ...plain.files };
+      given = plain.files;
+      files = { ...files, ...given };
     }
     const args = commands[commands.length - 1]!;
     const outputs = Object.entries(OUTPUTS).flatMap(([flag, name]) => [`--${flag}`, name]);
-    const answer = await program.run([...args, "--json", ...outputs], files, progress);
+    const answer = await program.run([...args, "--json", ...outputs], files);
     if (!answer.out.trimStart().startsWith("{")) throw new Error(sentence(answer.err));
-    return fitOf(answer.out, answer.files, settings);
+    return fitOf(answer.out, answer.files, settings, given);
   }
 }
 
 const decode = (bytes: Uint8Array | undefined): string => (bytes ? new TextDecoder().decode(bytes) : "");
 
-export function fitOf(json: string, files: Files, settings: string): Fit {
+export function fitOf(json: string, files: Files, settings: string, given: Files = {}): Fit {
   const answer = JSON.parse(json) as FitAnswer;
   const text = new CaseText(answer.provenance.case), fitted = valuesOf(answer, text);
   const wave = !!answer.wave?.claimed && answer.model === "roughness";
   const curves = new Table(decode(files[OUTPUTS.curves]));
   const stage = curves.column("w_s") ?? new Float64Array(0);
   return {
-    json, settings, answer, files, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
+    json, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
     friction: new FittedFriction(answer, new Table(decode(files[OUTPUTS.draws])), frictionOf(fitted, wave)),
-    parameters: parametersOf(answer, fitted), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
+    parameters: parametersOf(answer, fitted, text.words("specimen.height") === null), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
   };
 }
 

@@ -1,11 +1,15 @@
 // The list of tests with their verdicts, and the pinned curves.
 
-import { estimate, slipOf } from "./answer";
+import { answerOf, estimate, slipOf, tellsFriction } from "./answer";
+import { sentence } from "./answers";
 import { byId, el, fill, rich, svg } from "./dom";
+import { openDialog } from "./keys";
+import { download } from "./outputs";
 import { greatest } from "./plot";
-import { fixed, plainUnit } from "./quantity";
-import type { Studio } from "./studio";
-import type { Test } from "./test";
+import { fixed, plainUnit, written } from "./quantity";
+import { isStale, messageOf, type Studio } from "./studio";
+import type { Files, Fit, Test } from "./test";
+import { inPageWords } from "./words";
 
 /** The curve from 60 to 100 % of its greatest force, in 84 by 24. */
 function spark(test: Test): SVGElement {
@@ -23,17 +27,26 @@ function spark(test: Test): SVGElement {
   return drawing;
 }
 
+const VERDICTS: Readonly<Record<string, [string, string]>> = { slip: ["", "ok"], undecided: ["", "warn"], crack: ["crack", "warn"], no_drops: ["no drops", "none"], check_input: ["check input", "warn"], no_answer: ["no answer", "warn"] };
+
+/** One word or two: that of the verdict, or of how far it is. */
+function badgeOf(studio: Studio, test: Test): HTMLElement {
+  const fit = test.fit?.answer, badge = (words: string, kind: string): HTMLElement => el("span", { class: `badge ${kind}` }, words);
+  if (studio.fitting?.test === test) return badge("fitting", "none");
+  if (studio.waiting.includes(test)) return badge("waits", "none");
+  if (!fit) return badge(!test.read && test.refusal ? "not read" : "not fitted", "none");
+  const [words, kind] = VERDICTS[fit.verdict.code] ?? [fit.verdict.code, "warn"];
+  return badge(words || `${kind === "ok" && !fit.suspect ? "" : "! "}${fit.drops.filter((d) => slipOf(d) === "could").length} of ${fit.drops.length}`, fit.suspect && kind === "ok" ? "warn" : kind);
+}
+
 export function drawTests(studio: Studio): void {
   const focus = document.activeElement?.closest("#tests") !== null && document.activeElement?.closest("#tests") !== undefined;
+  byId("all").hidden = studio.tests.length < 2;
+  byId<HTMLButtonElement>("fit-all").disabled = !studio.tests.some((test) => isStale(test) && !studio.isBusy(test));
   fill(byId("tests"), ...studio.tests.map((test) => {
-    const fit = test.fit?.answer, drops = fit?.drops.length ?? 0, slips = fit?.drops.filter((d) => slipOf(d) === "could").length ?? 0, mu = fit?.parameters.mu0;
-    const doubtful = fit?.status !== "ok" || fit?.suspect || slips < drops;
-    const badge = !fit ? el("span", { class: "badge none" }, studio.fitting?.test === test ? "fitting" : "not fitted")
-      : drops === 0 ? el("span", { class: `badge ${doubtful ? "warn" : "none"}` }, doubtful ? "! no answer" : "no drops")
-      : el("span", { class: `badge ${doubtful ? "warn" : "ok"}` }, `${doubtful ? "! " : ""}${slips} of ${drops}`);
-    const selected = test === studio.test;
+    const fit = test.fit?.answer, mu = fit && tellsFriction(fit) ? fit.parameters.mu0 : undefined, selected = test === studio.test;
     return el("li", {
-      role: "option", "aria-selected": String(selected), tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${slips} of ${drops} drops could be slips${fit.suspect ? "; the test is suspect" : ""}` : test.name,
+      role: "option", "aria-selected": String(selected), tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${fit.verdict.sentence}` : test.refusal ? inPageWords(test.refusal, test) : test.name,
       click: () => studio.select(test),
       keydown: (event: KeyboardEvent) => {
         if (event.key === "Enter" || event.key === " ") studio.select(test);
@@ -43,9 +56,66 @@ export function drawTests(studio: Studio): void {
         event.preventDefault();
         event.stopPropagation();
       },
-    }, el("div", {}, el("b", {}, test.name), el("span", { class: "note" }, mu && !mu.bound ? rich(`*μ* ${estimate(mu.value, mu.standard_error, plainUnit, 3).join(" ")}`) : mu ? rich(`*μ* ≤ ${fixed(mu.interval95[1], 2)}`) : " ")), spark(test), badge);
+    }, el("div", {}, el("b", {}, test.name), el("span", { class: "note" }, mu && !mu.bound ? rich(`*μ* ${estimate(mu.value, mu.standard_error, plainUnit, 3).join(" ")}`) : mu ? rich(`*μ* ≤ ${fixed(mu.interval95[1], 2)}`) : " ")), spark(test), badgeOf(studio, test),
+      el("button", { class: "away", tabindex: -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: (event: Event) => {
+        event.stopPropagation();
+        studio.remove(test);
+      } }, "×"));
   }));
   if (focus) byId("tests").querySelector<HTMLElement>("[aria-selected=true]")?.focus();
+}
+
+/** All tests in a table; its rows as CSV are those of `flexslip campaign`, which evaluates them together. */
+export function openTests(studio: Studio): void {
+  const fitted = studio.tests.filter((test) => test.fit);
+  const row = ({ name, fit }: Test): HTMLElement => {
+    const { verdict, parameters: { mu0 }, judgement, slips, findings } = fit!.answer, told = tellsFriction(fit!.answer), work = numbersOf(fit!, "Friction in the work"), spacing = slips?.median_spacing;
+    const mu = !told || !mu0 ? "" : mu0.bound ? `≤ ${fixed(mu0.interval95[1], 2)}` : estimate(mu0.value, mu0.standard_error, plainUnit, 3).join(" ");
+    const doubts = findings.filter((each) => ["refusal", "suspicion", "doubt"].includes(each.severity)).map((each) => each.short_form || each.sentence);
+    const cells = [name, verdict.sentence.split(":")[0]!, judgement?.cracks_alone == null ? "" : `${fixed(100 * judgement.cracks_alone, 0)} %`, mu, told && spacing ? written(spacing, "length") : "", work];
+    return el("tr", {}, ...cells.map((words, i) => el(i ? "td" : "th", i ? {} : { scope: "row" }, words)), el("td", { class: "words" }, doubts.join("; ")));
+  };
+  const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
+    save.disabled = true;
+    try {
+      const table = await tableOf(studio, fitted, (line) => (save.textContent = line));
+      download("tests.csv", table, "text/csv;charset=utf-8");
+      for (const test of fitted) test.saved = test.fit;
+    } catch (cause) {
+      studio.report(`The table could not be written: ${messageOf(cause)}`);
+    }
+    save.disabled = false;
+    save.textContent = "Save as CSV";
+  } }, "Save as CSV");
+  const left = studio.tests.length - fitted.length;
+  openDialog("Tests", [
+    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "cracks alone", "friction", "spacing", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
+    ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", el("span", { class: "note" }, "every column of a campaign, evaluated once more together")),
+  ]);
+}
+const numbersOf = (fit: Fit, label: string): string => {
+  const { value } = answerOf(fit.answer, fit.text).numbers.find((each) => each.label === label) ?? { value: "–" };
+  return value === "–" ? "" : value;
+};
+
+/** The rows that `flexslip campaign` writes of these tests. */
+async function tableOf(studio: Studio, tests: Test[], progress: (line: string) => void): Promise<string> {
+  const files: Files = {}, names = new Set<string>();
+  for (const { name, fit, files: of, main } of tests) {
+    let folder = name;
+    for (let i = 2; names.has(folder); ++i) folder = `${name} ${i}`;
+    names.add(folder);
+    for (const [file, bytes] of Object.entries({ ...of, ...fit!.given })) if (file !== main || !main.endsWith(".toml")) files[`tests/${folder}/${file}`] = bytes;
+    files[`tests/${folder}/case.toml`] = new TextEncoder().encode(fit!.answer.provenance.case);
+  }
+  const lane = studio.program.another();
+  try {
+    const told = await lane.run(["campaign", "tests", "--report", "table", "--no-figures", "--jobs", "1"], files, progress), table = told.files["table/tests.csv"];
+    if (!table) throw new Error(sentence(told.err));
+    return new TextDecoder().decode(table);
+  } finally {
+    lane.cancel();
+  }
 }
 
 export function drawPins(studio: Studio): void {

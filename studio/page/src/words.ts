@@ -1,0 +1,32 @@
+// The program's sentences where it speaks of its flags, for who sees boxes.
+
+import type { Test } from "./test";
+
+/** The box, or the line of the card, that says what a flag of `read` and `fit` does. */
+export const BOXES: Readonly<Record<string, string>> = {
+  "encoding": "encoding", "separator": "format", "decimal": "format", "thousands": "format", "time": "time", "crosshead": "stage", "deflection": "stage", "stage": "stage", "displacement-column": "stage",
+  "force": "force", "displacement": "moves", "displacement-unit": "stage unit", "force-unit": "force unit", "time-unit": "time", "calibration": "volts", "sheet": "sheet", "specimen": "specimen",
+  "span": "span", "stiffness": "load train", "supports": "supports", "diameter": "diameter", "inner-diameter": "wall", "wall": "wall", "width": "width", "height": "height", "modulus": "modulus", "bending-stiffness": "modulus",
+  "sign": "zero, sign", "zero": "zero, sign", "contact": "contact", "failure": "last row", "first": "first row", "until": "last row",
+};
+
+/** A sentence of the program about a test: its file named once, and boxes where it says flags. */
+export function inPageWords(sentence: string, test: Test): string {
+  const name = test.isCase ? test.name : test.data;
+  let words = sentence;
+  for (const file of [test.data, test.main, test.plainName]) {
+    if (words.startsWith(`${file}:`)) words = words.slice(file.length + 1).replace(/^(\d+): /, "line $1: ").trim();
+    else if (words.startsWith(`${file} `)) return withBoxes(words);
+  }
+  return words.startsWith(name) ? withBoxes(words) : `${name}: ${withBoxes(words)}`;
+}
+
+/** "pass --force 2" is "choose “force”: 2", "add --span LENGTH" is "enter “span”". */
+export function withBoxes(sentence: string): string {
+  return sentence.replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
+    const box = BOXES[name];
+    if (box === undefined) return flag;
+    const told = value === undefined || /^[A-Z]{2,}$|[…|]/.test(value) ? "" : `: ${value.replaceAll('"', "")}`;
+    return `“${box}”${told}`;
+  });
+}
