@@ -192,15 +192,21 @@ TEST_CASE("measurement: every step can be switched (table)") {
   CHECK(stiff.record.stage == stiff.record.deflection);
 }
 
-TEST_CASE("measurement: a contact is found from the straight beginning where that is asked for (truth)") {
+TEST_CASE(
+    "measurement: a record that begins under a force counts from its own contact, unless another is stated (truth)") {
   const Folder folder;
-  // Preloaded: the record begins 0.2 mm after the contact.
-  const Machine machine{.contact = -0.2e-3};
-  CHECK(folder.measured(machine).contact == ContactSource::first_point);
-  const Measurement asked = folder.measured(machine, "contact = 'find'\n");
-  CHECK(asked.contact == ContactSource::found);
-  CHECK(std::abs(asked.contact_offset + 0.2e-3) < 4 * asked.contact_error);
-  CHECK(asked.first == 0);
+  const Machine machine{.contact = -0.2e-3};  // preloaded: the record begins 0.2 mm after the contact
+  for (const char* rule : {"", "contact = 'find'\n"}) {
+    const Measurement found = folder.measured(machine, rule);
+    CHECK(found.contact == ContactSource::found);
+    CHECK(std::abs(found.contact_offset + 0.2e-3) < 4 * found.contact_error);
+    CHECK(found.begins_under > 0);
+    CHECK(found.first == 0);
+  }
+  CHECK(folder.measured(machine, "contact = 'first row'\n").contact == ContactSource::stated);
+  const Measurement tared = folder.measured(Machine{.contact = 0});
+  CHECK(tared.begins_under == 0);
+  CHECK(tared.contact == ContactSource::first_point);
 }
 
 TEST_CASE(
