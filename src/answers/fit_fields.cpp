@@ -658,7 +658,9 @@ Fields<FittedTest> measurement_fields() {
       .count("rows", "rows of the file", of([](M m) { return m.rows; }))
       .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
       .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
-      .count("loading", "which loading is evaluated, counted from 1: the first that goes about as far as any",
+      .count("loading",
+             "which loading is evaluated, counted from 1: the first that goes about as far as any, or whose force no "
+             "later one reaches again",
              of([](M m) { return m.loading.number; }))
       .count("loadings", "how many there are", of([](M m) { return m.loading.of; }))
       .count("drops_elsewhere", "drops of the force in the other loadings", [](T test) { return test.drops_elsewhere; })

@@ -634,9 +634,17 @@ void require_stiff_enough(const Test& input, const Record& record, double stiffn
                     "specimen's midpoint or already corrected");
 }
 
-// The noise of a stage, at least what two readings rounded to its resolution differ by.
-double noise_of_stage(const std::vector<double>& stage) {
-  return std::max(noise_of_second_differences(second_differences(stage)), resolution_of(stage) / std::sqrt(6.0));
+// A specimen has slipped through its supports long before.
+void require_on_supports(const Test& input, const Record& record) {
+  if (!input.rig || !input.rig->span) return;
+  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
+  if (deepest <= deepest_on_supports * *input.rig->span) return;
+  throw wrong_value(
+      input, "rig.span",
+      fmt::format(
+          "at least {:.2g} of the greatest deflection, {}, by which any specimen has slipped through its supports",
+          1 / deepest_on_supports, readable_length(input, deepest)),
+      readable_length(input, *input.rig->span), "check the units of displacement and span");
 }
 
 // Holds the stage where it runs back by no more than its noise.
@@ -647,7 +655,7 @@ void hold_stage(const Test& input, const Table& table, Record& record, std::span
   double farthest = stage.front();
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
   const double allowed =
-      turns ? infinity : std::max(max_stage_noise * (*most - *least), stage_noise_range * noise_of_stage(stage));
+      turns ? infinity : std::max(max_stage_noise * (*most - *least), stage_noise_range * stage_noise(stage));
   std::size_t held = 0;
   double largest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
@@ -712,21 +720,34 @@ void require_points(const Table& table, const Record& record, std::size_t min_po
 struct Loading {
   Leg leg;
   EvaluatedLoading counted;
+  std::string_view why{};
 };
 
+// The first loading that goes about as far as any, or whose force no later one reaches again: what comes after is another specimen, a damaged one.
 // Fails:      InputError where the stage only goes back.
-Loading loading_to_evaluate(const Test& input, const Table& table, const std::vector<double>& stage,
-                            const std::vector<Leg>& legs) {
-  constexpr double as_far = 0.95;  // of the way of that which goes farthest
+Loading loading_to_evaluate(const Test& input, const Table& table, const Record& record, const std::vector<Leg>& legs) {
+  constexpr double as_far = 0.95;  // of the way of that which goes farthest, and of the force
+  const std::vector<double>& stage = record.stage;
+  const auto greatest_force = [&](const Leg& leg) {
+    const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
+    return *std::max_element(force.begin(), force.end());
+  };
   const auto [least, farthest] = std::minmax_element(stage.begin(), stage.end());
   const double far = *least + as_far * (*farthest - *least);
-  Loading evaluated{{0, stage.size(), Direction::loading}, {0, 0}};
-  for (const Leg& leg : legs) {
-    if (leg.direction != Direction::loading) continue;
-    ++evaluated.counted.of;
-    if (evaluated.counted.number > 0 || stage[leg.last - 1] < far) continue;
-    evaluated.leg = leg;
-    evaluated.counted.number = evaluated.counted.of;
+  std::vector<Leg> loadings;
+  for (const Leg& leg : legs)
+    if (leg.direction == Direction::loading) loadings.push_back(leg);
+  Loading evaluated{{0, stage.size(), Direction::loading}, {0, loadings.size()}};
+  std::vector<double> later(loadings.size(), -infinity);  // the greatest force of those that come after
+  for (std::size_t i = loadings.size(); i-- > 1;) later[i - 1] = std::max(later[i], greatest_force(loadings[i]));
+  for (std::size_t i = 0; i < loadings.size() && evaluated.counted.number == 0; ++i) {
+    const double end = stage[loadings[i].last - 1];
+    if (end < far && as_far * greatest_force(loadings[i]) <= std::max(later[i], 0.0)) continue;
+    evaluated.leg = loadings[i];
+    evaluated.counted.number = i + 1;
+    evaluated.why = end < far         ? "no later one reaches its force again"
+                    : end < *farthest ? "the first that goes about as far as any"
+                                      : "none goes farther";
   }
   if (legs.empty()) return {evaluated.leg, {}};
   if (evaluated.counted.number > 0) return evaluated;
@@ -808,24 +829,22 @@ std::size_t end_of(const Test& input, const Record& all, const Leg& loading, con
   return loading.last;
 }
 
-// The loading that goes farthest, without what follows its end; all loadings, where there are several, are the cycles. Returns its first point and
+// The loading to evaluate, without what follows its end; all loadings, where there are several, are the cycles. Returns its first point and
 // that after its last.
 Leg evaluated_loading(const Test& input, const Table& table, const Record& all, const std::optional<std::size_t>& until,
                       Measurement& result, Preparation& steps) {
   std::size_t points = all.force.size();
   if (until) points = std::min(points, points_until(*until, result, steps));
-  const std::vector<double> stage(all.stage.begin(), all.stage.begin() + static_cast<std::ptrdiff_t>(points));
+  const Record looked_at = first_points(all, points);
+  const std::vector<double>& stage = looked_at.stage;
   const std::vector<Leg> legs = find_legs(stage);
-  Loading loading = loading_to_evaluate(input, table, stage, legs);
+  Loading loading = loading_to_evaluate(input, table, looked_at, legs);
   result.loading = loading.counted;
   const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, point); };
   if (result.loading.of > 1)
     steps.add("loading", true,
               fmt::format("loading {} of {} is evaluated, rows {} to {}: {}", result.loading.number, result.loading.of,
-                          result.sampling.rows[loading.leg.first] + 1, row(loading.leg.last),
-                          stage[loading.leg.last - 1] < *std::max_element(stage.begin(), stage.end())
-                              ? "the first that goes about as far as any"
-                              : "none goes farther"),
+                          result.sampling.rows[loading.leg.first] + 1, row(loading.leg.last), loading.why),
               result.loading.number > 1
                   ? std::optional(KeyChange{"record", "until", fmt::format("{}", row(legs.front().last))})
                   : std::nullopt,
@@ -1024,6 +1043,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   Record whole = points_between(all, loading.first, loading.last);
   require_points(table, whole, min_points);
   if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
+  require_on_supports(input, whole);
   hold_stage(input, table, whole, std::span(result.sampling.rows).subspan(loading.first), result.cycles.has_value(),
              steps);
   result.force_noise = force_noise(whole);

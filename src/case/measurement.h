@@ -57,7 +57,7 @@ enum class ContactSource {
   first_point,  // the record begins at the contact: nothing is taken off
 };
 
-// Of the loadings of a test, counted from 1, that which goes farthest; of those that go about as far, the first.
+// Of the loadings of a test, counted from 1, the first that goes about as far as any, or whose force no later one reaches again.
 struct EvaluatedLoading {
   std::size_t number = 1, of = 1;
 };

@@ -90,6 +90,7 @@ SmallDeflection small_deflection_of(const Measurement& measurement, const std::o
   if (test.reduced) options.greatest_modulus = infinity;
   options.halts = measurement.sampling.halts_between(measurement.first, measurement.sampling.rows.size());
   options.steepening = steepening_of(test);
+  if (measurement.contact == ContactSource::stated) options.contact = normal_estimate(0, measurement.contact_error);
   return small_deflection(measurement.record,
                           window ? straight_part(measurement.record, geometry, options) : measurement.straight,
                           geometry, options);

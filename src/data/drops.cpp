@@ -30,7 +30,7 @@ void require_faultless(const Record& record) {
     throw std::invalid_argument("no drops of a faulty record: see check_record, index " + std::to_string(check.index));
 }
 
-// Degrees of freedom of step_noise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110 at 1000.
+// Degrees of freedom of StepNoise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110 at 1000.
 double noise_freedom(std::size_t points) { return 5 + static_cast<double>(points) / 10; }
 
 // A stretch of successive falling steps, from point `from` to point `to`.
@@ -63,10 +63,11 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   const auto has_halted = [&](std::size_t point) {
     return std::binary_search(options.halts.begin(), options.halts.end(), point);
   };
-  const double coarse = of_resolution * resolution_of(force);
+  const StepNoise noise_of(record, smooth);
+  const double coarse = of_resolution * noise_of.resolution();
   std::vector<Stretch> found;
   for (std::size_t length = 1; length <= longest; ++length) {
-    const double noise = step_noise(record, smooth, length);
+    const double noise = noise_of.over(length);
     std::size_t falling = 0;  // steps up to here
     for (std::size_t to = 1; to < points; ++to) {
       falling = force[to] < force[to - 1] && !has_halted(to - 1) ? falling + 1 : 0;
@@ -89,7 +90,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);
   }
 
-  const double noise = step_noise(record, smooth, 1);
+  const double noise = noise_of.over(1);
   Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = std::max(needed * noise, coarse)};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;

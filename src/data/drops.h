@@ -49,9 +49,9 @@ struct Drops {
 // Fails:  too_short.
 // Method: over one to three successive falling steps from i to j (a longer drop is found by its steepest part)
 //             x = (min(0, smooth fall) - (F_j - F_i)) / noise over j - i steps,
-//         with smooth_steps and step_noise of record.h. The tail of Student's t (the noise is itself an estimate) at x, times the
+//         with smooth_steps and StepNoise of record.h. The tail of Student's t (the noise is itself an estimate) at x, times the
 //         number of stretches looked at, is the number of false alarms to be expected; it must not exceed that allowed.
-//         A fall is beyond 2.5 steps of the resolution, too, which hides noise from step_noise.
+//         A fall is beyond 2.5 steps of the resolution, too, which hides noise from StepNoise.
 //         Of overlapping stretches the most significant counts; stretches that touch are one drop.
 //         Noise is absolute, so low force needs nothing special: near contact, where the force is hardly more than noise, the
 //         same falls are required as anywhere else. That a drop runs along slope -k_c in (w0, F) is used nowhere: F = k_c (w_s -

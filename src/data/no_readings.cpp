@@ -24,7 +24,7 @@ class Spikes {
       beside.push_back(std::abs(force_[i + 1] - force_[i] - smooth[i]));
       if (travel > 0) steepest = std::max(steepest, smooth[i] / travel);
     }
-    noise_ = errors * std::max(step_noise(record, smooth, 1), deviation_by_median * median_of(beside));
+    noise_ = errors * std::max(StepNoise(record, smooth).over(1), deviation_by_median * median_of(beside));
     constexpr double of_steepest = 3;
     stiffness_ = std::isfinite(stiffness) ? stiffness : of_steepest * steepest;
   }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -241,20 +242,29 @@ double resolution_of(std::vector<double> readings) {
   return 0;
 }
 
-double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps) {
-  const std::size_t points = record.force.size();
+StepNoise::StepNoise(const Record& record, std::span<const double> smooth) : record_(record), smooth_(smooth) {
+  if (smooth.size() + 1 != record.force.size())
+    throw std::invalid_argument(std::to_string(smooth.size()) + " smooth steps of " +
+                                std::to_string(record.force.size()) + " points");
+  resolution_ = resolution_of(record.force);
+}
+
+double stage_noise(std::span<const double> stage) {
+  return std::max(noise_of_second_differences(second_differences(stage)),
+                  resolution_of({stage.begin(), stage.end()}) / std::sqrt(6.0));
+}
+
+double StepNoise::over(std::size_t steps) const {
+  const std::vector<double>& force = record_.force;
+  const std::size_t points = force.size();
   if (steps < 1 || points < steps + min_residuals)
     throw std::invalid_argument("no noise over " + std::to_string(steps) + " steps of " + std::to_string(points) +
                                 " points");
 
-  if (smooth.size() + 1 != points)
-    throw std::invalid_argument(std::to_string(smooth.size()) + " smooth steps of " + std::to_string(points) +
-                                " points");
-
   std::vector<double> residual(points - steps);
   for (std::size_t i = 0; i < residual.size(); ++i) {
-    residual[i] = record.force[i + steps] - record.force[i];
-    for (std::size_t j = i; j < i + steps; ++j) residual[i] -= smooth[j];
+    residual[i] = force[i + steps] - force[i];
+    for (std::size_t j = i; j < i + steps; ++j) residual[i] -= smooth_[j];
   }
 
   // Windows in which the reading never changes show a load cell asleep, not a quiet one.
@@ -262,7 +272,7 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
   std::vector<double> scales;
   std::vector<double> deviations(width);
   for (std::size_t i = 0; i + width <= residual.size(); i += noise_stride) {
-    const auto window = std::span(record.force).subspan(i, width + steps);
+    const auto window = std::span(force).subspan(i, width + steps);
     if (std::all_of(window.begin(), window.end(), [&](double F) { return F == window.front(); })) continue;
     for (std::size_t j = 0; j < width; ++j) deviations[j] = std::abs(residual[i + j]);
     scales.push_back(deviation_by_median * median_of(deviations));
@@ -274,10 +284,13 @@ double step_noise(const Record& record, std::span<const double> smooth, std::siz
   const double quietest = quantile_in_order(scales, quiet_fraction);
 
   // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
-  return std::max(quietest / shown_by_quietest(windows), resolution_of(record.force) / std::sqrt(6.0));
+  return std::max(quietest / shown_by_quietest(windows), resolution_ / std::sqrt(6.0));
 }
 
-double force_noise(const Record& record) { return step_noise(record, smooth_steps(record), 1) / std::numbers::sqrt2; }
+double force_noise(const Record& record) {
+  const std::vector<double> smooth = smooth_steps(record);
+  return StepNoise(record, smooth).over(1) / std::numbers::sqrt2;
+}
 
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options) {
   if (!(options.min_travel > 0 && options.min_travel < 1))
@@ -292,10 +305,19 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   const double travel = options.min_travel * (*greatest - *least);
   if (!(travel > 0)) return {};
 
+  constexpr double of_travel = 0.25, of_noise = 5, of_way = 0.5;
+  const double least_at_first = of_travel * travel;
+  std::optional<double> noise;
+  const auto is_beyond_noise = [&](double way) {
+    if (!noise) noise = stage_noise(stage);
+    return way > of_noise * *noise;
+  };
+
   std::vector<Leg> legs;
   std::size_t first = 0;
-  std::size_t lowest = 0;   // since the last turning point
-  std::size_t highest = 0;  // likewise
+  std::size_t lowest = 0;                            // since the last turning point
+  std::size_t highest = 0;                           // likewise
+  double low = stage.front(), high = stage.front();  // so far
   const auto turn = [&](std::size_t at, Direction ended) {
     legs.push_back({first, at + 1, ended});
     first = at + 1;
@@ -305,8 +327,12 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   for (std::size_t i = 1; i < stage.size(); ++i) {
     if (stage[i] < stage[lowest]) lowest = i;
     if (stage[i] > stage[highest]) highest = i;
-    const bool rose = stage[i] - stage[lowest] > travel;
-    const bool fell = stage[highest] - stage[i] > travel;
+    low = std::min(low, stage[i]);
+    high = std::max(high, stage[i]);
+    const double enough = std::max(least_at_first, of_way * (high - low));
+    const auto has_turned = [&](double way) { return way > travel || (way > enough && is_beyond_noise(way)); };
+    const bool rose = has_turned(stage[i] - stage[lowest]);
+    const bool fell = has_turned(stage[highest] - stage[i]);
     if (!started) {
       if (!rose && !fell) continue;
       started = true;

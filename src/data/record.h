@@ -81,14 +81,32 @@ std::vector<double> smooth_steps(const Record& record);
 // Domain: at least one reading.
 double resolution_of(std::vector<double> readings);
 
-// Standard deviation [N] of force[i + steps] - force[i] about the smooth curve where the record is quiet.
-// Domain: smooth = smooth_steps(record), 1 <= steps, and at least steps + 10 points; std::invalid_argument otherwise.
-// Method: median absolute deviation in windows of 30 points, of which the quietest tenth counts, corrected for having been
-//         chosen (to 4 % in the mean over one step, for Gaussian noise and 30 points or more; a single record of 260 points
-//         tells it to 12 %). So it is the noise of the instrument: drops, and the unrest of a specimen that slips all the time,
-//         leave it alone as long as a tenth of the record is quiet. At least what the resolution of the force makes it; 0 only
-//         for a force without noise.
-double step_noise(const Record& record, std::span<const double> smooth, std::size_t steps);
+// The noise of a record about its smooth curve, both of which have to outlive it.
+// Domain: smooth = smooth_steps(record); std::invalid_argument otherwise.
+class StepNoise {
+ public:
+  StepNoise(const Record& record, std::span<const double> smooth);
+
+  // Standard deviation [N] of force[i + steps] - force[i] about the smooth curve where the record is quiet.
+  // Domain: 1 <= steps, and at least steps + 10 points; std::invalid_argument otherwise.
+  // Method: median absolute deviation in windows of 30 points, of which the quietest tenth counts, corrected for having been
+  //         chosen (to 4 % in the mean over one step, for Gaussian noise and 30 points or more; a single record of 260 points
+  //         tells it to 12 %). So it is the noise of the instrument: drops, and the unrest of a specimen that slips all the time,
+  //         leave it alone as long as a tenth of the record is quiet. At least what the resolution of the force makes it; 0 only
+  //         for a force without noise.
+  double over(std::size_t steps) const;
+
+  double resolution() const { return resolution_; }  // [N] of the force
+
+ private:
+  const Record& record_;
+  std::span<const double> smooth_;
+  double resolution_;
+};
+
+// Noise of a single position of the stage, in its unit: at least what two readings rounded to its resolution differ by.
+// Domain: at least one reading.
+double stage_noise(std::span<const double> stage);
 
 // Noise of a single force reading [N]: that of one step over √2, its standard deviation if readings err independently.
 // Domain: at least 11 points; std::invalid_argument otherwise.
@@ -111,8 +129,10 @@ struct LegOptions {
 // Legs in the order of time, loading and unloading in turn; together they are all points. None for a stage that stands still.
 // Domain: stage finite, in any unit; 0 < min_travel < 1. std::invalid_argument otherwise.
 // Method: a turning point is the farthest position before a return of more than min_travel; of equal ones the first. So noise
-//         of the stage shifts it by no more than its own size, and cannot make one if its range is below min_travel.
-// Cost:   one pass.
+//         of the stage shifts it by no more than its own size, and cannot make one if its range is below min_travel. At the beginning,
+//         where a specimen may be settled by small cycles, a quarter of that is enough if it is more than half of the way so far and
+//         beyond the noise of the stage.
+// Cost:   one pass, and another where small cycles may begin the record.
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options = {});
 
 // Which way a testing machine counts: compression is negative in many an export, of the force, the displacement or both.

@@ -25,7 +25,7 @@ std::vector<Rounded> drops_of(const Record& record) {
   if (record.force.size() < fewest) return drops;
   const std::vector<double> smooth = smooth_steps(record);
   constexpr double surely = 5;  // standard deviations of a step
-  const double noise = step_noise(record, smooth, 1);
+  const double noise = StepNoise(record, smooth).over(1);
   std::vector<double> fall;  // of each step
   for (std::size_t i = 0; i < smooth.size(); ++i)
     fall.push_back(std::max(smooth[i], 0.0) - (record.force[i + 1] - record.force[i]));

@@ -207,10 +207,10 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
 }
 
 // What supports and friction explain of a straight part that is steeper than the chord.
-double explained(const Chord& chord, const StraightPart& straight, const Record& record, const BeamGeometry& geometry,
-                 const Steepening& steepening) {
-  if (!steepening) return most_steepening(geometry, straight.middle(record) - straight.origin);
-  return steepening({straight.origin + chord.deflection_from, straight.origin + chord.deflection_to},
+double explained(const Chord& chord, double origin, const StraightPart& straight, const Record& record,
+                 const BeamGeometry& geometry, const Steepening& steepening) {
+  if (!steepening) return most_steepening(geometry, straight.middle(record) - origin);
+  return steepening({origin + chord.deflection_from, origin + chord.deflection_to},
                     {record.deflection[straight.first], record.deflection[straight.last - 1]});
 }
 
@@ -309,9 +309,10 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   result.first = straight->first;
   result.last = straight->last;
   result.stiffness = straight->slope;
-  result.origin = straight->origin;
-  result.origin_error = straight->origin_error(record);
-  result.before_beginning = straight->before_beginning;
+  const Estimate contact = options.contact.value_or(normal_estimate(straight->origin, straight->origin_error(record)));
+  result.origin = contact.value;
+  result.origin_error = contact.standard_error;
+  result.before_beginning = options.contact ? 0 : straight->before_beginning;
   const auto reached = [&](std::size_t point) {
     LoadReached at{record.force[point], record.deflection[point] - result.origin, {}, {}};
     if (!geometry.span || !section) return at;
@@ -335,11 +336,11 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   constexpr double surely = 4;  // of the noise of a reading
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
-  if (!(*low > stiffness * from + surely * noise_of(record))) return result;
+  if (!(*low > stiffness * (result.origin + from - straight->origin) + surely * noise_of(record))) return result;
   const Estimate &of_chord = result.chord->stiffness, &of_part = result.stiffness;
   const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
   result.toe_excess = of_part.value / of_chord.value - 1;
-  result.toe_explained = explained(*result.chord, *straight, record, geometry, options.steepening);
+  result.toe_explained = explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
   result.chord_in_toe = of_part.value - clearly * error > (1 + result.toe_explained) * of_chord.value;
   if (result.chord_in_toe) result.chord.reset();
   return result;

@@ -39,6 +39,8 @@ struct SmallDeflectionOptions {
   double greatest_modulus = stiffest_material;  // [Pa]; infinite in reduced units
   std::vector<std::size_t> halts{};             // points after which the stage halted, see DropOptions
   Steepening steepening{};                      // not given: most_steepening at the middle of the later ones
+  std::optional<Estimate>
+      contact{};  // [m] stated, where strain counts from; not given: the origin of the straight part
 };
 
 // What is known of a test besides its record; what is not known stays out of the result.
@@ -109,11 +111,11 @@ struct SmallDeflection {
   double window_force;            // [N] that the window is in shares of
   std::size_t first, last;        // points [first, last) it was drawn through
   Estimate stiffness;             // [N/m] dF/dw0
-  double origin;                  // [m] the end of the toe, where strain counts from, see StraightPart
-  double origin_error;            // [m] see StraightPart
-  double before_beginning;        // [m] see StraightPart
-  LoadReached greatest;           // at the greatest force
-  LoadReached end;                // at the last point: of a record whose failure was taken off, at break
+  double origin;            // [m] the end of the toe, see StraightPart, or the contact stated: where strain counts from
+  double origin_error;      // [m] its standard deviation
+  double before_beginning;  // [m] see StraightPart; 0 from a contact stated
+  LoadReached greatest;     // at the greatest force
+  LoadReached end;          // at the last point: of a record whose failure was taken off, at break
   std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
   std::optional<Chord>
       chord;              // where span and section are known, the record covers both strains, and it is not in the toe

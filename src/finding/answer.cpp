@@ -348,7 +348,7 @@ std::string assumed_in_words(T test) {
                       ? "contact at the zero of the file"
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
-  parts.emplace_back("a slender, straight, elastic beam, its nose at midspan");
+  parts.emplace_back("a slender, straight, elastic beam, its nose at midspan to 3 % of the span");
   std::vector<std::string> errors;
   for (const auto& [what, error, kind] : assumed_errors(test))
     errors.push_back(fmt::format("{} to {}", what,

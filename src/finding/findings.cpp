@@ -353,17 +353,26 @@ Found cracks(T test) {
                  .numbers = {{"cracks_alone", test.judgement->cracks_alone}}};
 }
 
+// What cannot be a slip is told at the bending stiffness stated, which may be what is wrong.
 Found impossible_drops(T test) {
   const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
   if (impossible == 0 || most_drops_impossible(test)) return std::nullopt;
-  return Finding{.severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
-                 .sentence = drops == 1            ? std::string("The drop cannot be a slip.")
-                             : impossible == drops ? fmt::format("None of the {} drops can be a slip.", drops)
-                                                   : fmt::format("{} of the {} drops cannot be {}.", impossible, drops,
-                                                                 impossible == 1 ? "a slip" : "slips"),
-                 .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
-                 .remedy = "Look at what happened there: a break, a spike of the load cell, or a crack.",
-                 .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
+  const Check* stiffness = check_of(test, CheckKind::stiffness);
+  const bool is_stiffness_in_doubt = stiffness && stiffness->outcome == CheckOutcome::failed;
+  const std::string can_be = drops == 1            ? "The drop cannot be a slip"
+                             : impossible == drops ? fmt::format("None of the {} drops can be a slip", drops)
+                                                   : fmt::format("{} of the {} drops cannot be {}", impossible, drops,
+                                                                 impossible == 1 ? "a slip" : "slips");
+  const std::string_view look = "ook at what happened there: a break, a spike of the load cell, or a crack.";
+  return Finding{
+      .severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
+      .sentence = fmt::format("{}{}.", can_be, is_stiffness_in_doubt ? " at the bending stiffness stated" : ""),
+      .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
+      .remedy =
+          is_stiffness_in_doubt
+              ? fmt::format("Check the bending stiffness first, which the fit contradicts; if it is right, l{}", look)
+              : fmt::format("L{}", look),
+      .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
 Found implausible_friction(T test) {

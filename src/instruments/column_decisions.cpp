@@ -45,15 +45,28 @@ Columns with_role(const std::vector<ExportColumn>& columns, ColumnRole role) {
 
 // ---- roles
 
+// What a unit that is none of its kind may be meant by, "gf" by "g", or the usual one.
+std::string_view meant_or_usual(std::string_view unit, const RoleWords& words) {
+  const std::vector<std::string_view> meant = meant_units(unit, *words.kind);
+  return meant.empty() ? words.usual_unit : meant.front();
+}
+
+bool is_of_kind(const std::optional<Unit>& unit, const RoleWords& words) {
+  return unit && words.kind != nullptr && unit->dimension == words.kind->dimension;
+}
+
 // A column in a unit of another kind than its role is not the one that was meant.
 void require_kind(const Export& file, const ExportColumn& column, ColumnRole role) {
   const RoleWords& words = words_for(role);
   const std::optional<Unit> unit = machine_unit(column.unit);  // of an unknown one in_si says so where it is needed
-  if (!unit || words.kind == nullptr || unit->dimension == words.kind->dimension) return;
-  throw InputError({.file = file.origin.source,
-                    .field = std::string(words.flag),
-                    .expected = fmt::format("a column in units of {}", words.kind->name),
-                    .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit))});
+  if (!unit || words.kind == nullptr || is_of_kind(unit, words)) return;
+  throw InputError(
+      {.file = file.origin.source,
+       .field = std::string(words.flag),
+       .expected = fmt::format("a column in units of {}", words.kind->name),
+       .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit)),
+       .remedy = fmt::format("if it is the column that is meant, say its unit behind its name, as in \"{} [{}]\"",
+                             column.name, meant_or_usual(column.unit, words))});
 }
 
 // The number of a column of another specimen, one beside this, is that of the same title here.
@@ -80,21 +93,22 @@ ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) 
   return {std::string(trimmed(wanted.substr(0, open))), std::string(without_brackets(wanted.substr(open)))};
 }
 
-// A column whose file states no unit that is known, in the one that a user says beside its name.
+// A column whose file states no unit of its kind, as of a force in grams, in the one that a user says beside its name.
 ExportColumn said_in(const Export& file, ExportColumn column, const std::string& unit, const RoleWords& words) {
   const std::optional<Unit> said = machine_unit(unit), stated = machine_unit(column.unit);
-  if (words.kind == nullptr || !said || said->dimension != words.kind->dimension)
+  if (!is_of_kind(said, words))
     throw InputError({.field = std::string(words.flag),
                       .expected = fmt::format("a unit such as {} in brackets behind the name", words.usual_unit),
                       .found = in_quotes(unit)});
-  if (volts_in(column.unit) || (stated && *stated != *said))
-    throw InputError({.file = file.origin.source,
-                      .field = std::string(words.flag),
-                      .expected = fmt::format("the unit {} of {}, as the file states it", in_quotes(column.unit),
-                                              in_quotes(column.name)),
-                      .found = in_quotes(unit),
-                      .remedy = volts_in(column.unit) ? fmt::format("give the calibration, as in {}", calibration_hint)
-                                                      : "leave the unit out"});
+  if (volts_in(column.unit) || (is_of_kind(stated, words) && *stated != *said))
+    throw InputError(
+        {.file = file.origin.source,
+         .field = std::string(words.flag),
+         .expected =
+             fmt::format("the unit {} of {}, as the file states it", in_quotes(column.unit), in_quotes(column.name)),
+         .found = in_quotes(unit),
+         .remedy = volts_in(column.unit) ? fmt::format("give the calibration, as in {}", calibration_hint)
+                                         : "leave the unit out, or correct the title in the file if it is wrong"});
   column.unit = unit;
   return column;
 }
@@ -429,7 +443,7 @@ OpenQuestion which_of(const Columns& columns) {
 OpenQuestion unit_of(const ExportColumn& column) {
   const RoleWords& words = words_for(column.role);
   const std::vector<std::string_view> meant = meant_units(column.unit, *words.kind);
-  const std::string_view unit = meant.empty() ? words.usual_unit : meant.front();
+  const std::string_view unit = meant_or_usual(column.unit, words);
   const bool is_force = column.role == ColumnRole::force;
   return {fmt::format("what is the unit of {}{}{}?", in_quotes(column.name),
                       column.unit.empty() ? "" : ", which says " + in_quotes(column.unit),
@@ -521,7 +535,8 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
   for (const Columns& several : clear)
     if (several.size() > 1) asks.push_back(which_of(several));
   for (const ExportColumn& column : columns)
-    if (column.role != ColumnRole::other && !machine_unit(column.unit)) asks.push_back(unit_of(column));
+    if (column.role != ColumnRole::other && !is_of_kind(machine_unit(column.unit), words_for(column.role)))
+      asks.push_back(unit_of(column));
   return asks;
 }
 

@@ -467,8 +467,10 @@ std::string program_of(const Export& file, bool has_bracketed_units) {
 std::string misfits_of(const Layout& layout) {
   std::vector<std::size_t> lines;
   for (const TableBlock& block : layout.blocks)
-    for (const std::size_t line : block.misfits) lines.push_back(line + 1);
+    for (const auto& apart : {block.misfits, block.between})
+      for (const std::size_t line : apart) lines.push_back(line + 1);
   if (lines.empty()) return "";
+  std::sort(lines.begin(), lines.end());
   return fmt::format("left out, as they are not rows of {} cells: {}", layout.columns, on_lines(lines));
 }
 

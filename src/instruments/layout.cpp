@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -490,6 +491,41 @@ double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
   return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
 }
 
+// Does a line between the rows of a table say nothing that would begin another: its titles or units once more, or words that mean no column?
+bool says_nothing_new(const Sheet& sheet, std::size_t line, const TableBlock& block, const UsualRow& usual) {
+  const CellWords cells = header_words(sheet, line, usual).cells;
+  if (is_unit_line(cells)) return units_above(cells, 0, usual) == block.units;
+  const std::optional<TitleLine> titles = titles_on(sheet, line, usual);
+  return !titles || titles->titles.empty() || titles->titles == block.titles ||
+         std::none_of(titles->titles.begin(), titles->titles.end(), means_something);
+}
+
+// Do the rows of a table go on in a row behind other lines, as after a pause of the test? Some column that never fell rises on, and the others stay near
+// where they were, midway in the test: one that is back at its beginning may be another specimen.
+bool goes_on(const Sheet& sheet, const TableBlock& block, std::size_t row, const UsualRow& usual) {
+  if (block.rows.size() < least_rows) return false;
+  const auto lines = std::span(block.rows).last(std::min(block.rows.size(), looked_at));
+  constexpr double near = 0.1, midway = 0.3;  // [1] of the range
+  bool rises_on = false, is_midway = false;
+  for (std::size_t column = 0; column < usual.pattern.size(); ++column) {
+    const double next = roughly(sheet, row, column);
+    if (usual.pattern[column] != '1' || !std::isfinite(next)) continue;
+    std::vector<double> numbers;
+    for (const std::size_t line : lines)
+      if (const double number = roughly(sheet, line, column); std::isfinite(number)) numbers.push_back(number);
+    if (numbers.empty()) continue;
+    const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+    const double range = *most - *least;
+    const bool is_time = !block.titles.empty() && (names_a_count(block.titles[column]) ||
+                                                   role_of(title_parts(block.titles[column]).name) == ColumnRole::time);
+    const bool never_fell = std::is_sorted(numbers.begin(), numbers.end()) && next > numbers.back();
+    rises_on = rises_on || never_fell;
+    if (!(never_fell && is_time) && !(std::abs(next - numbers.back()) <= near * range)) return false;
+    is_midway = is_midway || (!is_time && std::abs(numbers.back() - numbers.front()) > midway * range);
+  }
+  return rises_on && is_midway;
+}
+
 Layout without_statistics(const Sheet& sheet, Layout layout) {
   for (TableBlock& block : layout.blocks) {
     std::vector<std::vector<double>> columns;
@@ -516,10 +552,17 @@ Layout layout_of(const Sheet& sheet) {
     const Cells cells = sheet.cells(line);
     const bool is_one = is_row(sheet, line, usual);
     const bool is_preamble = !layout.blocks.empty() && layout.blocks.back().rows.size() < least_rows;
-    const bool begins = layout.blocks.empty() || (is_one && std::any_of(gap.begin(), gap.end(), [&](std::size_t each) {
-                                                    return begins_table(sheet, each, usual) ||
-                                                           (is_preamble && has_unplaced_titles(sheet, each, usual));
-                                                  }));
+    const bool may_begin =
+        layout.blocks.empty() || (is_one && std::any_of(gap.begin(), gap.end(), [&](std::size_t each) {
+                                    return begins_table(sheet, each, usual) ||
+                                           (is_preamble && has_unplaced_titles(sheet, each, usual));
+                                  }));
+    const bool is_pause =
+        may_begin && !layout.blocks.empty() &&
+        std::all_of(gap.begin(), gap.end(),
+                    [&](std::size_t each) { return says_nothing_new(sheet, each, layout.blocks.back(), usual); }) &&
+        goes_on(sheet, layout.blocks.back(), line, usual);
+    const bool begins = may_begin && !is_pause;
     // A line of numbers among the remarks above a table is not its first row: that fits.
     if (!is_one || (begins && !fits(cells, usual))) {
       if (is_one || !sheet.is_blank(line)) gap.push_back(line);
@@ -532,7 +575,7 @@ Layout layout_of(const Sheet& sheet) {
       for (const std::size_t each : std::exchange(gap, {}))
         if (!sheet.is_comment(each)) {
           const bool is_row_of_it = is_damaged_row(sheet.cells(each), usual) && !repeats_remark(sheet, each, block);
-          (is_row_of_it ? block.rows : block.misfits).push_back(each);
+          (is_row_of_it ? block.rows : is_pause ? block.between : block.misfits).push_back(each);
         }
     }
     TableBlock& block = layout.blocks.back();

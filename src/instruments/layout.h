@@ -19,6 +19,7 @@ struct TableBlock {
   std::size_t header_line = 0;         // that of the titles, or the units, or the first row
   std::vector<std::size_t> rows{};     // lines
   std::vector<std::size_t> misfits{};  // lines between the rows with more or fewer cells, or words only
+  std::vector<std::size_t> between{};  // lines of words between the rows, which go on behind them
   std::vector<std::size_t> remarks{};  // lines above the header that belong to no table
   std::string unplaced{};              // which titles stand above the rows and cannot be told to columns; else empty
   std::vector<std::string> notes{};    // how titles and units came above their columns, where that is not by counting

@@ -189,14 +189,17 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
         "straight part is {} steeper, and supports and friction explain {}. Use the modulus of the straight part.",
         format_percent(numbers.toe_excess), format_percent(numbers.toe_explained)));
   if (numbers.chord && numbers.modulus) {
-    constexpr double clearly = 3;  // errors
+    constexpr double clearly = 2;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
-    if (const double apart = *numbers.modulus / numbers.chord->modulus - 1; apart > clearly * error)
-      list.push_back(
-          fmt::format("The modulus of the straight part differs by {} from that of the chord, which is more than their "
-                      "errors: friction and large deflection steepen the straight part more than the chord. Use the "
-                      "chord, or the modulus that fit finds.",
-                      signed_percent(apart)));
+    const double apart = *numbers.modulus / numbers.chord->modulus - 1;
+    if (std::abs(apart) > clearly * error)
+      list.push_back(fmt::format(
+          "The modulus of the straight part differs by {} from that of the chord, which is more than their errors: {}",
+          signed_percent(apart),
+          apart > 0 ? "friction and large deflection steepen the straight part more than the chord. Use the chord, or "
+                      "the modulus that fit finds."
+                    : "the record begins steeper than it goes on, as under a preload or with a zero of the force that "
+                      "is off."));
   }
   if (numbers.deflection_large)
     list.push_back(

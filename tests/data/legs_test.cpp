@@ -65,6 +65,14 @@ TEST_CASE("limit: an excursion counts from the least travel on") {
   CHECK(find_legs(programme({0, 200, 195})).size() == 2);
 }
 
+TEST_CASE("limit: small cycles count at the beginning, from a quarter of the least travel on") {
+  CHECK(find_legs(programme({0, 6, 2, 6, 2, 600})).size() == 5);
+  CHECK(find_legs(programme({0, 6, 4, 600})).size() == 1);      // back by less than half of the way so far
+  CHECK(find_legs(programme({0, 3, 0, 600})).size() == 1);      // 0.5 %, and no more
+  CHECK(find_legs(programme({0, 300, 294, 600})).size() == 1);  // later
+  CHECK(find_legs(programme({600, 594, 598, 0})).size() == 3);
+}
+
 TEST_CASE("identity: a hold at the turning point turns at its first point") {
   auto stage = programme({0, 50});
   stage.insert(stage.end(), 10, 50.0);

@@ -137,6 +137,18 @@ TEST_CASE("small_deflection: few rows on the straight part cost error, not the a
   CHECK(errors.back() > 2 * errors.front());
 }
 
+TEST_CASE("small_deflection: strain counts from a contact that is stated (truth)") {
+  const Record record = bending(0.5e-3, 0, infinity, 1);
+  SmallDeflectionOptions options;
+  options.contact = normal_estimate(0.1e-3, 2e-6);
+  const auto stated = small_deflection(record, known(), options), own = small_deflection(record, known());
+  CHECK(stated.origin == 0.1e-3);
+  CHECK(stated.origin_error == 2e-6);
+  CHECK(stated.stiffness.value == own.stiffness.value);
+  CHECK(stated.greatest.deflection - own.greatest.deflection == to(1e-9, own.origin - 0.1e-3));
+  CHECK(stated.chord_in_toe);
+}
+
 TEST_CASE("small_deflection: few rows behind a contact, which lies anywhere between two of them (truth)") {
   for (const double contact : {1.05e-3, 1.2e-3, 1.35e-3}) {
     CAPTURE(contact);

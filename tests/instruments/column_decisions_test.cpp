@@ -82,3 +82,19 @@ TEST_CASE("column decisions: of one way in two columns the finer is used, of two
   CHECK(two.specimens.front().asks.front().words ==
         "which of the columns 'Crosshead absolute' and 'Standard travel' is the crosshead?");
 }
+
+TEST_CASE("column decisions: a force in a unit of another kind is asked about, and is what is said of it") {
+  const std::string text = "Deflection [mm],Force [g]\n0.1,10\n0.2,20\n0.3,30\n";
+  const Export file = export_in(text, "e.csv");
+  REQUIRE(file.specimens.front().asks.size() == 1);
+  CHECK(file.specimens.front().asks.front().words == "what is the unit of 'Force', which says 'g': gf?");
+  const auto said = [&](const std::string& force) {
+    ExportOptions options;
+    options.columns[ColumnRole::force] = force;
+    return export_in(text, "e.csv", options);
+  };
+  const Export told = said("Force [gf]");
+  CHECK(told.specimens.front().asks.empty());
+  CHECK(column_with(told, told.specimens.front(), ColumnRole::force).unit == "gf");
+  CHECK(has(message_of([&] { said("Force"); }), "as in \"Force [gf]\""));
+}

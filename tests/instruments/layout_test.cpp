@@ -1,5 +1,6 @@
 #include "instruments/layout.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -179,4 +180,49 @@ TEST_CASE("layout: words of the preamble between blocks of rows are no row with 
   // A sensor that failed is a row.
   const std::size_t at = text.find("Counts", 10);
   CHECK(export_in(text.replace(at, 6, "Failed"), "e.csv").specimens.front().lines.size() == rows + 1);
+}
+
+TEST_CASE("layout: rows go on behind a remark, or their titles once more (table)") {
+  const std::string titles = "Time [s];Force [N];Deflection [mm]";
+  const auto with = [&](const std::string& between, double pause) {
+    std::string text = titles + "\n";
+    for (int row = 0; row < rows; ++row) {
+      if (row == rows * 3 / 4) text += between;
+      text += fmt::format("{:.1f};{:.3f};{:.3f}\n", time_of(row) + (row < rows * 3 / 4 ? 0 : pause), force_of(row),
+                          deflection_of(row));
+    }
+    return export_in(text, "e.csv");
+  };
+  for (const std::string& between : {std::string("Pause\n"), std::string("Comment;paused by the operator\n"),
+                                     titles + "\n", "Pause\n\n" + titles + "\nresumed\n"}) {
+    INFO(between);
+    const Export file = with(between, 100);
+    REQUIRE(file.specimens.size() == 1);
+    CHECK(is_one(column_with(file, file.specimens.front(), ColumnRole::force), "N", force_of));
+    CHECK(std::any_of(file.notes.begin(), file.notes.end(),
+                      [](const std::string& note) { return has(note, "left out, as they are not rows of 3 cells"); }));
+  }
+  const Export other = with("Time [s];Position [mm];Stress [MPa]\n", 100);
+  CHECK(other.specimens.front().columns.front().values.size() == rows * 3 / 4);
+}
+
+TEST_CASE(
+    "layout: titles once more above rows that begin anew are of another specimen, though a clock runs on (table)") {
+  const std::string titles = "Time [s];Force [N];Deflection [mm]";
+  std::string text;
+  for (int specimen = 0; specimen < 2; ++specimen) {
+    text += titles + "\n";
+    for (int row = 0; row < rows; ++row)
+      text += fmt::format("{:.1f};{:.3f};{:.3f}\n", time_of(row + specimen * rows), force_of(row), deflection_of(row));
+  }
+  CHECK(export_in(text, "e.csv").specimens.size() == 2);
+  std::string back;  // each goes back to where it began
+  for (int specimen = 0; specimen < 2; ++specimen) {
+    back += titles + "\n";
+    for (int row = 0; row < 2 * rows; ++row)
+      back += fmt::format("{:.1f};{:.3f};{:.3f}\n", time_of(row + 2 * specimen * rows),
+                          force_of(row < rows ? row : 2 * rows - 1 - row),
+                          deflection_of(row < rows ? row : 2 * rows - 1 - row));
+  }
+  CHECK(export_in(back, "e.csv").specimens.size() == 2);
 }

@@ -40,6 +40,8 @@ export interface ReadAnswer {
   notes: string[]; asks: string[]; repeat_with: string;
 }
 
+/** What the program remarks on beside its answer. */
+export const remarksOf = (err: string): string => err.split("\n").filter((line) => line.startsWith("flexslip: ")).map((line) => line.slice(10).trim()).join("; ");
 /** What the program said, as one line without its name; the page never shows a code. */
 export function sentence(err: string): string {
   const lines = err.split("\n").map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);

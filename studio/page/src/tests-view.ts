@@ -1,7 +1,7 @@
 // The list of tests with their verdicts, and the pinned curves.
 
 import { answerOf, estimate, slipOf, tellsFriction } from "./answer";
-import { sentence } from "./answers";
+import { remarksOf, sentence } from "./answers";
 import { byId, el, fill, rich, svg } from "./dom";
 import { openDialog } from "./keys";
 import { download } from "./outputs";
@@ -78,8 +78,9 @@ export function openTests(studio: Studio): void {
   const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
     save.disabled = true;
     try {
-      const table = await tableOf(studio, fitted, (line) => (save.textContent = line));
+      const { table, remarks } = await tableOf(studio, fitted, (line) => (save.textContent = line));
       download("tests.csv", table, "text/csv;charset=utf-8");
+      if (remarks) note.textContent = remarks;
       for (const test of fitted) test.saved = test.fit;
     } catch (cause) {
       studio.report(`The table could not be written: ${messageOf(cause)}`);
@@ -87,10 +88,10 @@ export function openTests(studio: Studio): void {
     save.disabled = false;
     save.textContent = "Save as CSV";
   } }, "Save as CSV");
-  const left = studio.tests.length - fitted.length;
+  const note = el("span", { class: "note", role: "status" }, "every column of a campaign, evaluated once more together"), left = studio.tests.length - fitted.length;
   openDialog("Tests", [
     el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "cracks alone", "friction", "spacing", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
-    ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", el("span", { class: "note" }, "every column of a campaign, evaluated once more together")),
+    ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", note),
   ]);
 }
 const numbersOf = (fit: Fit, label: string): string => {
@@ -98,8 +99,8 @@ const numbersOf = (fit: Fit, label: string): string => {
   return value === "–" ? "" : value;
 };
 
-/** The rows that `flexslip campaign` writes of these tests. */
-async function tableOf(studio: Studio, tests: Test[], progress: (line: string) => void): Promise<string> {
+/** The rows that `flexslip campaign` writes of these tests, and what it says of those that it leaves out. */
+async function tableOf(studio: Studio, tests: Test[], progress: (line: string) => void): Promise<{ table: string; remarks: string }> {
   const files: Files = {}, names = new Set<string>();
   for (const { name, fit, files: of, main } of tests) {
     let folder = name;
@@ -112,7 +113,7 @@ async function tableOf(studio: Studio, tests: Test[], progress: (line: string) =
   try {
     const told = await lane.run(["campaign", "tests", "--report", "table", "--no-figures", "--jobs", "1"], files, progress), table = told.files["table/tests.csv"];
     if (!table) throw new Error(sentence(told.err));
-    return new TextDecoder().decode(table);
+    return { table: new TextDecoder().decode(table), remarks: remarksOf(told.err) };
   } finally {
     lane.cancel();
   }
