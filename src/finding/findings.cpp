@@ -13,6 +13,7 @@
 
 #include "data/names.h"
 #include "data/rounded_drops.h"
+#include "data/small_deflection.h"
 #include "finding/clauses.h"
 #include "finding/hangs_on.h"
 #include "finding/load_train_of_drops.h"
@@ -287,6 +288,21 @@ Found wrong_stiffness(T test) {
                       "the stiffness from the record, {}.",
                       to_change(test, {"specimen", "modulus", "\"fit\""})),
       .numbers = {{"stated_over_slope", times}}};
+}
+
+// Of a slope in wrong units, or of a load train that gives as much as all of the displacement.
+Found impossible_modulus(T test) {
+  if (!test.section_moment || wrong_load_train(test) || wrong_stiffness(test)) return std::nullopt;
+  const double fitted = is_fitted(test) ? test.analysis.fit.bending_stiffness.value : 1;
+  const double modulus = fitted * test.analysis.scales.bending_stiffness() / *test.section_moment;
+  if (!(modulus > stiffest_material)) return std::nullopt;
+  const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("The modulus would be {}, and no material exceeds {}.", in_words(modulus),
+                                         in_words(stiffest_material)),
+                 .short_form = fmt::format("modulus {}", in_words(modulus)),
+                 .remedy = "Check the section, the span, the load train, the columns and their units.",
+                 .numbers = {{"modulus", modulus, kind::pressure}}};
 }
 
 Found not_explained(T test) {
@@ -775,6 +791,7 @@ constexpr std::array rules{
     Rule{"deflection_for_stage", deflection_for_stage, false},
     Rule{"wrong_load_train", wrong_load_train, false},
     Rule{"wrong_stiffness", wrong_stiffness, false},
+    Rule{"impossible_modulus", impossible_modulus, false},
     Rule{"not_explained", not_explained, false},
     Rule{"softer_reload", softer_reload, false},
     Rule{"cracks", cracks, true},

@@ -98,6 +98,9 @@ inline std::vector<Situation> situations() {
     test.analysis.stiffness_implausible = true;
     test.analysis.stiffness_over_slope = 16;
   });
+  add("impossible_modulus", Severity::refusal, [](FittedTest& test) {
+    test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 1.3e12;
+  });
   add("not_explained", Severity::refusal,
       [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
   add("softer_reload", Severity::suspicion, [](FittedTest& test) {
