@@ -17,6 +17,7 @@
 #include "io/sha256.h"
 #include "io/text_file.h"
 #include "numerics/elementary.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -184,6 +185,7 @@ std::string name_of_test(const std::string& file) {
 namespace {
 
 FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
+  Stages stages;
   const Test input = measurement.test;  // completed with what the file says
   StiffnessSource source = StiffnessSource::initial_slope;
   TestDescription description{.span = span_of(input),
@@ -226,7 +228,9 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   AnalysisOptions of_record = options;
   of_record.drops.halts =
       measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
+  stages.enter("", 0.95);
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
+  stages.enter("loops and verdict", 0.05);
   std::optional<CyclicAnswer> cycles;
   if (measurement.cycles) {
     CyclesOptions cycles_options;
@@ -283,11 +287,16 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
 }  // namespace
 
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
+  Stages stages;
+  stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  FittedTest test = fit_measured(measurement, options);
   const bool states_supports = measurement.test.rig->supports || measurement.test.rig->roller_radius;
-  const auto radius = test.reduced ? std::nullopt : usual_roller_radius(test.geometry);
-  if (!is_fitted(test) || states_supports || !radius) return test;
+  const auto radius =
+      states_supports || measurement.test.reduced ? std::nullopt : usual_roller_radius(geometry_of(measurement.test));
+  stages.enter("", radius ? 0.49 : 0.98);
+  FittedTest test = fit_measured(measurement, options);
+  if (!is_fitted(test) || !radius) return test;
+  stages.enter("on rollers", 0.49);
   Measurement on_rollers = measurement;
   on_rollers.test.rig->roller_radius = *radius;
   test.on_rollers = std::make_shared<const FittedTest>(fit_measured(std::move(on_rollers), options));

@@ -23,12 +23,13 @@ struct FitRequest {
 };
 
 void run_fit(const FitRequest& request) {
+  auto shown = shown_stages("Fitting", request.output);
   FittedTest test = with_test(request.test, [&](const Test& input) {
-    const Busy busy("Fitting", request.output);
     if (request.analysis.model.empty() && input.friction && input.friction->has_parameters())
       note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
     return fit_test(input, options_for(input, request.analysis));
   });
+  shown.reset();
 
   if (!request.surface.empty()) hold_against(test, request.surface, {});
   if (!request.profile.empty()) write_profile(request.profile, test);

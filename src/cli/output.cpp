@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <iostream>
@@ -76,82 +77,81 @@ std::string in_words(double seconds) {
   return minutes < 100 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
 }
 
-class Display {
+// What is said there of a progress, not more often than one reads.
+class ShownProgress {
  public:
-  // On a terminal one line is written over and over; a log gets a line a minute.
-  Display(std::string what, bool is_terminal)
-      : what_(std::move(what)), is_terminal_(is_terminal), often_(is_terminal ? 200 : 60'000) {}
-  ~Display() {
-    if (is_line_open_) std::cerr << "\n";
+  explicit ShownProgress(bool is_terminal)
+      : is_terminal_(is_terminal), next_(Clock::now() + (is_terminal ? after : once_a_minute)) {}
+  ~ShownProgress() {
+    if (is_shown_) std::cerr << erase << std::flush;
   }
-  Display(const Display&) = delete;
-  Display& operator=(const Display&) = delete;
+  ShownProgress(const ShownProgress&) = delete;
+  ShownProgress& operator=(const ShownProgress&) = delete;
 
-  void show(std::uint64_t done, std::uint64_t all) {
-    const auto now = Clock::now();
-    std::call_once(begun_, [&] { start_ = now; });
-    const bool is_last = is_terminal_ && done == all;
-    if (now < next_.load(std::memory_order_relaxed) && !is_last) return;
+  // Says words(), if it is time; on any thread.
+  template <class Words>
+  void say(const Words& words) {
+    if (Clock::now() < next_.load(std::memory_order_relaxed)) return;
     const std::lock_guard lock(mutex_);
-    if (done < shown_) return;  // another thread was faster
-    shown_ = done;
-    next_ = now + often_;
-    const double seconds = std::chrono::duration<double>(now - start_).count();
-    const double left = seconds * static_cast<double>(all - done) / static_cast<double>(done);
-    const std::string words = fmt::format("{} of {} {}, {} left", done, all, what_, in_words(left));
     if (is_terminal_)
-      std::cerr << fmt::format("\r{}   {}", words, is_last ? "\n" : "") << std::flush;
+      std::cerr << fmt::format("{}{}\r", erase, words()) << std::flush;
     else
-      std::cerr << words << std::endl;
-    is_line_open_ = is_terminal_ && !is_last;
+      std::cerr << words() << std::endl;
+    is_shown_ = is_terminal_;
+    next_ = Clock::now() + (is_terminal_ ? often : once_a_minute);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds after{500}, often{200}, once_a_minute{60'000};
+  static constexpr std::string_view erase = "\x1b[K";  // what stands from here to the end of the line
+
+  bool is_terminal_, is_shown_ = false;
+  std::atomic<Clock::time_point> next_;
+  std::mutex mutex_;
+};
+
+// Of works that are counted.
+class Counted {
+ public:
+  Counted(std::string what, bool is_terminal) : what_(std::move(what)), shown_(is_terminal) {}
+
+  void say(std::uint64_t done, std::uint64_t all) {
+    std::call_once(begun_, [&] { start_ = Clock::now(); });
+    shown_.say([&] {
+      most_ = std::max(most_, done);  // another thread may be faster
+      const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
+      const double left = seconds * static_cast<double>(all - most_) / static_cast<double>(most_);
+      return fmt::format("{} of {} {}, {} left", most_, all, what_, in_words(left));
+    });
   }
 
  private:
   using Clock = std::chrono::steady_clock;
 
   std::string what_;
-  bool is_terminal_;
-  std::chrono::milliseconds often_;
+  ShownProgress shown_;
   std::once_flag begun_;
   Clock::time_point start_;  // when the first was done
-  std::atomic<Clock::time_point> next_ = Clock::now() + often_;
-  std::mutex mutex_;
-  std::uint64_t shown_ = 0;
-  bool is_line_open_ = false;
+  std::uint64_t most_ = 0;
 };
+
+bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
 
 }  // namespace
 
 ProgressFunction progress_of(const std::string& what, const Output& output) {
   if (output.quiet) return {};
-  return [display = std::make_shared<Display>(what, isatty(STDERR_FILENO) == 1)](
-             std::uint64_t done, std::uint64_t all) { display->show(done, all); };
+  return [counted = std::make_shared<Counted>(what, is_terminal())](std::uint64_t done, std::uint64_t all) {
+    counted->say(done, all);
+  };
 }
 
-Busy::Busy(std::string what, const Output& output) {
-  if (output.quiet || isatty(STDERR_FILENO) != 1) return;
-  shown_ = std::thread([this, what = std::move(what)] { show(what); });
-}
-
-Busy::~Busy() {
-  {
-    const std::lock_guard lock(mutex_);
-    is_over_ = true;
-  }
-  ended_.notify_all();
-  if (shown_.joinable()) shown_.join();
-}
-
-void Busy::show(const std::string& what) {
-  using namespace std::chrono_literals;
-  const auto begun = std::chrono::steady_clock::now();
-  std::unique_lock lock(mutex_);
-  for (auto wait = 500ms; !ended_.wait_for(lock, wait, [this] { return is_over_; }); wait = 200ms) {
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begun;
-    std::cerr << fmt::format("\r{}, {:.1f} s; Ctrl-C ends it", what, taken.count()) << std::flush;
-  }
-  const bool was_shown = std::chrono::steady_clock::now() - begun > 500ms;
-  if (was_shown) std::cerr << "\r\x1b[K" << std::flush;
+std::unique_ptr<Watch> shown_stages(const std::string& what, const Output& output) {
+  if (output.quiet || !is_terminal()) return nullptr;
+  return std::make_unique<Watch>([what, shown = std::make_shared<ShownProgress>(true)](const Reached& reached) {
+    shown->say([&] { return fmt::format("{}, {:.0f} %: {}", what, std::floor(100 * reached.share), reached.stage); });
+  });
 }
 
 std::string shell_word(std::string_view text) {

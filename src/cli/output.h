@@ -2,15 +2,14 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
-#include <mutex>
+#include <memory>
 #include <string>
 #include <string_view>
-#include <thread>
 #include <vector>
 
+#include "numerics/progress.h"
 #include "report/answer_documents.h"
 #include "report/draw.h"
 #include "result/table.h"
@@ -65,30 +64,17 @@ class WhileInterruptible {
 
 const std::atomic<bool>& interrupted();
 
-// What is done, and the time left, on standard error.
+// How far a work is, on standard error: on a terminal one line, written over and over from half a second on and erased at the end; in a log a line a
+// minute. Nothing if the output is quiet.
 
 // How much of a work is done. May be called on any thread, as often as one likes.
 using ProgressFunction = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-// Shows it a few times a second, or in a log once a minute: "1200 of 5000 designs, 12 s left". Empty if the output is quiet.
+// "1200 of 5000 designs, 12 s left". Empty if the output is quiet.
 ProgressFunction progress_of(const std::string& what, const Output& output);
 
-// While one lives, a terminal is shown what is being done and for how long, from half a second on. Nothing if the output is quiet or no terminal.
-class Busy {
- public:
-  Busy(std::string what, const Output& output);
-  ~Busy();
-  Busy(const Busy&) = delete;
-  Busy& operator=(const Busy&) = delete;
-
- private:
-  void show(const std::string& what);
-
-  std::mutex mutex_;
-  std::condition_variable ended_;
-  bool is_over_ = false;
-  std::thread shown_;
-};
+// While it lives, what the work of this thread has reached: "Fitting, 43 %: friction with a wave"; on a terminal alone.
+std::unique_ptr<Watch> shown_stages(const std::string& what, const Output& output);
 
 // Text as one word of a shell's command line.
 

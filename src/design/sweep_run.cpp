@@ -51,9 +51,9 @@ std::vector<ChunkState> states_of(const SweepParts& parts, const SweepOptions& o
 }
 
 // Who wants to know of each row, and may stop the work. For any thread.
-class Watch {
+class RowsDone {
  public:
-  Watch(const SweepOptions& options, std::uint64_t rows_to_do) : options_(options), rows_to_do_(rows_to_do) {}
+  RowsDone(const SweepOptions& options, std::uint64_t rows_to_do) : options_(options), rows_to_do_(rows_to_do) {}
 
   bool is_stopped() const { return flexslip::is_stopped(options_); }
   void count_row() {
@@ -69,17 +69,17 @@ class Watch {
 
 // What the part of a chunk holds; none if it was stopped.
 std::optional<std::vector<double>> values_of_chunk(const SweepPlan& plan, std::uint64_t chunk,
-                                                   const RowFunction& outcomes_of, Watch& watch) {
+                                                   const RowFunction& outcomes_of, RowsDone& done) {
   const auto [first, count] = rows_of_chunk(plan, chunk);
   const std::size_t inputs = plan.axes.size();
   std::vector<double> values(columns_of(plan).size() * count);
   for (std::uint64_t row = 0; row < count; ++row) {
-    if (watch.is_stopped()) return std::nullopt;
+    if (done.is_stopped()) return std::nullopt;
     const std::vector<double> of_input = inputs_of(plan, first + row);
     const std::vector<double> of_outcome = outcomes_of(of_input);
     for (std::size_t i = 0; i < of_input.size(); ++i) values[i * count + row] = of_input[i];
     for (std::size_t i = 0; i < of_outcome.size(); ++i) values.at((inputs + i) * count + row) = of_outcome[i];
-    watch.count_row();
+    done.count_row();
   }
   return values;
 }
@@ -132,11 +132,11 @@ SweepRun run_sweep(const SweepParts& parts, const RowFunction& outcomes_of, cons
     rows_to_do += rows;
   }
 
-  Watch watch(options, rows_to_do);
+  RowsDone done(options, rows_to_do);
   std::atomic<std::uint64_t> rows_kept = 0;
   for_each_index(to_do.size(), options.threads, [&](std::size_t i) {
-    if (watch.is_stopped()) return;
-    const auto values = values_of_chunk(plan, to_do[i], RowFunction(outcomes_of), watch);
+    if (done.is_stopped()) return;
+    const auto values = values_of_chunk(plan, to_do[i], RowFunction(outcomes_of), done);
     if (!values) return;
     parts.write(to_do[i], *values);
     rows_kept += rows_of_chunk(plan, to_do[i]).count;

@@ -16,6 +16,7 @@
 #include "inference/rig_shifts.h"
 #include "inference/slip_limit.h"
 #include "numerics/elementary.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -259,6 +260,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (const auto check = check_record(record);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
+  Stages stages;
+  stages.enter("contact and drops", 0.01);
   const InitialLine contact = initial_line(record);
   const bool from_slope = !description.bending_stiffness;
   const double L = description.span;
@@ -303,6 +306,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
   analysis.slip_summary = summarise(analysis.slips);
+  stages.enter("slips or cracks", 0.06);
   analysis.slip_or_crack = slip_or_crack(analysis.reduced, analysis.rig, analysis.drops.drops);
   if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
     analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
@@ -313,6 +317,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.rig_errors = description.rig_errors;
   analysis.most_friction = options.most_friction;
   const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
+  stages.enter("friction", 0.8);
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
@@ -320,6 +325,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
     if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar) judge_drops_of_a_bar(analysis);
     return analysis;
   }
+  stages.enter("the fit run forward", 0.04);
   analysis.profile_at_fit = profile_at_fit(analysis);
   analysis.friction_read = friction_read_of(analysis.profile_at_fit);
   const AtFit fitted = at_fit(analysis);
@@ -333,6 +339,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   // What work was measured is a matter of what was read.
   analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
   if (analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
+  stages.enter("checks", 0.09);
   analysis.checks = checks_of(problem, analysis.fit, options);
 
   // The mean in its own units: those of the estimated bending stiffness.

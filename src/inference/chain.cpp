@@ -386,6 +386,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
 }
 
 void Chain::whiten(std::span<const double> series, std::span<double> out) const {
+  effort_spent += series.size();
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
         constexpr int G = M - 1;

@@ -15,6 +15,7 @@
 #include "inference/process_mode.h"
 #include "inference/process_posterior.h"
 #include "numerics/elementary.h"
+#include "numerics/progress.h"
 
 namespace flexslip {
 namespace {
@@ -324,6 +325,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     return fit;
   }
   if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, passages);
+  Stages stages;
+  stages.enter("", 0.79);
   const FrictionProcess process(passages);
   const SearchOptions asked = search_options(options);
   const ProcessSearch found = search(process, asked);
@@ -332,6 +335,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }
+  stages.enter("how certain friction is", 0.21);
   const ProcessPosterior posterior = posterior_of(process, found.components);
 
   fit.status = FrictionFitStatus::ok;

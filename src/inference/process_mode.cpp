@@ -13,6 +13,7 @@
 #include "inference/process_posterior.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
+#include "numerics/progress.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -549,10 +550,13 @@ class Search {
 
   ProcessSearch run() {
     ProcessSearch result;
+    Stages stages;
+    stages.enter("friction without a wave", 0.08);
     Mode plain = without_wave(first_kernel());
     if (!std::isfinite(plain.merit)) return result;
     result.scan = scan_of(process_, plain);
     const std::size_t asked = options_.waves.value_or(1);
+    stages.enter("friction with a wave", 0.48);
     std::vector<Mode> waves;
     for (std::size_t count = 1; count <= asked; ++count) {
       auto more = count == 1 ? with_one_more_wave(plain, result.scan)
@@ -561,6 +565,7 @@ class Search {
       waves = std::move(more);
     }
     const bool with_plain = !options_.waves || waves.empty();
+    stages.enter("friction without a wave", 0.12);
     if (with_plain && !waves.empty()) improve(plain, waves.front());
     mend(plain);
     process_.polish(plain, 6, 10, 0.3);
@@ -568,7 +573,9 @@ class Search {
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
     if (with_plain) components.push_back(component_of(process_, plain));
     const double gain = with_plain ? components.front().log_evidence - components.back().log_evidence : claiming_gain;
+    stages.enter("a second wave", 0.03);
     if (!options_.waves && !waves.empty() && gain > claiming_gain) add_second_wave(waves, components);
+    stages.enter("how rough friction is", 0.29);
     const std::size_t with_first = components.size();
     // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best.
     constexpr double out_of_question = -2, far_below = 3;

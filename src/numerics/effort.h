@@ -1,14 +1,17 @@
 // What the calculations of a thread have taken, counted where the work is done and not timed: tests bound it by the size of what is asked.
-// Whoever counts can be stopped there, so that no search needs to be told of it.
+// Whoever counts can be stopped there, and tells there how far it has come (progress.h), so that no search needs to be told of either.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 
 namespace flexslip {
 
 // Thrown by work that was stopped: no fault, and no answer.
 struct Stopped {};
+
+class Watch;
 
 // [a state of the elastica out of a table: some 30 ns]
 class Effort {
@@ -19,15 +22,23 @@ class Effort {
   Effort& operator+=(std::uint64_t more) {
     if (stop_ && stop_->load(std::memory_order_relaxed)) throw Stopped{};
     spent_ += more;
+    if (spent_ >= next_told_) tell();
     return *this;
   }
-  void clear() { spent_ = 0; }
+  void clear() { spent_ = 0; }  // while no Watch lives
   std::uint64_t spent() const { return spent_; }
 
  private:
   friend class Stoppable;
-  std::uint64_t spent_ = 0;
+  friend class Watch;
+  friend class Stages;
+  void tell();
+  void watched_by(Watch* watch);
+
+  static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t spent_ = 0, next_told_ = never;
   const std::atomic<bool>* stop_ = nullptr;
+  Watch* watch_ = nullptr;
 };
 
 inline constinit thread_local Effort effort_spent;

@@ -1,6 +1,7 @@
 // No input without an end: whatever record, legal but absurd, meets whatever rig, a whole fit takes no more than its rows allow.
 #include "numerics/effort.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -23,7 +24,10 @@ double off(int one_in, double decades) {
   return *whole(1, one_in) == 1 ? std::pow(10, exponent) : 1;
 }
 
-// Of a simulated test with or without cracks, of a force that wanders, or of a staircase of several readings at a place.
+enum class Oddity { none, wanders, halts, begins_under_a_force, few_rows };
+
+// Of a simulated test with or without cracks: as it is, or of a force that wanders and falls, in several readings at a place, from a preload on, or in
+// few rows.
 ReducedRecord some_record() {
   const SimulatedTruth truth{
       .friction = Friction::sinusoid(*between(0, 0.8), *between(0, 0.4), *between(4, 40) / 1278, 1),
@@ -33,14 +37,21 @@ ReducedRecord some_record() {
       .deflection = *between(0.06, 0.5),
       .seed = static_cast<std::uint64_t>(*whole(1, 1 << 20)),
       .fibre = {}};
-  ReducedRecord record = simulated_record(truth, *whole(1, 3) == 1 ? six_cracks : std::vector<Crack>{});
-  const int kind = *whole(1, 6);
+  const ReducedRecord made = simulated_record(truth, *whole(1, 3) == 1 ? six_cracks : std::vector<Crack>{});
+  const auto oddity = static_cast<Oddity>(*whole(0, 4));
+  const std::size_t rows = made.force.size(), begin = oddity == Oddity::begins_under_a_force ? rows / 6 : 0,
+                    each = oddity == Oddity::few_rows ? rows / 40 + 1 : 1;
   std::mt19937_64 generator(truth.seed);
-  for (std::size_t i = 1; i < record.force.size(); ++i) {
+  ReducedRecord record;
+  for (std::size_t i = begin; i < rows; i += each) {
     const double uniform = (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53;
-    if (kind == 1) record.force[i] = record.force[i - 1] + (uniform - 0.4) * 0.5;
-    if (kind == 2) record.stage[i] = record.stage[i - i % 7];
-    if (kind <= 2) record.deflection[i] = record.stage[i] - record.force[i] / truth.stiffness;
+    double force = made.force[i], stage = made.stage[i] - (begin > 0 ? made.stage[begin] : 0);
+    if (oddity == Oddity::wanders && i > 0)
+      force = uniform < 0.05 ? 0.5 * record.force.back() : record.force.back() + (uniform - 0.4) * 0.5;
+    if (oddity == Oddity::halts) stage = made.stage[i - i % 7];
+    record.stage.push_back(stage);
+    record.force.push_back(force);
+    record.deflection.push_back(stage - force / truth.stiffness);
   }
   return record;
 }
@@ -57,16 +68,16 @@ TestDescription some_description() {
           .fibre = wide + thick > 0 ? Fibre({wide, thick}) : Fibre()};
 }
 
-// Of 800 such tests the worst took 270,000 states a row.
-TEST_CASE("effort: a fit takes no more than its rows allow, whatever its record meets (identity)") {
-  constexpr std::uint64_t most_each = 400'000;
-  constexpr std::size_t shortest = 100;  // [rows] below, draws and scans of a given number count
+// Of 2,200 such tests the worst on edges took 81,000 states for each row and 100 more, the worst on supports 41 million for 57 rows.
+TEST_CASE("effort: an analysis takes no more than its rows allow, whatever its record meets (identity)") {
   CHECK(rc::check("absurd tests", [] {
     const Record record = to_physical(some_record(), scales);
     const TestDescription description = some_description();
+    const std::size_t rows = record.force.size(), fitted = std::min<std::size_t>(rows, 1200) + 100;
+    const std::uint64_t run_forward = description.fibre.on_edges() ? 0 : 60'000'000;
     effort_spent.clear();
     analyse(record, description);
-    RC_ASSERT(effort_spent.spent() <= most_each * (record.force.size() + shortest));
+    RC_ASSERT(effort_spent.spent() <= 150'000 * fitted + 500 * rows + run_forward);
   }));
 }
 

@@ -82,6 +82,37 @@ class OddButLegal(InFolder):
         process.communicate()
         self.assertIn(process.returncode, (-signal.SIGINT, 130))
 
+    def said_of_a_fit_that_waited(self, errors):
+        """Standard error of one whose case came late, so that more than half a second has passed when it begins."""
+        case = CASE.read_text(encoding="utf-8").replace('"test.csv"', json.dumps(str(DATA)))
+        with subprocess.Popen([PROGRAM, "fit", "-"], stdin=subprocess.PIPE, stdout=subprocess.DEVNULL, stderr=errors[1], text=True) as process:
+            os.close(errors[1])
+            time.sleep(1.5)
+            process.stdin.write(case)
+            process.stdin.close()
+            said = b""
+            try:
+                while chunk := os.read(errors[0], 65536):
+                    said += chunk
+            except OSError:  # a terminal's other end is closed
+                pass
+        os.close(errors[0])
+        self.assertEqual(process.returncode, 0)
+        return said.decode()
+
+    def test_what_a_fit_has_reached_is_shown_on_a_terminal_and_erased(self):
+        try:
+            terminal = pty.openpty()
+        except OSError as error:
+            self.skipTest(f"no terminal to be had: {error}")
+        said = self.said_of_a_fit_that_waited(terminal)
+        erase = r"\x1b\[K"
+        self.assertRegex(said, rf"\A({erase}Fitting, \d+ %: [^\r\n]+\r)+{erase}\Z")
+        shares = [int(share) for share in re.findall(r"(\d+) %", said)]
+        self.assertEqual(shares, sorted(shares))
+        self.assertLessEqual(shares[-1], 100)
+        self.assertEqual(self.said_of_a_fit_that_waited(os.pipe()), "")
+
 
 class Json(InFolder):
     @classmethod

@@ -239,8 +239,8 @@ class Sweep(InFolder):
         self.assertFalse(output.exists())
         self.assertTrue(list(self.folder.glob("map.h5.parts/part-??????")))
 
-    def test_progress_is_shown_on_a_terminal(self):
-        case = self.file("map.toml", grid(20, 20))
+    def test_progress_is_shown_on_a_terminal_and_erased(self):
+        case = self.file("map.toml", grid(300, 200))
         try:
             terminal, end = pty.openpty()
         except OSError as error:
@@ -248,9 +248,19 @@ class Sweep(InFolder):
         process = subprocess.Popen([PROGRAM, "sweep", str(case), "--output", str(self.folder / "map.h5")],
                                    stdout=subprocess.DEVNULL, stderr=end)
         os.close(end)
+        said, shown = b"", False
+        try:
+            while chunk := os.read(terminal, 10000):
+                said += chunk
+                if b" left\r" in said and not shown:
+                    process.send_signal(signal.SIGINT)
+                    shown = True
+        except OSError:  # its other end is closed
+            pass
         process.wait()
-        self.assertIn(b"400 of 400 designs", os.read(terminal, 10000))
         os.close(terminal)
+        erase = r"\x1b\[K"
+        self.assertRegex(said.decode(), rf"\A({erase}\d+ of 60000 designs, [^\r\n]+ left\r)+{erase}flexslip: interrupted")
 
     def test_parts_damaged_or_missing_are_named_and_they_alone_are_computed_again(self):
         case = self.file("map.toml", grid(20, 40))  # 13 parts of 64 rows

@@ -3,6 +3,7 @@ interface Instantiation {
   instantiateWasm(imports: WebAssembly.Imports, done: (instance: WebAssembly.Instance) => void): object;
 }
 interface FileSystem {
+  streams: { tty?: unknown }[];
   mkdirTree(path: string): void;
   chdir(path: string): void;
   writeFile(path: string, data: Uint8Array): void;

@@ -41,7 +41,7 @@ const inside = (name: string): string => FOLDER + name.split(/[/\\]/).filter((pa
 export async function runProgram(module: WebAssembly.Module, args: string[], files: Record<string, Uint8Array>, progress: (line: string) => void): Promise<Ran> {
   const out = new Bytes(), err = new Bytes();
   let shown = 0;
-  const carriageReturn = 13, newline = 10;
+  const carriageReturn = 13, newline = 10, erased = /\x1b\[K/g;
   const running = await instantiated(flexslipProgram, module, {
     thisProgram: "flexslip",
     stdin: () => null,
@@ -49,13 +49,13 @@ export async function runProgram(module: WebAssembly.Module, args: string[], fil
     stderr(byte) {
       err.push(byte);
       if (byte !== carriageReturn && byte !== newline) return;
-      const line = err.text(shown).trim();
+      if (byte === carriageReturn) progress(err.text(shown).replace(erased, "").trim());
       shown = err.end;
-      if (line) progress(line);
     },
     quit(_code, reason) { throw reason; },
   });
-  const fs = running.FS;
+  const fs = running.FS, standardError = 2;
+  fs.streams[standardError]!.tty = true;  // what is said there is shown as it comes
   fs.mkdirTree(FOLDER.slice(0, -1));
   fs.chdir(FOLDER);
   for (const [name, data] of Object.entries(files)) {
@@ -66,7 +66,7 @@ export async function runProgram(module: WebAssembly.Module, args: string[], fil
   const code = running.callMain(args);
   const written: Record<string, Uint8Array> = {};
   writtenIn(fs, FOLDER, files, written);
-  // A line that shows progress is written over and over.
-  const remarks = err.text().split("\n").filter((line) => !line.includes("\r")).join("\n");
+  // A line that shows progress is written over and over, and erased.
+  const remarks = err.text().replace(/\x1b\[K[^\r\n]*\r/g, "").replace(erased, "");
   return { code, out: out.text(), err: remarks, files: written };
 }

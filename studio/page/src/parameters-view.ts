@@ -179,20 +179,19 @@ export class ParametersView {
 
   /** Fit or Cancel in place, and what the last fit missed by. */
   drawFit(): void {
-    const { studio } = this, { fitting, fit } = studio, button = byId<HTMLButtonElement>("fit"), said = byId("fit-said"), bar = byId("fit-bar");
+    const { studio } = this, { fitting, fit } = studio, button = byId<HTMLButtonElement>("fit"), said = byId("fit-said"), bar = document.querySelector<HTMLElement>("#fit-bar span")!;
     const busy = fitting !== null && fitting.test === studio.test, waits = studio.test !== null && studio.waiting.includes(studio.test);
     button.textContent = busy || waits ? "Cancel" : "Fit";
     button.disabled = !studio.test;
     byId<HTMLButtonElement>("reset").disabled = !studio.changed;
-    // How long a fit will take is not known before its end: the bar says that it runs, the words for how long.
-    const passed = fitting ? performance.now() - fitting.since : 0, others = studio.waiting.length > (waits ? 1 : 0) ? `; ${studio.waiting.length - (waits ? 1 : 0)} more wait` : "";
-    bar.classList.toggle("runs", busy);
+    const others = studio.waiting.length > (waits ? 1 : 0) ? `; ${studio.waiting.length - (waits ? 1 : 0)} more wait` : "";
+    bar.style.width = `${busy ? (/\d+(?= %)/.exec(fitting.said)?.[0] ?? 0) : 0}%`;
     const off = (newtons: number): string => {
       const u = unitFor(newtons, "force");
       return `${significant(newtons / u.factor, 2)} ${u.name}`;
     };
     const ok = fit?.answer.status === "ok";
-    said.textContent = busy ? `Fitting: ${Math.floor(passed / 1000)} s${others}` : waits ? `Waits for ${fitting?.test.name ?? "the next"}` : fitting ? `Fitting ${fitting.test.name}${others}` : studio.reading ? "Reading…"
+    said.textContent = busy ? `${fitting.said || "Fitting…"}${others}` : waits ? `Waits for ${fitting?.test.name ?? "the next"}` : fitting ? `Fitting ${fitting.test.name}${others}` : studio.reading ? "Reading…"
       : !fit ? "" : studio.stale ? "Settings changed: press F to fit" : !ok ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
   }
 }

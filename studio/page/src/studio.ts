@@ -34,7 +34,7 @@ export class Studio {
   axis: "deflection" | "stage" = "deflection";
   pins: Pin[] = [];
   error = "";
-  fitting: { test: Test; since: number } | null = null;
+  fitting: { test: Test; said: string } | null = null;  // and what the program last said of how far it is
   waiting: readonly Test[] = [];  // to be fitted, in this order
   reading = 0;  // files that are read
   step = -1;  // of the first visit; -1: none
@@ -302,14 +302,16 @@ export class Studio {
   private async fitNow(test: Test): Promise<void> {
     this.waiting = this.waiting.filter((other) => other !== test);
     if (this.test === test && test.fit && this.values) this.holdMeasured(test, test.fit, this.values);
-    const fitting = { test, since: performance.now() };
+    const fitting = { test, said: "" };
     this.fitting = fitting;
-    const clock = setInterval(() => this.tell("progress"), 200);
     this.tell("fitting");
     const before = this.state;
     if (!this.fit) void this.ready.then(() => setTimeout(() => this.fitting === fitting && this.prepare(test), SOON), () => undefined);
     try {
-      const fit = await test.analyse(this.program);
+      const fit = await test.analyse(this.program, (line) => {
+        fitting.said = line;
+        this.tell("progress");
+      });
       await this.ready;
       if (this.fitting !== fitting) return;
       this.fitting = null;
@@ -328,7 +330,6 @@ export class Studio {
       test.refusal = messageOf(cause);
       this.report(inPageWords(test.refusal, test));
     } finally {
-      clearInterval(clock);
       this.tell("tests", "answer", "fitting");
     }
   }

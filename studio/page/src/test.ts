@@ -104,7 +104,7 @@ export class Test {
   }
 
   /** Fits, by the command of `commands`. Throws the program's sentence; the last fit stays. */
-  async analyse(program: Program): Promise<Fit> {
+  async analyse(program: Program, progress?: (line: string) => void): Promise<Fit> {
     let files = this.files, given: Files = {};
     const settings = JSON.stringify(this.settings);
     const commands = this.commands();
@@ -116,7 +116,7 @@ export class Test {
     }
     const args = commands[commands.length - 1]!;
     const outputs = Object.entries(OUTPUTS).flatMap(([flag, name]) => [`--${flag}`, name]);
-    const answer = await program.run([...args, "--json", ...outputs], files);
+    const answer = await program.run([...args, "--json", ...outputs], files, progress);
     if (!answer.out.trimStart().startsWith("{")) throw new Error(sentence(answer.err));
     return fitOf(answer.out, answer.files, settings, given);
   }
