@@ -65,7 +65,12 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const Fibre::BentState here = fibre.bent(from.w, from.q);
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
-  const auto at = [&](const Way& way, double w) { return place(way, w, from.q); };
+  double near = from.q;  // what was found last
+  const auto at = [&](const Way& way, double w) {
+    const Place there = place(way, w, near);
+    if (there.at.state.status == FibreStatus::ok) near = there.at.state.q;
+    return there;
+  };
   // A fibre slides where friction is exhausted, and rises along the specimen by less than it would have to for the fibre to stay at rest.
   Way way{from.w == 0 || mu < level ? (here.S_w * advance >= 0 ? 1.0 : -1.0) : from.q > 0 ? 1.0 : -1.0, from.S};
   bool slides =

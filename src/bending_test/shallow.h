@@ -28,7 +28,7 @@ struct PathPoint {
 
 // Its state: of a specimen with a thickness that of the deflection, since two may belong to a length.
 inline FibreState state_at(const Fibre& fibre, const PathPoint& point) {
-  return fibre.begins_straight() ? fibre.state(point.S, point.q) : fibre.bent(point.w, point.q).state;
+  return fibre.begins_straight() ? fibre.state(point.S, point.q) : fibre.state_bent(point.w, point.q);
 }
 
 // [EI/L]

@@ -308,12 +308,16 @@ struct Asked {
 
 // [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
 std::optional<double> widest_that_follows(const Asked& asked) {
+  // How much steeper than a limit that stays below the true one by twice this share: of the four digits that a radius is shown in. Nearly linear in the
+  // radius, each of which costs tables of its own.
+  constexpr double close = 1e-4;
   const Supports& supports = asked.fibre.supports();
-  const auto follows = [&](double radius) {
-    return asked.kinetic.steepest() < asked.limit_of(Fibre({radius, supports.half_depth}));
+  const auto excess = [&](double radius) {
+    return asked.kinetic.steepest() / asked.limit_of(Fibre({radius, supports.half_depth})) - (1 - 2 * close);
   };
-  if (!follows(0)) return std::nullopt;
-  return halved(30, {0, supports.radius}, [&](double radius) { return !follows(radius); }).low;
+  const Tried on_edges{0, excess(0)};
+  if (!(on_edges.value < 0)) return std::nullopt;
+  return zero_by_secant(excess, on_edges, {supports.radius, excess(supports.radius)}, close);
 }
 
 // What would be followed instead of a profile that is so many times too steep.

@@ -60,11 +60,17 @@ Fibre::BentState Fibre::bent(double w, double q) const {
               .F = slid[1],
               .theta0 = turned[0],
               .Pn = turned[1],
-              .U = tables_->energy(w, q),
+              .U = not_a_number,
               .u = 0};
   at.S_w = slid[2], at.S_q = slid[3], at.F_w = slid[4], at.F_q = slid[5];
   at.theta0_w = turned[2], at.theta0_q = turned[3], at.Pn_w = turned[4], at.Pn_q = turned[5];
   return at;
+}
+
+FibreState Fibre::state_bent(double w, double q) const {
+  FibreState state = bent(w, q).state;
+  if (w > 0 && state.status == FibreStatus::ok) state.U = tables_->energy(w, q);
+  return state;
 }
 
 std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<const double> q) const {
@@ -95,6 +101,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
   if (at.state.status != FibreStatus::ok) return result;
   result.state = at.state;
   result.state.S = S;
+  result.state.U = tables_->energy(w, q);
   auto& d = result.slopes;
   d.w_S = 1 / at.S_w;
   d.w_q = -at.S_q / at.S_w;
@@ -277,7 +284,7 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
 FibreState Fibre::state_from_force(double w, double F) const {
   if (on_edges()) return fibre_state_from_force(w, F);
   const InverseArrays found = states_from_forces({&w, 1}, {&F, 1});
-  if (!std::isnan(found.q[0])) return bent(w, found.q[0]).state;
+  if (!std::isnan(found.q[0])) return state_bent(w, found.q[0]);
   FibreState none = nothing_at(1, 0);
   none.status = FibreStatus::no_friction;
   none.w = w;

@@ -53,13 +53,15 @@ class Fibre {
   InverseArrays states_from_forces(std::span<const double> w, std::span<const double> F) const;
   InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const;
 
-  // The state that is bent so far, on either side of the least length. Slopes are those along w at fixed q, and in q at fixed w.
+  // The state that is bent so far, on either side of the least length; its energy stands in a table of its own, and is NaN here. Slopes are those along w
+  // at fixed q, and in q at fixed w.
   // Domain:     not on edges; 0 <= w; the straight fibre has q = 0.
   struct BentState {
     FibreState state;
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
   };
   BentState bent(double w, double q) const;
+  FibreState state_bent(double w, double q) const;  // with its energy
   // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
   std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -121,10 +122,15 @@ std::shared_ptr<const SupportedTables> SupportedTables::of(const Supports& suppo
   static std::deque<std::shared_ptr<const SupportedTables>> known;
   constexpr std::size_t most = 16;
   const std::scoped_lock lock(looking);
-  for (const auto& tables : known)
-    if (tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth) return tables;
-  known.push_front(std::make_shared<const SupportedTables>(supports));
-  if (known.size() > most) known.pop_back();
+  const auto found = std::find_if(known.begin(), known.end(), [&](const auto& tables) {
+    return tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth;
+  });
+  if (found != known.end()) {
+    std::rotate(known.begin(), found, std::next(found));
+  } else {
+    known.push_front(std::make_shared<const SupportedTables>(supports));
+    if (known.size() > most) known.pop_back();
+  }
   return known.front();
 }
 

@@ -36,6 +36,15 @@ TEST_CASE(
     }
 }
 
+TEST_CASE("tables on supports: those asked for again and again stay, however many others are asked for once") {
+  const Supports lasting{0.0123, 0.01};
+  const auto tables = SupportedTables::of(lasting);
+  for (int i = 1; i <= 40; ++i) {
+    SupportedTables::of({0.0123, 0.01 + 1e-4 * i});
+    CHECK(SupportedTables::of(lasting) == tables);
+  }
+}
+
 TEST_CASE("tables on supports: the least length of a friction q lies 6 q τ³ below that of none, to first order") {
   constexpr double tau = 0.002;
   const auto least = [&](double q) {  // of a parabola through three states about it
