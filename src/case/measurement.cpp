@@ -634,19 +634,6 @@ void require_stiff_enough(const Test& input, const Record& record, double stiffn
                     "specimen's midpoint or already corrected");
 }
 
-// A specimen has slipped through its supports long before.
-void require_on_supports(const Test& input, const Record& record) {
-  if (!input.rig || !input.rig->span) return;
-  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  if (deepest <= deepest_on_supports * *input.rig->span) return;
-  throw wrong_value(
-      input, "rig.span",
-      fmt::format(
-          "at least {:.2g} of the greatest deflection, {}, by which any specimen has slipped through its supports",
-          1 / deepest_on_supports, readable_length(input, deepest)),
-      readable_length(input, *input.rig->span), "check the units of displacement and span");
-}
-
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
 void hold_stage(const Test& input, const Table& table, Record& record, std::span<const std::size_t> rows, bool turns,
@@ -1043,7 +1030,6 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   Record whole = points_between(all, loading.first, loading.last);
   require_points(table, whole, min_points);
   if (readings.has(Reading::stage) && readings.has(Reading::force)) require_stiff_enough(input, whole, stiffness);
-  require_on_supports(input, whole);
   hold_stage(input, table, whole, std::span(result.sampling.rows).subspan(loading.first), result.cycles.has_value(),
              steps);
   result.force_noise = force_noise(whole);

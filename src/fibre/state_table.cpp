@@ -257,10 +257,12 @@ CellTable::Source SupportedTables::source(Field first, Field second) const {
 const SupportedTables::CellStates& SupportedTables::cell_states(std::span<const double> w,
                                                                 std::span<const double> q) const {
   const std::scoped_lock lock(solving_);
-  CellStates& states = solved_[{w[0], q[0]}];
+  const std::pair corner{w[0], q[0]};
+  if (const auto known = solved_.find(corner); known != solved_.end()) return known->second;
+  CellStates states;  // kept once it is whole: work may be stopped before (effort.h)
   // Each begins where those beside it ended, as if what is left of square roots and proportions were linear in both.
   constexpr std::size_t row = CellTable::nodes_across;
-  std::vector<PhaseAndSpan> ended(states.empty() ? w.size() : 0);
+  std::vector<PhaseAndSpan> ended(w.size());
   const auto expected = [&](std::size_t i) {
     const auto linear = [&](double PhaseAndSpan::*of) {
       const auto at = [&](std::size_t k) { return ended[k].*of / std::sqrt(w[k]); };
@@ -273,11 +275,11 @@ const SupportedTables::CellStates& SupportedTables::cell_states(std::span<const 
     };
     return PhaseAndSpan{linear(&PhaseAndSpan::phase), linear(&PhaseAndSpan::half_span)};
   };
-  for (std::size_t i = states.size(); i < w.size(); ++i) {
+  for (std::size_t i = 0; i < w.size(); ++i) {
     ended[i] = expected(i);
     states.push_back(state(w[i], q[i], ended[i]));
   }
-  return states;
+  return solved_.emplace(corner, std::move(states)).first->second;
 }
 
 PairSlopes SupportedTables::slopes(const CellTable& table, Field first, Field second, std::span<const double> w,

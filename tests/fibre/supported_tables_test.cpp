@@ -1,11 +1,15 @@
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include <doctest/doctest.h>
 
 #include "fibre/fibre.h"
 #include "fibre/state_table.h"
+#include "numerics/effort.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"
 
@@ -34,6 +38,30 @@ TEST_CASE(
           CHECK(std::abs(by_length.w_q[0] + at[3] / at[2]) <= 1e-9 * w);
         }
     }
+}
+
+TEST_CASE(
+    "tables on supports, identity: what was stopped while a cell was solved is solved when it is asked for once more") {
+  int stopped = 0;
+  for (int i = 0; i < 60; ++i) {
+    const Supports supports{0.011, 0.01 + 1e-5 * i};
+    const SupportedTables tables(supports);
+    std::atomic<bool> stop = false;
+    {
+      const std::jthread interrupt([&] {
+        std::this_thread::sleep_for(std::chrono::microseconds(20 * i));
+        stop = true;
+      });
+      const Stoppable stoppable(&stop);
+      try {
+        while (true) tables.sliding(0.2, 0.5), effort_spent += 1;
+      } catch (const Stopped&) {
+        ++stopped;
+      }
+    }
+    CHECK(tables.sliding(0.2, 0.5)[0] == SupportedTables(supports).sliding(0.2, 0.5)[0]);
+  }
+  CHECK(stopped == 60);
 }
 
 TEST_CASE("tables on supports: those asked for again and again stay, however many others are asked for once") {
