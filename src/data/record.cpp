@@ -249,11 +249,6 @@ StepNoise::StepNoise(const Record& record, std::span<const double> smooth) : rec
   resolution_ = resolution_of(record.force);
 }
 
-double stage_noise(std::span<const double> stage) {
-  return std::max(noise_of_second_differences(second_differences(stage)),
-                  resolution_of({stage.begin(), stage.end()}) / std::sqrt(6.0));
-}
-
 double StepNoise::over(std::size_t steps) const {
   const std::vector<double>& force = record_.force;
   const std::size_t points = force.size();
@@ -285,6 +280,11 @@ double StepNoise::over(std::size_t steps) const {
 
   // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
   return std::max(quietest / shown_by_quietest(windows), resolution_ / std::sqrt(6.0));
+}
+
+double stage_noise(std::span<const double> stage) {
+  return std::max(noise_of_second_differences(second_differences(stage)),
+                  resolution_of({stage.begin(), stage.end()}) / std::sqrt(6.0));
 }
 
 double force_noise(const Record& record) {

@@ -379,15 +379,12 @@ Found impossible_drops(T test) {
                              : impossible == drops ? fmt::format("None of the {} drops can be a slip", drops)
                                                    : fmt::format("{} of the {} drops cannot be {}", impossible, drops,
                                                                  impossible == 1 ? "a slip" : "slips");
-  const std::string_view look = "ook at what happened there: a break, a spike of the load cell, or a crack.";
   return Finding{
       .severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
       .sentence = fmt::format("{}{}.", can_be, is_stiffness_in_doubt ? " at the bending stiffness stated" : ""),
       .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
-      .remedy =
-          is_stiffness_in_doubt
-              ? fmt::format("Check the bending stiffness first, which the fit contradicts; if it is right, l{}", look)
-              : fmt::format("L{}", look),
+      .remedy = fmt::format("{}Look at what happened there: a break, a spike of the load cell, or a crack.",
+                            is_stiffness_in_doubt ? "Check the bending stiffness, which the fit contradicts. " : ""),
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 

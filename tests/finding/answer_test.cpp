@@ -449,6 +449,19 @@ TEST_CASE("hangs on: what moves friction most comes first, and the share of the 
   CHECK(std::isnan(limit.front().work));
 }
 
+TEST_CASE("findings: what cannot be a slip is told at the bending stiffness stated, where the fit has another") {
+  const auto told = [](CheckOutcome stiffness) {
+    const Answer answer = answer_of(changed([=](FittedTest& test) {
+      test.judgement->impossible = 2;
+      check_of(test, CheckKind::stiffness).outcome = stiffness;
+    }));
+    return *found(answer, "impossible_drops");
+  };
+  CHECK(told(CheckOutcome::passed).sentence == "2 of the 35 drops cannot be slips.");
+  CHECK(told(CheckOutcome::failed).sentence == "2 of the 35 drops cannot be slips at the bending stiffness stated.");
+  CHECK(told(CheckOutcome::failed).remedy.starts_with("Check the bending stiffness"));
+}
+
 // As the page is fed them (studio/tests/words_test.mjs): every one there is, as `fit --json` tells it. FLEXSLIP_FREEZE=1 writes them anew.
 TEST_CASE("findings in JSON are those that the page's test is fed") {
   const std::string path = FLEXSLIP_SOURCE_DIR "/tests/outside/golden/findings.json";
