@@ -160,7 +160,24 @@ Encoding encoding_of(std::string_view bytes) {
   return Encoding::cp1252;
 }
 
+[[noreturn]] void refuse_binary(std::string_view bytes, std::size_t at, std::string_view what) {
+  throw InputError({.line = line_at(bytes, at),
+                    .expected = "text",
+                    .found = fmt::format("binary data ({})", what),
+                    .remedy = "export the measurement as CSV"});
+}
+
+// Control characters that no text has, in one place of a hundred.
+bool is_binary(std::string_view bytes) {
+  constexpr std::ptrdiff_t share = 100;
+  const auto controls = std::count_if(bytes.begin(), bytes.end(), [](char c) {
+    return static_cast<unsigned char>(c) < 0x20 && (c < '\t' || c > '\r') && c != '\x1a' && c != '\x1b';
+  });
+  return controls * share > std::ssize(bytes);
+}
+
 [[noreturn]] void refuse_byte(std::string_view bytes, std::size_t at, Encoding encoding) {
+  if (is_binary(bytes)) refuse_binary(bytes, at, "control characters");
   throw InputError(
       {.line = line_at(bytes, at),
        .expected = fmt::format("text in {}", name_of(encoding)),
@@ -219,10 +236,7 @@ DecodedText decode(std::string bytes, std::optional<Encoding> wanted) {
   }
   if (decoded.text.find('\0') != std::string::npos) decoded.text = without_string_ends(std::move(decoded.text));
   if (const std::size_t nul = decoded.text.find('\0'); nul != std::string::npos)
-    throw InputError({.line = line_at(decoded.text, nul),
-                      .expected = "text",
-                      .found = "binary data (a NUL character)",
-                      .remedy = "export the measurement as CSV"});
+    refuse_binary(decoded.text, nul, "a NUL character");
   return decoded;
 }
 

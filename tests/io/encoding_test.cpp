@@ -1,10 +1,13 @@
 #include "io/encoding.h"
 
+#include <random>
 #include <string>
 
 #include <doctest/doctest.h>
 
 #include "io/input_error.h"
+#include "tests/has.h"
+#include "tests/refusal.h"
 
 using namespace flexslip;
 
@@ -40,6 +43,18 @@ TEST_CASE("encoding: NUL characters that end a line are none of it") {
   CHECK(decode(std::string("a\0\0\nb\n", 6)).text == "a\nb\n");
   CHECK_THROWS_AS(decode(std::string("a\0b\0\n1,2\n", 9)), InputError);
   CHECK_THROWS_AS(decode(std::string("1,2\n\0\0", 6)), InputError);
+}
+
+TEST_CASE("encoding: what no encoding makes a text of is binary, and no other encoding is proposed") {
+  const auto said = [](const std::string& bytes) { return message_of([&] { decode(bytes); }); };
+  std::mt19937 random(1);
+  for (int file = 0; file < 50; ++file) {
+    std::string bytes;
+    for (int i = 0; i < 3000; ++i) bytes += static_cast<char>(random() & 0xFF);
+    CHECK(has(said(bytes), "expected text, found binary data"));
+    CHECK_FALSE(has(said(bytes), "--encoding"));
+  }
+  CHECK(has(said("Weg;Kraft\n1;2\n\x81;3\n"), "--encoding"));
 }
 
 TEST_CASE("encoding: what is no text, or not in the encoding asked for, is refused with its line") {
