@@ -327,10 +327,8 @@ test("fit: while it runs, what it is at is said, and the pointer and the keys ar
 });
 
 test("fit: the bar shows the share that the program tells beside the stage, never goes back, and is empty at the end", { skip }, async () => {
-  const tab = await open(), rows = ["stage [um],force [mN]"];
-  // A record of 1200 rows, whose fit is a slow one.
-  for (let i = 0; i < 1200; ++i) rows.push(`${(i / 2).toFixed(2)},${(0.04 * i * (1 + 0.05 * Math.sin(i / 11)) + 0.3 * ((i * 7919) % 13) / 13).toFixed(5)}`);
-  await drop(tab, { name: "slow.csv", bytes: Buffer.from(rows.join("\n")) });
+  const tab = await open(), record = readFileSync(join(root, "examples/simulated/test.csv"), "utf8").replace("stage [um]", "crosshead [um]");
+  await drop(tab, { name: "slow.csv", bytes: Buffer.from(record) });
   await tab.waitForFunction(() => document.querySelector("#what b")?.textContent === "slow");
   await tab.evaluate(() => {
     window.seen = [];
