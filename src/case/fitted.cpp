@@ -184,18 +184,6 @@ std::string name_of_test(const std::string& file) {
 
 namespace {
 
-// A thickness or rollers are known up to there; any specimen has slipped through its supports long before.
-void require_on_supports(const Test& input, const Fibre& fibre, const Record& record) {
-  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end()), span = span_of(input);
-  if (fibre.on_edges() || deepest <= deepest_on_supports * span) return;
-  throw wrong_value(
-      input, "rig.span",
-      fmt::format(
-          "at least {:.2g} of the greatest deflection, {}, by which any specimen has slipped through its supports",
-          1 / deepest_on_supports, readable_length(input, deepest)),
-      readable_length(input, span), "check the units of displacement and span");
-}
-
 FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
   Stages stages;
   const Test input = measurement.test;  // completed with what the file says
@@ -207,7 +195,6 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
                               .contact_error = measurement.contact_error,
                               .fibre = fibre_of(input, Scales(span_of(input), 1)),
                               .rig_errors = rig_errors_of(measurement)};
-  require_on_supports(input, description.fibre, measurement.record);
   if (states_stiffness(input)) {
     const auto stiffness = bending_stiffness_of(input);
     static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam

@@ -86,6 +86,7 @@ Replay replay_of(const TestAnalysis& analysis) {
       last = analysis.reduced.stage[i];
       stages.push_back(last);
     }
+  if (!(last > 0)) return replay;  // bent deeper from its first row on
   const TestPath replayed = path_in_steps({Friction::as_met(table), analysis.rig}, stages);
   for (std::size_t k = 0; k < replayed.path.size(); ++k) replay.force[rows[k]] = replayed.path[k].F;
   for (const auto& drop : analysis.drops.drops)
@@ -346,7 +347,9 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  analysis.model = path_in_steps({friction, rig}, advancing(fitted.record.stage));
+  // On a load train that gives as much as all of the stage, what the force is off by may leave no way.
+  const std::vector<double> positions = advancing(fitted.record.stage);
+  if (positions.back() > 0) analysis.model = path_in_steps({friction, rig}, positions);
   for (PathPoint& point : analysis.model.path) read_by_rig(point, analysis);
   for (Snap& snap : analysis.model.snaps) {
     read_by_rig(snap.before, analysis);

@@ -33,6 +33,10 @@ std::vector<double> most_by_slips(const ReducedRecord& record, std::span<const D
       most.push_back(0);
       continue;
     }
+    if (std::max(w, after) > deepest_on_supports) {  // beyond any state
+      most.push_back(record.force[drop.before]);
+      continue;
+    }
     double held = 0;
     for (int i = 1; i <= places; ++i) held = std::max(held, held_by_friction(w * i / places, supports));
     const double left = (1 - held) * frictionless(after, supports) / frictionless(w, supports);

@@ -20,7 +20,7 @@ inline constexpr double least_height_of_a_bar = 1.0 / 200;
 // or outwards, can hold of it at any deflection up to that, less what the specimen gains by moving on. Whatever the bending stiffness is: a part of
 // the force before.
 // Domain:     drops of the record; supports as state_on_supports.
-// Accuracy:   that of the map; all of the force where there is no state of so much friction.
+// Accuracy:   that of the map; all of the force where there is no state of so much friction, or of none.
 // Source:     theory.md, "What a slip can do to a bar"; of a stocky bar over small deflections 1.5 μ h/L of the force.
 std::vector<double> most_by_slips(const ReducedRecord& record, std::span<const Drop> drops, const Supports& supports);
 

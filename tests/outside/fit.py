@@ -70,9 +70,7 @@ class OddButLegal(InFolder):
         self.fitted(self.record("smooth.csv", self.smooth()), "2960 GPa")
 
     def test_a_span_so_much_too_short_that_tests_drawn_from_the_fit_slip_through(self):
-        for span in "180 um", "300 um":  # more than two spans deep
-            self.refused("fit", CASE, "--set", f'rig.span="{span}"', "--set", 'rig.stiffness="inf"', says=["rig.span", "of the greatest deflection", span.replace("u", "µ")])
-        for span in "450 um", "500 um":
+        for span in "180 um", "300 um", "500 um":
             answer = run("fit", CASE, "--set", f'rig.span="{span}"', "--set", 'rig.stiffness="inf"', "--json")
             self.assertIn(answer.returncode, (0, 1), answer.stderr)
             self.assertIn(json.loads(answer.stdout)["verdict"]["code"], ("check_input", "no_answer"), span)

@@ -186,9 +186,11 @@ class Loading(InFolder):
     def test_bad_input_a_stage_in_a_wrong_unit_is_beyond_the_span(self):
         rows = self.simulated()
         self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{1000 * stage:.9e},{force:.9e}\n" for stage, force in rows))
-        rig = self.RIG.replace('supports = "edges"', 'roller_radius = "10 um"')
-        self.refused("fit", self.file("case.toml", rig + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'),
-                     says=["case.toml:4: [rig] span", "greatest deflection", "found 1.278 mm", "check the units of displacement and span"])
+        for supports in 'supports = "edges"', 'roller_radius = "10 um"':
+            rig = self.RIG.replace('supports = "edges"', supports)
+            refused = run("fit", self.file("case.toml", rig + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'))
+            self.assertEqual((refused.returncode, refused.stderr), (1, ""))
+            self.assertIn("No specimen bends so far over its supports", " ".join(refused.stdout.split()))
 
     def test_truth_a_break_is_found_at_any_rate_of_reading(self):
         rows = self.simulated('["0 um", "520 um"]')
