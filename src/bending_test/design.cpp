@@ -13,6 +13,7 @@
 #include "bending_test/sliding_table.h"
 #include "bending_test/snap.h"
 #include "contact/over_rollers.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/polynomial.h"
@@ -402,8 +403,8 @@ double breaking_deflection(const Design& design, const Rig& rig) {
 }
 
 void require_loading(const Design& design) {
-  constexpr double min_deflection = 1e-6;                                     // below it S - 1 has lost its digits
-  const double deflection = design.travel / (1 + 48 / design.rig.stiffness);  // of the straight fibre
+  constexpr double min_deflection = 1e-6;  // below it S - 1 has lost its digits
+  const double deflection = beam_deflection(design.travel, design.rig.stiffness);
   if (!(deflection >= min_deflection))
     throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
                                 std::to_string(1e6 * deflection) + "e-6");
@@ -449,7 +450,7 @@ double critical_stiffness(const Design& design) {
     const double critical = (1 + above) * critical_stiffness(design.friction, deflection, design.rig.fibre);
     if (!(critical < (1 - settled) * stiffness)) return critical;
     // A rig that soft hardly bends the fibre, which has not begun to slide.
-    if (!(design.travel / (1 + 48 / critical) > least)) return 0;
+    if (!(beam_deflection(design.travel, critical) > least)) return 0;
     stiffness = critical;
     const Rig rig{stiffness, design.rig.fibre};
     const auto curve =

@@ -10,6 +10,7 @@
 #include "bending_test/rig.h"
 #include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/quadrature.h"
 #include "numerics/root.h"
@@ -25,7 +26,7 @@ PathPoint path_point(const RigPoint& point, Motion motion) {
 
 // A rig so soft that the fibre bends by less than a millionth of its span loses the digits of S - 1.
 void require_bending(const Rig& rig, double farthest) {
-  if (!(farthest / (1 + 48 / rig.stiffness) >= 1e-6)) {
+  if (!(beam_deflection(farthest, rig.stiffness) >= 1e-6)) {
     std::ostringstream message;
     message << "the rig is too soft, or moved too little, to bend the fibre: its stiffness is " << rig.stiffness
             << " EI/L^3, and it moves to " << farthest << " spans";

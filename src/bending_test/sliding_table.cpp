@@ -9,6 +9,7 @@
 #include "contact/over_rollers.h"
 #include "fibre/batch.h"
 #include "fibre/state_table.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
 #include "numerics/root.h"
@@ -18,7 +19,7 @@ namespace {
 
 // The straight fibre, where derivatives in S are infinite, but not those in x.
 CurveSample straight(double direction, double compliance, double q) {
-  const double slope = std::sqrt(15.0) / 6 * (1 + 48 * compliance);
+  const double slope = std::sqrt(15.0) / 6 * (1 + beam_stiffness * compliance);
   return {true, {1, q, 0, 0, 0, infinity}, direction * slope, slope};
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bending_test/history.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -20,11 +21,10 @@ std::optional<StandardReading> standard_reading(const Fibre& fibre, double frict
   const BendingTest test{.friction = Friction::constant(friction), .rig = {.stiffness = infinity, .fibre = fibre}};
   const History way = follow_in_steps(test, std::array{from, to, greatest});
   if (way.status != HistoryStatus::ok || way.path.size() < 3) return std::nullopt;
-  constexpr double euler_bernoulli = 48;  // F = 48 w, and a curvature F/4 at midspan
   const auto& end = way.path[2];
   const double curvature = fibre.curvature_at_midspan(state_at(fibre, end));
-  return StandardReading{.modulus = (way.path[1].F - way.path[0].F) / (euler_bernoulli * (to - from)),
-                         .stress = end.F / (4 * curvature),
+  return StandardReading{.modulus = (way.path[1].F - way.path[0].F) / (beam_stiffness * (to - from)),
+                         .stress = end.F / (4 * curvature),  // a beam's curvature is F/4
                          .work = way.energy.friction / way.energy.stage_work};
 }
 

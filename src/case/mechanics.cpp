@@ -20,6 +20,7 @@
 #include "instruments/trace_file.h"
 #include "io/quantity.h"
 #include "io/table.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/root.h"
 #include "surface/slope_friction.h"
@@ -497,7 +498,7 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
     const double bend = of_one * most_steepening(geometry_of(test), straight->middle(measurement.record));
     const double error = elementary::length(elementary::length(usual_stiffness_error, bend),
                                             straight->slope.standard_error / straight->slope.value);
-    return {straight->slope.value * span * span * span / 48, error, StiffnessSource::initial_slope};
+    return {beam_bending_stiffness(straight->slope.value, span), error, StiffnessSource::initial_slope};
   }
   const auto slope = stiffness_from_slope(first_loading(measurement), span);
   if (!slope.found)
@@ -608,7 +609,7 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
     throw ImpossibleTest(wrong_value(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
                                      fmt::format("{:g}", *test.rig->pin_friction)));
   const Rig rig = rig_of(test, scales);
-  if (!(farthest / (1 + 48 / rig.stiffness) >= min_stage))
+  if (!(beam_deflection(farthest, rig.stiffness) >= min_stage))
     throw ImpossibleTest(wrong_value(
         test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", min_stage),
         readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), "check its unit"));

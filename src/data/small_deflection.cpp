@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "data/drops.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -203,7 +204,7 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
   const double slope = (*high - *low) / (to - from);
   const double error = elementary::length(std::numbers::sqrt2 * noise / (to - from) / (1 - load_train_share),
                                           slope * load_train_share / (1 - load_train_share) * load_train_error);
-  return Chord{normal_estimate(slope, error), from, to, slope * span * span * span / (48 * second_moment(section))};
+  return Chord{normal_estimate(slope, error), from, to, beam_bending_stiffness(slope, span) / second_moment(section)};
 }
 
 // What supports and friction explain of a straight part that is steeper than the chord.
@@ -297,7 +298,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   const auto& section = geometry.section;
   const double L = geometry.span.value_or(0);
   const double stiffness = straight->slope.value;
-  if (geometry.span && section) result.modulus = stiffness * L * L * L / (48 * second_moment(*section));
+  if (geometry.span && section) result.modulus = beam_bending_stiffness(stiffness, L) / second_moment(*section);
   if (result.modulus && *result.modulus > options.greatest_modulus) {
     result.status = SmallDeflectionStatus::too_stiff;
     return result;
@@ -324,7 +325,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   result.end = reached(record.force.size() - 1);
   if (!geometry.span) return result;
   result.deflection_large = result.greatest.deflection > max_deflection * L;
-  result.bending_stiffness = stiffness * L * L * L / 48;
+  result.bending_stiffness = beam_bending_stiffness(stiffness, L);
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
   // A record that begins under a force that bends the specimen further than the chord's lower strain does not cover it.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "fibre/state_table.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
 #include "numerics/root.h"
@@ -44,7 +45,7 @@ Fibre::BentState Fibre::bent(double w, double q) const {
   if (w == 0) {
     at.state = fibre_state(1, 0);
     at.S_w = -6 * supports().half_depth;
-    at.F_w = 48 / (1 + 3 * q * supports().half_depth);
+    at.F_w = beam_stiffness / (1 + 3 * q * supports().half_depth);
     at.theta0_w = 3;
     at.Pn_w = 0.5 * at.F_w;
     return at;

@@ -17,6 +17,7 @@
 #include "fibre/batch.h"
 #include "fibre/cell_table.h"
 #include "fibre/supported_state.h"
+#include "numerics/beam.h"
 
 namespace flexslip {
 
@@ -55,7 +56,7 @@ class SupportedTables {
   static double least_length(const Supports& supports) { return 1 - 3.75 * supports.half_depth * supports.half_depth; }
   // [L], [EI/L^2] The deflection and the force there.
   double least_w() const { return 1.25 * supports.half_depth; }
-  double least_F() const { return 48 * least_w(); }
+  double least_F() const { return beam_stiffness * least_w(); }
 
   // w - least_w and F - least_F over lengths, 1 for the least, and frictions.
   const CellTable& by_length() const { return by_length_; }

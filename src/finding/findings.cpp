@@ -22,6 +22,7 @@
 #include "finding/slips_of_a_bar.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -258,8 +259,7 @@ Found wrong_load_train(T test) {
   if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
       !likely_slip_of_units(times).empty())
     return std::nullopt;
-  constexpr double of_a_beam = 48;  // [EI/L^3] force over a small deflection
-  const double train = analysis.scales.physical_stiffness(of_a_beam / (times - 1));
+  const double train = analysis.scales.physical_stiffness(beam_stiffness / (times - 1));
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "

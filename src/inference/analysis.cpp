@@ -15,6 +15,7 @@
 #include "inference/profile.h"
 #include "inference/rig_shifts.h"
 #include "inference/slip_limit.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/progress.h"
 #include "numerics/statistics.h"
@@ -63,7 +64,7 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   const double error = elementary::length(
       elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
   return {.found = work > 0 && error <= max_stiffness_error,
-          .value = work / square * span * span * span / 48,
+          .value = beam_bending_stiffness(work / square, span),
           .relative_error = error};
 }
 
@@ -271,7 +272,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double usual_error = from_slope && slope.found ? slope.relative_error : usual_stiffness_error;
   // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
   const double through_contact = EI / slope.value;
-  const double beside = EI / (contact.slope.value * L * L * L / 48);
+  const double beside = EI / beam_bending_stiffness(contact.slope.value, L);
   const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
   constexpr double max_ratio =
@@ -396,7 +397,7 @@ std::vector<EquilibriumPoint> frictionless_curve(const TestAnalysis& analysis) {
 }
 
 double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
-  return 48 * stiffening_of(analysis) * deflection;
+  return beam_stiffness * stiffening_of(analysis) * deflection;
 }
 
 TestPath mean_run_forward(const TestAnalysis& analysis) {

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "bending_test/equilibrium.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -297,10 +298,9 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
   const Line line = line_through(std::span(deflection).subspan(half), std::span(calm).subspan(half, n - half));
   if (!(line.slope > 0)) return {ContactStatus::not_rising};
   Fitted start;
-  constexpr double of_a_beam = 48;
   start.contact = line.mean_x - line.mean_y / line.slope;
   start.log_stiffness = elementary::log(test.bending_stiffness ? *test.bending_stiffness / (test.span * test.span)
-                                                               : line.slope / of_a_beam);
+                                                               : line.slope / beam_stiffness);
 
   std::vector<Rise> rises;
   constexpr double of_rollers = 5.6;  // [1/L] friction that would bend the curve as a roller's radius does
@@ -339,7 +339,7 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
   const double offset = test.span * told.offset;
   return {.status = ContactStatus::found,
           .offset = normal_estimate(offset, test.span * elementary::length(error, least_contact_error)),
-          .slope = of_a_beam * elementary::exp(told.likeliest.log_stiffness) / test.span,
+          .slope = beam_stiffness * elementary::exp(told.likeliest.log_stiffness) / test.span,
           .points_before = static_cast<std::size_t>(
               std::count_if(record.stage.begin(), record.stage.end(), [=](double at) { return at < offset; })),
           .settles = share > 0.5 && seated.depth * seated.depth > 4 * seated.depth_variance};

@@ -65,38 +65,6 @@ Regression regression_of(const CoefficientMatrix& products, const Coefficients& 
 
 CoefficientMatrix covariance_of(const Regression& regression);  // [1] of β
 
-// The hyperparameters of friction along a fibre as they are sought: on scales without ends, with what is expected of them beforehand.
-
-inline constexpr std::size_t max_waves = 2;
-
-// ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
-struct Theta {
-  std::array<double, 4 + max_waves> values;
-  std::size_t waves = 0;
-
-  std::size_t size() const { return 4 + waves; }
-  double log_wavelength(std::size_t wave) const { return values[4 + wave]; }
-};
-
-Hyperparameters hyperparameters_of(const Theta& theta);
-
-inline constexpr double max_correlation = 0.95;  // ρ, of the noise of one reading with the next
-
-// Of the first four: normal, within bounds.
-struct ThetaPrior {
-  std::array<double, 4> mean, deviation, least, greatest;
-
-  // Of readings over a range [L] of lengths, whose noise [EI/L^2] of the force is about that.
-  static ThetaPrior of(double range, double noise);
-
-  Theta usual(std::span<const double> log_wavelengths = {}) const;
-  void bound(Theta& theta) const;
-  // Relative to its greatest; and the logarithm of that. Those of roughness count where there is a kernel.
-  double log_density(Kernel kernel, const Theta& theta) const;
-  double log_scale(Kernel kernel) const;
-  double slope(const Theta& theta, std::size_t i) const;  // of log_density
-};
-
 // What all observations together say of one.
 struct SmoothedObservation {
   double f;         // [1] mean of h'β + g

@@ -14,6 +14,7 @@
 #include "data/names.h"
 #include "inference/process_mode.h"
 #include "inference/process_posterior.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/progress.h"
 
@@ -317,9 +318,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   // Friction gives every reading of the authors' tests and of cracked ones, three in five of noise.
   const bool mostly_given = 3 * passages.size() >= 2 * passages.judged;
   // On a rig so soft nothing bends that a history could follow, whatever deflections the record says.
-  constexpr double of_a_beam = 48, hardly_bends = 1e-5;  // [EI/L^3], [L]
-  const double farthest = problem.record.stage.back();
-  const bool bends = farthest / (1 + of_a_beam / problem.rig.stiffness) > hardly_bends;
+  constexpr double hardly_bends = 1e-5;  // [L]
+  const bool bends = beam_deflection(problem.record.stage.back(), problem.rig.stiffness) > hardly_bends;
   if (passages.size() < min_readings || !mostly_given || !bends) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
@@ -389,8 +389,9 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.of_mu0 = {of_mean, FrictionProcess::mean_friction, 0.5};
   fit.of_log_stiffness = {posterior.log_stiffness, 0, s};
   const ThetaPrior& prior = process.prior_of_theta();
-  fit.of_log_roughness = {posterior.log_roughness, prior.mean[2], prior.deviation[2]};
-  fit.of_log_length = {posterior.log_length, prior.mean[3], prior.deviation[3]};
+  fit.of_log_roughness = {posterior.log_roughness, prior.mean[Theta::log_roughness],
+                          prior.deviation[Theta::log_roughness]};
+  fit.of_log_length = {posterior.log_length, prior.mean[Theta::log_length], prior.deviation[Theta::log_length]};
   return fit;
 }
 

@@ -209,12 +209,13 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Observat
   const auto likelihood = Chain(observations, mode.kernel, p).gradient(std::span(wavelengths).first(theta.waves));
   Objective result{.value = likelihood.value + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, theta),
                    .gradient = {}};
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (mode.kernel == Kernel::none && i >= 2) continue;
-    const double of_value = i == 1 ? p.correlation * (1 - p.correlation / max_correlation) : 1;
+  for (std::size_t i = 0; i < Theta::first_wave; ++i) {
+    if (mode.kernel == Kernel::none && i >= Theta::log_roughness) continue;
+    const double of_value = i == Theta::logit_correlation ? p.correlation * (1 - p.correlation / max_correlation) : 1;
     result.gradient[i] = likelihood.hyperparameters[i] * of_value + prior_of_theta_.slope(theta, i);
   }
-  for (std::size_t wave = 0; wave < theta.waves; ++wave) result.gradient[4 + wave] = likelihood.log_wavelengths[wave];
+  for (std::size_t wave = 0; wave < theta.waves; ++wave)
+    result.gradient[Theta::first_wave + wave] = likelihood.log_wavelengths[wave];
   return result;
 }
 
@@ -252,7 +253,7 @@ double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain
 }
 
 void FrictionProcess::settle(Mode& mode) const {
-  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
+  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
   const auto nodes = nodes_of(mode);
   Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -308,7 +309,7 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
 
 // One Gauss-Newton step; returns how far the fitted lengths had to go, the greatest of them [L].
 double FrictionProcess::pass(Mode& mode, double fraction) const {
-  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[0]), mode.sites);
+  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
   const auto nodes = nodes_of(mode);
   const Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -364,15 +365,16 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
 // Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
 void FrictionProcess::maximise(Mode& mode, int iterations) const {
   const auto n = static_cast<Index>(mode.theta.size());
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 4 + max_waves, 1>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Theta::first_wave + max_waves, 1>;
   Box<Vector> box{.low = Vector(n), .high = Vector(n), .longest_step = Vector::Constant(n, 1.0)};
   Vector start(n), variances = Vector::Constant(n, 0.05);
   for (Index i = 0; i < n; ++i) start[i] = mode.theta.values[static_cast<std::size_t>(i)];
-  for (Index i = 0; i < 4; ++i) {
+  constexpr auto first_wave = static_cast<Index>(Theta::first_wave);
+  for (Index i = 0; i < first_wave; ++i) {
     box.low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
     box.high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
   }
-  for (Index i = 4; i < n; ++i) {
+  for (Index i = first_wave; i < n; ++i) {
     const double longest = 0.3 * elementary::exp(start[i] - elementary::log(passages_.range));
     box.longest_step[i] = longest;
     box.low[i] = std::max(start[i] - 0.15, elementary::log(0.5 * min_wavelength_));
@@ -667,10 +669,10 @@ class Search {
     add(scan);
     Mode smooth = plain;
     const double range = process_.passages().range;
-    smooth.theta.values[2] = elementary::log(0.03);
-    smooth.theta.values[3] = elementary::log(range / 5);
+    smooth.theta.values[Theta::log_roughness] = elementary::log(0.03);
+    smooth.theta.values[Theta::log_length] = elementary::log(range / 5);
     add(scan_of(process_, smooth));
-    raw.theta.values[3] = elementary::log(range / 5);
+    raw.theta.values[Theta::log_length] = elementary::log(range / 5);
     add(scan_of(process_, raw));
     return found;
   }
@@ -685,9 +687,9 @@ class Search {
 
   // A mode with one more wave than `theta` has, quickly.
   Mode tried(const Mode& from, Theta theta, double log_wavelength) const {
-    theta.values[2] = elementary::log(0.03);
-    theta.values[3] = elementary::log(process_.passages().range / 10);
-    theta.values[4 + theta.waves++] = log_wavelength;
+    theta.values[Theta::log_roughness] = elementary::log(0.03);
+    theta.values[Theta::log_length] = elementary::log(process_.passages().range / 10);
+    theta.add_wave(log_wavelength);
     Mode mode = process_.start(from.kernel, theta, from.at);
     mode.sites = from.sites;
     mode = settled(std::move(mode), 12);
@@ -697,7 +699,8 @@ class Search {
 
   std::vector<Mode> with_one_more_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
     const double range = process_.passages().range;
-    const Theta usual = process_.prior_of_theta().usual(std::span(plain.theta.values).subspan(4, plain.theta.waves));
+    const Theta usual =
+        process_.prior_of_theta().usual(std::span(plain.theta.values).subspan(Theta::first_wave, plain.theta.waves));
     const Mode raw = process_.start(plain.kernel, usual, rises_);
     const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
@@ -770,7 +773,7 @@ class Search {
   // Whether noise moves the place of a reading by as much as tells waves apart.
   bool is_blurred(const Mode& mode) const {
     std::vector<double> blur;
-    const double noise = elementary::exp(mode.theta.values[0]);
+    const double noise = elementary::exp(mode.theta.values[Theta::log_noise]);
     for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
     return median_of(std::move(blur)) > process_.passages().range / 1000;
   }

@@ -14,6 +14,7 @@
 
 #include "inference/chain.h"
 #include "inference/first_passages.h"
+#include "inference/theta.h"
 
 namespace flexslip {
 
@@ -74,7 +75,7 @@ class FrictionProcess {
   // Domain:     observations are observations_of(mode); they are left with the waves of θ.
   struct Objective {
     double value;
-    std::array<double, 4 + max_waves> gradient;
+    std::array<double, Theta::first_wave + max_waves> gradient;
   };
   Objective objective(const Mode& mode, Observations& observations, const Theta& theta) const;
 

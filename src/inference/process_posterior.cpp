@@ -164,7 +164,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     }
     return mu;
   };
-  const double scale = 3 * std::max(elementary::exp(mode.theta.values[0]), 0.005);
+  const double scale = 3 * std::max(elementary::exp(mode.theta.values[Theta::log_noise]), 0.005);
   // Like squares where the run is close, like distances where it is on another tooth.
   const auto misfit = [&](const Guess& f) {
     const auto states = run.states(path(f), f.eta, mode.at.stage);
@@ -231,7 +231,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
       for (double& length : step) length *= 0.4;
   }
   Mode other = mode;
-  other.theta.values[4 + waves - 1] = best.log_wavelength;
+  other.theta.values[Theta::first_wave + waves - 1] = best.log_wavelength;
   return linearised_at(process, other, run.states(path(best), best.eta, mode.at.stage), best.eta);
 }
 
@@ -613,7 +613,7 @@ class Posterior {
     if (factor.info() != Eigen::Success) factor.compute(MatrixXd(covariance.diagonal().cwiseMax(1e-16).asDiagonal()));
     std::array<double, max_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
-      const auto at = static_cast<Index>(4 + wave);
+      const auto at = static_cast<Index>(Theta::first_wave + wave);
       deviation[wave] = elementary::length(std::sqrt(component.spread(at, at)), scatter_of(component, wave));
     }
     for (int i = 0; i < draws; ++i) {

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "fibre/supported_state.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t places = 8;        // at which a slow deviation is known
 constexpr std::size_t deflections = 16;  // of a force that the supports change
-constexpr double force_of_a_beam = 48;   // [EI/L^3] over a small deflection
 constexpr double length_of_slow = 0.5;   // of the greatest deflection
 
 double matern_5_2(double distance) {
@@ -81,7 +81,7 @@ Shift RigShifts::by(StatedQuantity quantity, double w, double F) const {
     case StatedQuantity::contact:
       return {-1, 0};
     case StatedQuantity::preload:
-      return {1, force_of_a_beam};
+      return {1, beam_stiffness};
     case StatedQuantity::load_train:
       return {F * compliance_, 0};
     case StatedQuantity::span:
@@ -162,8 +162,8 @@ FitProblem restated(FitProblem problem, StatedQuantity quantity, double more) {
       for (double& each : stage) each -= more;
       break;
     case StatedQuantity::preload:
-      for (double& each : force) each += force_of_a_beam * more;
-      for (double& each : stage) each += more * (1 + force_of_a_beam / rig.stiffness);
+      for (double& each : force) each += beam_stiffness * more;
+      for (double& each : stage) each += more * (1 + beam_stiffness / rig.stiffness);
       break;
     case StatedQuantity::thickness:
       supports_with(0, 0.5 * more);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
@@ -250,7 +251,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
       if (before + 1 < curves.force.size())
         add(0, plane.load_line(curves.deflection[before], curves.force[before], curves.force[before + 1],
                                curves.load_train_stiffness));
-    const double initial = 48 * summary.bending_stiffness.value / std::pow(curves.span, 3);
+    const double initial = beam_slope(summary.bending_stiffness.value, curves.span);
     add(1, {{0, 0}, {w(plane.w_max), F(initial * plane.w_max)}});
     const auto smooth = frictionless_curve(curves, summary.bending_stiffness.value);
     add(2, plane.curve("", smooth).rows);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "io/text.h"
+#include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "report/figures.h"
 #include "result/frame.h"
@@ -121,7 +122,7 @@ Plot equilibrium_figure(const EquilibriumStudy& study) {
                                 {Mark::line, "frictionless", {0, 1}, styles::frictionless, "No friction"},
                                 {.style = styles::euler,
                                  .title = "Euler–Bernoulli",
-                                 .at = {0, 0, plane.w(plane.w_max), plane.F(48 * plane.w_max)}}}}}};
+                                 .at = {0, 0, plane.w(plane.w_max), plane.F(beam_stiffness * plane.w_max)}}}}}};
 }
 
 namespace {
@@ -285,8 +286,7 @@ Plot design_figure(const DesignAnswer& answer) {
   double top = is_finite ? own : 0;
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
-  constexpr double of_straight_specimen = 48;  // [EI/L^3]
-  if (top == 0) top = of_straight_specimen;    // displacement control, and no rig snaps
+  if (top == 0) top = beam_stiffness;  // displacement control, and no rig snaps
   // The rig may be far from where it matters.
   constexpr double wide = 20;
   const double likely = is_finite ? own : top;

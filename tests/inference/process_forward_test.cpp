@@ -40,7 +40,7 @@ TEST_CASE("identity: a mode at the states of its own friction stays when it is r
   const ForwardRun run(process.passages());
   const std::vector<double> lambdas{std::log(20.0 / 1278)};
   Theta theta = process.prior_of_theta().usual(lambdas);
-  theta.values[0] = std::log(0.005);
+  theta.values[Theta::log_noise] = std::log(0.005);
   Mode mode = process.start(Kernel::none, theta, rises_of(process.passages()));
   process.burst(mode, 60, 0.3);
   const Mode forward = run_forward(process, run, mode);

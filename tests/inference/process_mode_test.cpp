@@ -24,7 +24,7 @@ Passages some_passages(double stiffness_error = 0.03) {
 Mode some_mode(const FrictionProcess& process, Kernel kernel, bool wave) {
   const std::vector<double> lambdas{std::log(21.0 / 1278)};
   Theta theta = process.prior_of_theta().usual(wave ? std::span<const double>(lambdas) : std::span<const double>());
-  theta.values[0] = std::log(0.02);
+  theta.values[Theta::log_noise] = std::log(0.02);
   Mode mode = process.start(kernel, theta, rises_of(process.passages()));
   process.burst(mode, 3, 0.3);
   return mode;
@@ -130,8 +130,9 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
         const FrictionProcess here(passages_of(problem_at(at, 0)));
         REQUIRE(here.passages().size() == process.passages().size());
         Mode other = here.start(mode.kernel, mode.theta, mode.at);
-        other.theta.values[0] -= at;
-        other.theta.values[2] -= at;  // how rough it is, is not known beforehand: neither tells of EI
+        other.theta.values[Theta::log_noise] -= at;
+        other.theta.values[Theta::log_roughness] -=
+            at;  // how rough it is, is not known beforehand: neither tells of EI
         other.at.eta = 0;
         for (std::size_t j = 0; j < other.at.S.size(); ++j) other.at.S[j] += mode.at.S_eta[j] * (at - eta);
         complete(other.at, here.passages());
@@ -139,10 +140,12 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
         const double n = static_cast<double>(here.passages().size());
         const ThetaPrior& prior = process.prior_of_theta();
         const auto of_noise = [&](double value) {
-          return -0.5 * (value - prior.mean[0]) * (value - prior.mean[0]) / (prior.deviation[0] * prior.deviation[0]);
+          return -0.5 * (value - prior.mean[Theta::log_noise]) * (value - prior.mean[Theta::log_noise]) /
+                 (prior.deviation[Theta::log_noise] * prior.deviation[Theta::log_noise]);
         };
-        const double log_weight = other.merit - of_noise(other.theta.values[0]) - n * at -
-                                  0.5 * at * at / (0.03 * 0.03) - (mode.merit - of_noise(mode.theta.values[0]));
+        const double log_weight = other.merit - of_noise(other.theta.values[Theta::log_noise]) - n * at -
+                                  0.5 * at * at / (0.03 * 0.03) -
+                                  (mode.merit - of_noise(mode.theta.values[Theta::log_noise]));
         const double w = std::exp(log_weight);
         weight += w;
         sum += w * at;

@@ -51,8 +51,8 @@ TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of
   for (int i = -12; i <= 12; ++i)
     for (int j = -80; j <= 80; ++j) {
       Theta theta = mode.theta;
-      theta.values[0] += step * i;
-      theta.values[1] += correlation_step * j;
+      theta.values[Theta::log_noise] += step * i;
+      theta.values[Theta::logit_correlation] += correlation_step * j;
       sum += std::exp(process.objective(mode, observations, theta).value - mode.merit) * step * correlation_step;
     }
   const double expected = mode.merit + std::log(sum) + process.prior_of_theta().log_scale(Kernel::none);

@@ -1,8 +1,9 @@
+#include "inference/theta.h"
+
 #include <cmath>
 
 #include <doctest/doctest.h>
 
-#include "inference/chain.h"
 #include "tests/approximately.h"
 
 namespace flexslip {
@@ -28,7 +29,7 @@ TEST_CASE("theta: bounds hold each value, and leave waves alone") {
     theta.values.fill(far);
     prior.bound(theta);
     for (std::size_t i = 0; i < 4; ++i) CHECK(theta.values[i] == (far < 0 ? prior.least[i] : prior.greatest[i]));
-    CHECK(theta.values[4] == far);
+    CHECK(theta.values[Theta::first_wave] == far);
     CHECK(hyperparameters_of(theta).correlation < max_correlation);
     CHECK(hyperparameters_of(theta).noise >= 0.2 * 0.01 * (1 - 1e-14));
   }
@@ -52,7 +53,8 @@ TEST_CASE(
   }
   // ∫ exp(log_density + log_scale) = 1, by the deviations of a normal distribution.
   const double peak = std::exp(prior.log_scale(Kernel::none));
-  CHECK(peak * 2 * std::acos(-1.0) * prior.deviation[0] * prior.deviation[1] == to(1e-14, 1.0));
+  CHECK(peak * 2 * std::acos(-1.0) * prior.deviation[Theta::log_noise] * prior.deviation[Theta::logit_correlation] ==
+        to(1e-14, 1.0));
 }
 
 }  // namespace flexslip
