@@ -22,9 +22,11 @@ bool Shallow::holds(const Fibre& fibre, double S, double w) {
   return !fibre.begins_straight() && (S < 1 || w < 1.5 * fibre.supports().half_depth);
 }
 
-double Shallow::friction_at(const FibreState& state) const {
-  return friction_.at(friction_.is_met() ? state.S : rig_.fibre.length_between_contacts(state)).mu;
+double Shallow::length_met(const FibreState& state) const {
+  return friction_.is_met() ? state.S : rig_.fibre.length_between_contacts(state);
 }
+
+double Shallow::friction_at(const FibreState& state) const { return friction_.at(length_met(state)).mu; }
 
 PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, Motion::stick}; }
 
@@ -32,17 +34,18 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
   const double rolled = 2 * rig_.fibre.supports().radius;
   Place found{};
   double low = -max_friction_sought, high = max_friction_sought;
+  const bool rolls = rolled > 0;
   for (int i = 0; i < 100; ++i) {
-    found.at = rig_.fibre.bent(w, q);
+    found.at = rolls ? rig_.fibre.bent(w, q) : rig_.fibre.drawn_in(w, q);
     const Fibre::BentState& at = found.at;
-    const double length_q = at.S_q - rolled * at.theta0_q, length_w = at.S_w - rolled * at.theta0_w;
+    const double length_q = rolls ? at.S_q - rolled * at.theta0_q : at.S_q;
+    const double length_w = rolls ? at.S_w - rolled * at.theta0_w : at.S_w;
     double step = 0;
     if (way.direction == 0) {
       step = (way.S - at.state.S) / at.S_q;
       found.q_w = -at.S_w / at.S_q;
     } else {
-      const FrictionPoint there =
-          friction_.at(friction_.is_met() ? at.state.S : rig_.fibre.length_between_contacts(at.state));
+      const FrictionPoint there = friction_.at(length_met(at.state));
       const double slope = friction_.is_met() ? 0 : way.direction * there.slope, in_q = 1 - slope * length_q;
       step = (way.direction * there.mu - q) / in_q;
       found.q_w = slope * length_w / in_q;
@@ -80,39 +83,61 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
     while (fibre.bent(far, mu).state.S < 1) far *= 1.2;
-  const auto passed = [&](const Place& there) { return advance * (stage_of(there) - stage) >= 0; };
+  const auto to_go = [&](const Place& there) { return advance * (stage - stage_of(there)); };
   const auto leaves = [&] { return advance > 0 && way.direction > 0; };
-  const auto ends = [&](double w) {
-    if (w == 0) return true;
+  // Positive until the stretch ends.
+  const auto left = [&](double w) {
+    if (w == 0) return -stage;
     const Place there = at(way, w);
     const FibreState& state = there.at.state;
-    if (passed(there)) return true;
-    if (slides) return there.slides() * advance * way.direction <= 0 || (leaves() && state.S >= 1);
+    double least = to_go(there);
+    if (slides) {
+      least = std::fmin(least, there.slides() * advance * way.direction);
+      return leaves() ? std::fmin(least, 1 - state.S) : least;
+    }
     const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
-    return !is_held || std::abs(state.q) > friction_at(state) + level;
+    return is_held ? std::fmin(least, friction_at(state) + level - std::abs(state.q)) : -infinity;
   };
-  // Step by step, none longer than friction is smooth for, on the contacts as they move.
-  constexpr double least = 1e-7, smooth = 0.5;
+  // Step by step, none longer than friction is smooth for, on the contacts as they move; at rest besides none on which what holds the fibre changes
+  // by more than half of friction, as it may come back to what friction can do on the other side of the least length.
+  constexpr double least = 1e-7, smooth = 0.5, of_friction = 0.5, of_half_depth = 0.1;
   const auto knots = friction_.knots();
   const double between_knots =
       knots.size() > 1 ? (knots.back() - knots.front()) / static_cast<double>(knots.size()) : far + from.w;
   const double scale = smooth * std::min(friction_.smooth_scale(), between_knots);
   double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
-  while (next != far && !ends(next)) {
-    w = next;
-    const double rate = std::max(std::abs(at(way, w).length_w), 0.1);
-    next = advance > 0 ? std::min(w + scale / rate, far) : std::max(w - scale / rate, far);
+  double left_there = left(next);
+  if (left_there > 0 && next != far) {
+    Tried before{};
+    do {
+      before = {next, left_there};
+      const Place there = at(way, next);
+      double step = scale / std::max(std::abs(there.length_w), 0.1);
+      if (!slides) {
+        const double by_friction = of_friction * friction_at(there.at.state) / std::abs(there.q_w);
+        step = std::min({step, std::max(by_friction, least * half_depth), of_half_depth * half_depth});
+      }
+      next = advance > 0 ? std::min(next + step, far) : std::max(next - step, far);
+      left_there = left(next);
+      const auto turns_back = [&](double deflection) { return at(way, deflection).q_w * there.q_w <= 0; };
+      if (!slides && left_there > 0 && turns_back(next)) {
+        const double turn = first_where(before.x, next, turns_back);
+        if (const double left_at_turn = left(turn); !(left_at_turn > 0)) next = turn, left_there = left_at_turn;
+      }
+    } while (left_there > 0 && next != far);
+    w = first_not_positive(left, before, next);
+  } else {
+    w = first_where(w, next, [&](double there) { return !(left(there) > 0); });
   }
-  w = first_where(w, next, ends);
   // Where at some deflection friction hardly moves what is drawn in, neither rest nor sliding leads on by more than rounding: there the
   // fibre follows friction for a thousandth of half its depth.
-  if (std::abs(w - from.w) <= 2 * least * half_depth && w > 0 && !passed(at(way, w))) {
+  if (std::abs(w - from.w) <= 2 * least * half_depth && w > 0 && to_go(at(way, w)) > 0) {
     slides = true;
     way.direction = from.q > 0 ? 1 : -1;
     constexpr double follows = 1e-3;
     const double follow = from.w + advance * std::min(follows * half_depth, std::abs(far - from.w));
     w = first_where(from.w, follow, [&](double there) {
-      return there == 0 || passed(at(way, there)) || (leaves() && at(way, there).at.state.S >= 1);
+      return there == 0 || !(to_go(at(way, there)) > 0) || (leaves() && at(way, there).at.state.S >= 1);
     });
   }
 
@@ -121,7 +146,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     const Place there = at(way, w);
     const FibreState& state = there.at.state;
     to = {stage_of(there), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
-    if (passed(there))
+    if (!(to_go(there) > 0))
       to.stage = stage;
     else if (leaves() && to.S >= 1)
       to.S = 1;
@@ -133,9 +158,13 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
 StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   const Way way{direction_of(to.motion), from.S};
   const Fibre& fibre = rig_.fibre;
+  const auto place_at = [&](double w) {
+    const double part = to.w == from.w ? 0 : (w - from.w) / (to.w - from.w);
+    return place(way, w, std::lerp(from.q, to.q, part));
+  };
   const auto power = [&](double w) {
-    const Place there = place(way, w, 0.5 * (from.q + to.q));
-    const FibreState& state = there.at.state;
+    const Place there = place_at(w);
+    const FibreState state = fibre.bent(w, there.at.state.q).state;
     const double F_w = there.at.F_w + there.at.F_q * there.q_w;
     return SlidingWork{state.F * (1 + F_w / rig_.stiffness),
                        state.q * state.Pn * (way.direction == 0 ? 0 : there.at.S_w + there.at.S_q * there.q_w) +
@@ -145,10 +174,8 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   const auto knots = friction_.knots();
   const double for_knots = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
   const double scales = (rolled + slid) * std::max(1 / friction_.smooth_scale(), for_knots);
-  const int pieces = 2 + static_cast<int>(std::ceil(2 * scales));
-  const auto length_at = [&](double w) {
-    return fibre.length_between_contacts(place(way, w, 0.5 * (from.q + to.q)).at.state);
-  };
+  const int pieces = 1 + static_cast<int>(std::ceil(scales));
+  const auto length_at = [&](double w) { return fibre.length_between_contacts(place_at(w).at.state); };
   SlidingWork sum;
   double begin = from.w, length = length_at(begin);
   for (int i = 1; i <= pieces; ++i) {

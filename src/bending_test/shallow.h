@@ -75,6 +75,7 @@ class Shallow {
   };
   Place place(const Way& way, double w, double q_near) const;
   double stage_of(const Place& place) const { return place.at.state.w + place.at.state.F / rig_.stiffness; }
+  double length_met(const FibreState& state) const;  // [L] where friction is looked up
   double friction_at(const FibreState& state) const;
 
   const Friction& friction_;

@@ -112,8 +112,12 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
       const double part = static_cast<double>(i) / samples;
       if (rolled > 0) count(fibre.contact(fibre.length_at(first + part * (last - first)), q).length_q);
       if (fibre.begins_straight()) continue;
-      const Fibre::BentState at = fibre.bent(part * shallow, q);
-      count(at.S_q - rolled * at.theta0_q);
+      if (rolled > 0) {
+        const Fibre::BentState at = fibre.bent(part * shallow, q);
+        count(at.S_q - rolled * at.theta0_q);
+      } else {
+        count(fibre.drawn_in(part * shallow, q).S_q);
+      }
     }
   return 1 / moved;
 }

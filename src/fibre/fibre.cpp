@@ -31,7 +31,7 @@ Fibre::Fibre(const Supports& supports) {
   static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
   if (supports.radius > 0 || supports.half_depth > 0) tables_ = SupportedTables::of(supports);
   least_length_ = SupportedTables::least_length(supports);
-  if (tables_) smooth_from_ = tables_->smooth_from();
+  if (tables_) smooth_from_ = tables_->smooth_from;
 }
 
 const Supports& Fibre::supports() const {
@@ -40,7 +40,15 @@ const Supports& Fibre::supports() const {
 }
 
 Fibre::BentState Fibre::bent(double w, double q) const {
-  const PairSlope slid = tables_->sliding(w, q), turned = tables_->contacts(w, q);
+  BentState at = drawn_in(w, q);
+  if (w == 0 || at.state.status != FibreStatus::ok) return at;
+  const PairSlope turned = tables_->contacts(w, q);
+  at.state.theta0 = turned[0], at.state.Pn = turned[1];
+  at.theta0_w = turned[2], at.theta0_q = turned[3], at.Pn_w = turned[4], at.Pn_q = turned[5];
+  return at;
+}
+
+Fibre::BentState Fibre::drawn_in(double w, double q) const {
   BentState at{};
   if (w == 0) {
     at.state = fibre_state(1, 0);
@@ -50,27 +58,22 @@ Fibre::BentState Fibre::bent(double w, double q) const {
     at.Pn_w = 0.5 * at.F_w;
     return at;
   }
+  const PairSlope slid = tables_->sliding(w, q);
   if (!(slid[1] >= 0)) {
     at.state = nothing_at(not_a_number, q);
     return at;
   }
-  at.state = {.status = FibreStatus::ok,
-              .S = 1 + slid[0],
-              .q = q,
-              .w = w,
-              .F = slid[1],
-              .theta0 = turned[0],
-              .Pn = turned[1],
-              .U = not_a_number,
-              .u = 0};
+  constexpr double n = not_a_number;
+  at.state = {
+      .status = FibreStatus::ok, .S = 1 + slid[0], .q = q, .w = w, .F = slid[1], .theta0 = n, .Pn = n, .U = n, .u = 0};
   at.S_w = slid[2], at.S_q = slid[3], at.F_w = slid[4], at.F_q = slid[5];
-  at.theta0_w = turned[2], at.theta0_q = turned[3], at.Pn_w = turned[4], at.Pn_q = turned[5];
+  at.theta0_w = at.theta0_q = at.Pn_w = at.Pn_q = n;
   return at;
 }
 
 FibreState Fibre::state_bent(double w, double q) const {
   FibreState state = bent(w, q).state;
-  if (w > 0 && state.status == FibreStatus::ok) state.U = tables_->energy(w, q);
+  if (w > 0 && state.status == FibreStatus::ok) state.U = tables_->bending(w, q).U;
   return state;
 }
 
@@ -102,7 +105,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
   if (at.state.status != FibreStatus::ok) return result;
   result.state = at.state;
   result.state.S = S;
-  result.state.U = tables_->energy(w, q);
+  result.state.U = tables_->bending(w, q).U;
   auto& d = result.slopes;
   d.w_S = 1 / at.S_w;
   d.w_q = -at.S_q / at.S_w;
@@ -303,7 +306,7 @@ double Fibre::imaged_length(const FibreState& state) const {
 
 double Fibre::curvature_at_midspan(const FibreState& state) const {
   if (on_edges()) return flexslip::curvature_at_midspan(state);
-  return state.w > 0 ? state_on_supports(state.w, state.q, supports()).curvature : 0;
+  return state.w > 0 ? tables_->bending(state.w, state.q).curvature : 0;
 }
 
 ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, double S_most) : fibre_(fibre) {

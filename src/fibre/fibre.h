@@ -61,13 +61,15 @@ class Fibre {
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
   };
   BentState bent(double w, double q) const;
+  BentState drawn_in(double w, double q) const;     // the same in half the time: θ0 and Pn are NaN, unless w = 0
   FibreState state_bent(double w, double q) const;  // with its energy
   // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
   std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
 
   // [L] The length of axis between the contacts, at which friction is looked up.
   double length_between_contacts(const FibreState& state) const {
-    return state.S - 2 * supports().radius * state.theta0;
+    const double radius = supports().radius;
+    return radius > 0 ? state.S - 2 * radius * state.theta0 : state.S;
   }
 
   // [L] Of axis between the verticals through the supports, as a camera sees it; NaN from an upright slope on.

@@ -86,6 +86,17 @@ constexpr int most_rounds = 40;       // of Newton's iteration
 
 CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
+// Nearer, the least length of each friction disturbs. It lies δ off that of the fibre hardly bent, about 6 q τ³ (theory.md), so that w holds a term of
+// 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
+double smooth_from_on(const Supports& supports) {
+  if (supports.half_depth == 0) return 1;
+  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways, h2 = 0.25 * h * h;  // h2: (h/2)^2
+  const double tau = supports.half_depth, least = 6 * q * tau * tau * tau;
+  const double tenth_power = 18 * 0.32 * least * h2 * h2 * h2 * h2 / error;
+  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;  // where the cell begins
+  return SupportedTables::least_length(supports) + way * way;
+}
+
 }  // namespace
 
 SupportedTables::PairSlopes::PairSlopes(std::size_t n) {
@@ -100,22 +111,12 @@ std::array<double*, 6> SupportedTables::PairSlopes::data() {
 
 SupportedTables::SupportedTables(const Supports& on)
     : supports(on),
+      smooth_from(smooth_from_on(on)),
       sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
       contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
       bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
       by_length_(CellTable::Along::length, {longest_way, ways, table_q.least, table_q.greatest, 48},
                  [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
-
-// Nearer, the least length of each friction disturbs. It lies δ off that of the fibre hardly bent, about 6 q τ³ (theory.md), so that w holds a term of
-// 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
-double SupportedTables::smooth_from() const {
-  if (supports.half_depth == 0) return 1;
-  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways, h2 = 0.25 * h * h;  // h2: (h/2)^2
-  const double tau = supports.half_depth, least = 6 * q * tau * tau * tau;
-  const double tenth_power = 18 * 0.32 * least * h2 * h2 * h2 * h2 / error;
-  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;  // where the cell begins
-  return least_length(supports) + way * way;
-}
 
 std::shared_ptr<const SupportedTables> SupportedTables::of(const Supports& supports) {
   static std::mutex looking;
@@ -150,10 +151,12 @@ PairSlope SupportedTables::contacts(double w, double q) const {
   return slopes(contacts_, &SupportedState::theta0, &SupportedState::Pn, w, q);
 }
 
-double SupportedTables::energy(double w, double q) const {
-  double U = 0, curvature = 0;
-  bent_.values(&w, &q, 1, &U, &curvature);
-  return std::isnan(U) ? state(w, q).U : U;
+SupportedTables::Bending SupportedTables::bending(double w, double q) const {
+  Bending at{};
+  bent_.values(&w, &q, 1, &at.U, &at.curvature);
+  if (!std::isnan(at.U)) return at;
+  const SupportedState there = state(w, q);
+  return {there.U, there.curvature};
 }
 
 std::vector<double> SupportedTables::forces(std::span<const double> w, std::span<const double> q) const {
@@ -168,7 +171,10 @@ std::vector<double> SupportedTables::forces(std::span<const double> w, std::span
 }
 
 std::vector<double> SupportedTables::deflections(std::span<const double> S, std::span<const double> q) const {
-  return deflections(S, q, std::vector<double>(S.size(), not_a_number));
+  std::vector<double> guesses;
+  guesses.reserve(S.size());
+  for (std::size_t i = 0; i < S.size(); ++i) guesses.push_back(guessed_deflection(S[i], q[i]));
+  return deflections(S, q, std::move(guesses));
 }
 
 std::vector<double> SupportedTables::deflections(std::span<const double> S, std::span<const double> q,
@@ -198,7 +204,7 @@ std::vector<double> SupportedTables::deflections(std::span<const double> S, std:
 }
 
 double SupportedTables::deflection(double S, double q) const {
-  double w = shallow_deflection(S);
+  double w = guessed_deflection(S, q);
   for (int round = 0; round < most_rounds; ++round) {
     const PairSlope at = sliding(w, q);
     const Step step = step_from(w, S, q, at[0], at[2]);
@@ -206,6 +212,17 @@ double SupportedTables::deflection(double S, double q) const {
     w = step.w;
   }
   return beyond(S, q);
+}
+
+double SupportedTables::guessed_deflection(double S, double q) const {
+  if (S >= smooth_from) {
+    const double from_the_least = S - least_length(supports) + 1;
+    double w = 0, F = 0;
+    by_length_.values(&from_the_least, &q, 1, &w, &F);
+    w += least_w();
+    if (w > 0 && w < deepest_on_supports) return w;
+  }
+  return shallow_deflection(S);
 }
 
 double SupportedTables::shallow_deflection(double S) const {
@@ -380,7 +397,7 @@ double SupportedTables::beyond(double S, double q) const {
 CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::span<const double> q) const {
   std::vector<double> S;
   for (const double way : x) S.push_back(least_length(supports) + way * way);
-  CellTable::Pair pair{deflections(S, q), {}};
+  CellTable::Pair pair{deflections(S, q, std::vector<double>(S.size(), not_a_number)), {}};
   const PairSlopes at = sliding(pair.first, q);
   for (std::size_t i = 0; i < x.size(); ++i) {
     pair.first[i] = (pair.first[i] - least_w()) / x[i];

@@ -60,8 +60,6 @@ class SupportedTables {
 
   // w - least_w and F - least_F over lengths, 1 for the least, and frictions.
   const CellTable& by_length() const { return by_length_; }
-  // [L] The length from which on by_length has states, where it has them at all.
-  double smooth_from() const;
 
   // A pair of quantities with their slopes along w [L] and in q: first, second, first_w, first_q, second_w, second_q; of one state (no memory of the
   // heap), of many. NaN where there is no state: beyond deepest_on_supports or largest_q, or where none is led on to beyond the branch, with a force below 0. Max error: as Fibre::state_slopes.
@@ -75,7 +73,10 @@ class SupportedTables {
   PairSlopes contacts(std::span<const double> w, std::span<const double> q) const;  // [rad] θ0, [EI/L^2] Pn
   PairSlope sliding(double w, double q) const;
   PairSlope contacts(double w, double q) const;
-  double energy(double w, double q) const;  // [EI/L] U
+  struct Bending {
+    double U, curvature;  // [EI/L], [1/L] at midspan
+  };
+  Bending bending(double w, double q) const;
   std::vector<double> forces(std::span<const double> w,
                              std::span<const double> q) const;  // [EI/L^2] F, as that of sliding
 
@@ -87,6 +88,8 @@ class SupportedTables {
   double deflection(double S, double q) const;
 
   const Supports supports;
+  // [L] The length from which on by_length has states, where it has them at all.
+  const double smooth_from;
 
  private:
   using Field = double SupportedState::*;
@@ -100,6 +103,7 @@ class SupportedTables {
   };
   static constexpr std::size_t ends = 49;  // frictions evenly over those of the tables
 
+  double guessed_deflection(double S, double q) const;
   double shallow_deflection(double S) const;
   Step step_from(double w, double S, double q, double slid, double slid_w) const;
   double beyond(double S, double q) const;

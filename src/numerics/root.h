@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
+
+#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -100,6 +103,45 @@ double zero_by_secant(const Function& f, Tried negative, Tried positive, double 
     stayed = &stays;
   }
   return negative.x;
+}
+
+// As first_where, for a function that is positive until then.
+// Domain:     before.value > 0; f continuous but for jumps; where it is not a number it counts as not positive.
+// Max error:  4 ulp: so far before the result f is positive.
+// Method:     as zero_by_secant, no closer to an end than half of that; halves where three steps have not halved the bracket.
+// Cost:       one call at the end, and some ten more where it is not positive there; at most 200.
+template <class Function>
+double first_not_positive(const Function& f, Tried before, double end) {
+  Tried after{end, f(end)};
+  if (after.value > 0) return end;
+  constexpr int max_steps = 200, patience = 3;
+  constexpr double ulp = std::numeric_limits<double>::epsilon();
+  Tried* stayed = nullptr;
+  double width_then = infinity;
+  for (int i = 0; i < max_steps; ++i) {
+    const double width = std::abs(after.x - before.x);
+    const double close = 4 * ulp * std::fmax(std::abs(before.x), std::abs(after.x));
+    if (width <= close) break;
+    const double onward = after.x > before.x ? 1 : -1;
+    double x = before.x + (after.x - before.x) * before.value / (before.value - after.value);
+    if (i % patience == 0) {
+      if (width > 0.5 * width_then) x = not_a_number;
+      width_then = width;
+    }
+    if (std::isnan(x))
+      x = 0.5 * (before.x + after.x);
+    else if (onward * (x - before.x) < 0.5 * close)
+      x = before.x + onward * 0.5 * close;
+    else if (onward * (after.x - x) < 0.5 * close)
+      x = after.x - onward * 0.5 * close;
+    const double value = f(x);
+    Tried& moved = value > 0 ? before : after;
+    Tried& stays = value > 0 ? after : before;
+    moved = {x, value};
+    if (stayed == &stays) stays.value *= 0.5;
+    stayed = &stays;
+  }
+  return after.x;
 }
 
 }  // namespace flexslip

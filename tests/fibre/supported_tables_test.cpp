@@ -24,7 +24,7 @@ TEST_CASE(
       const Fibre fibre(supports);
       for (const double beyond : {1e-9, 1e-4, 1e-3, 3e-3, 1e-2})
         for (double q = -0.8; q <= 2; q += 0.0937) {
-          const double S = tables.smooth_from() + beyond;
+          const double S = tables.smooth_from + beyond;
           const double w = tables.deflection(S, q);
           if (std::isnan(w)) continue;  // such friction may leave no force
           const auto at = tables.sliding(w, q);
