@@ -42,7 +42,7 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
     const double length_w = rolls ? at.S_w - rolled * at.theta0_w : at.S_w;
     double step = 0;
     if (way.direction == 0) {
-      step = (way.S - at.state.S) / at.S_q;
+      step = (way.S - 1 - at.slid) / at.S_q;
       found.q_w = -at.S_w / at.S_q;
     } else {
       const FrictionPoint there = friction_.at(length_met(at.state));

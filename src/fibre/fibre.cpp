@@ -66,6 +66,7 @@ Fibre::BentState Fibre::drawn_in(double w, double q) const {
   constexpr double n = not_a_number;
   at.state = {
       .status = FibreStatus::ok, .S = 1 + slid[0], .q = q, .w = w, .F = slid[1], .theta0 = n, .Pn = n, .U = n, .u = 0};
+  at.slid = slid[0];
   at.S_w = slid[2], at.S_q = slid[3], at.F_w = slid[4], at.F_q = slid[5];
   at.theta0_w = at.theta0_q = at.Pn_w = at.Pn_q = n;
   return at;

@@ -58,6 +58,7 @@ class Fibre {
   // Domain:     not on edges; 0 <= w; the straight fibre has q = 0.
   struct BentState {
     FibreState state;
+    double slid;  // [L] S - 1, with the digits that S loses
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
   };
   BentState bent(double w, double q) const;

@@ -107,20 +107,21 @@ double zero_by_secant(const Function& f, Tried negative, Tried positive, double 
 
 // As first_where, for a function that is positive until then.
 // Domain:     before.value > 0; f continuous but for jumps; where it is not a number it counts as not positive.
-// Max error:  4 ulp: so far before the result f is positive.
-// Method:     as zero_by_secant, no closer to an end than half of that; halves where three steps have not halved the bracket.
-// Cost:       one call at the end, and some ten more where it is not positive there; at most 200.
+// Max error:  as first_where.
+// Method:     as zero_by_secant down to some ulp, no closer to an end than half of these, halving where three steps have not halved the bracket; then
+//             by halves.
+// Cost:       one call at the end, and some ten more where it is not positive there; at a jump as first_where.
 template <class Function>
 double first_not_positive(const Function& f, Tried before, double end) {
   Tried after{end, f(end)};
   if (after.value > 0) return end;
   constexpr int max_steps = 200, patience = 3;
-  constexpr double ulp = std::numeric_limits<double>::epsilon();
+  constexpr double few_ulp = 4 * std::numeric_limits<double>::epsilon();
   Tried* stayed = nullptr;
   double width_then = infinity;
   for (int i = 0; i < max_steps; ++i) {
     const double width = std::abs(after.x - before.x);
-    const double close = 4 * ulp * std::fmax(std::abs(before.x), std::abs(after.x));
+    const double close = few_ulp * std::fmax(std::abs(before.x), std::abs(after.x));
     if (width <= close) break;
     const double onward = after.x > before.x ? 1 : -1;
     double x = before.x + (after.x - before.x) * before.value / (before.value - after.value);
@@ -141,7 +142,7 @@ double first_not_positive(const Function& f, Tried before, double end) {
     if (stayed == &stays) stays.value *= 0.5;
     stayed = &stays;
   }
-  return after.x;
+  return halved(max_steps, {before.x, after.x}, [&](double x) { return !(f(x) > 0); }).high;
 }
 
 }  // namespace flexslip

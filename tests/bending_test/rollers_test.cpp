@@ -210,6 +210,19 @@ TEST_CASE("rollers, identity: the energy account closes through any programme, c
   }));
 }
 
+TEST_CASE(
+    "rollers, definition: a thick specimen that reloads from a small deflection rests no longer than friction holds "
+    "it") {
+  for (const double low : {.004, .008, .0157, .02}) {
+    CAPTURE(low);
+    const History history =
+        follow_continuously({Friction::constant(.2), {92, Fibre({0, .0157})}}, std::vector{.1, low, .044, 0.}, 4);
+    REQUIRE(history.status == HistoryStatus::ok);
+    for (const PathPoint& point : history.path) CHECK(std::abs(point.q) <= .2 + 1e-9);
+    for (const EnergyAccount& energy : history.energy_at) CHECK(std::abs(energy.imbalance) < 1e-11);
+  }
+}
+
 TEST_CASE("rollers, definition: friction met on a way is that of the point between the contacts") {
   const Fibre fibre({.05, .01});
   const Friction rough = Friction::rough(.4, .2, .02, 3, 1.5);

@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "numerics/polynomial.h"
+#include "tests/approximately.h"
 
 namespace flexslip {
 
@@ -68,6 +69,23 @@ TEST_CASE(
   CHECK(!beyond(std::nextafter(up, 1.0)));
   const double down = first_where(2, 1, [&](double x) { return !beyond(x); });
   CHECK(down == std::nextafter(up, 1.0));
+}
+
+TEST_CASE("identity: where a function is first not positive, from either side, at a kink and at a jump") {
+  int calls = 0;
+  const auto smooth = [&](double x) { return ++calls, 2 - x * x; };
+  const double up = first_not_positive(smooth, {1, 1}, 2);
+  CHECK(calls < 20);
+  CHECK(std::abs(up - 1.41421356237309505) < 1e-15);
+  CHECK(!(smooth(up) > 0));
+  const double down = first_not_positive([](double x) { return std::fmin(x * x - 2, 10 * (x - 1.2)); }, {3, 7}, 0);
+  CHECK(std::abs(down - 1.41421356237309505) < 1e-15);
+  calls = 0;
+  const auto jumps = [&](double x) { return ++calls, x < 0.3 ? 1.0 : -std::numeric_limits<double>::infinity(); };
+  CHECK(first_not_positive(jumps, {0, 1}, 1) == 0.3);
+  CHECK(calls < 250);
+  CHECK(first_not_positive([](double) { return std::nan(""); }, {0, 1}, 1) < 1e-60);
+  CHECK(first_not_positive([](double) { return 1.0; }, {0, 1}, 1) == 1);
 }
 
 TEST_CASE("limit: what is nowhere true is said to be at the end, and next to 0 the search ends") {
