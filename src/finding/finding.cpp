@@ -70,7 +70,14 @@ std::string checks_in_words(const Answer& answer) {
     return is_check(finding) && finding.severity == Severity::unjudged;
   });
   if (unjudged > 0) return fmt::format("{} of {} checks passed, {} not possible here.", good, checks, unjudged);
-  if (good < checks) return fmt::format("{} of {} checks passed.", good, checks);
+  if (good < checks) {
+    std::vector<std::string> remarks;  // of those that neither passed nor stand among the doubts
+    for (const Finding& finding : answer.findings)
+      if (is_check(finding) && !passed(finding) && finding.severity > Severity::doubt && !finding.short_form.empty())
+        remarks.push_back(finding.short_form);
+    return fmt::format("{} of {} checks passed{}{}.", good, checks, remarks.empty() ? "" : "; remarked: ",
+                       fmt::join(remarks, ", "));
+  }
   return fmt::format("{} {} checks passed.", doubts_of(answer).empty() ? "All" : "The other", checks);
 }
 

@@ -451,7 +451,8 @@ Found coloured_noise(T test) {
   Finding finding = checked(
       test, *check,
       fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
-      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise), "", "");
+      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise),
+      "the fit leaves more than noise", "");
   // The noise fitted is correlated, and a slow deviation is part of the fit: another colour moves the answer by little.
   if (finding.severity == Severity::doubt) finding.severity = Severity::note;
   return finding;

@@ -128,6 +128,7 @@ TEST_CASE("checks: those that failed are counted, whatever became of them") {
   const Answer one_failed =
       answer_of(changed([](FittedTest& test) { check_of(test, CheckKind::whiteness).outcome = CheckOutcome::failed; }));
   CHECK(has(checks_in_words(one_failed), " of "));
+  CHECK(has(checks_in_words(one_failed), "; remarked: the fit leaves more than noise."));
   auto doubted = answer_of(slipping());
   doubted.findings.push_back({.code = "few_rows", .severity = Severity::doubt, .sentence = "Few."});
   CHECK(checks_in_words(doubted).starts_with("The other "));
