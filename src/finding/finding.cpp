@@ -75,8 +75,8 @@ std::string checks_in_words(const Answer& answer) {
     for (const Finding& finding : answer.findings)
       if (is_check(finding) && !passed(finding) && finding.severity > Severity::doubt && !finding.short_form.empty())
         remarks.push_back(finding.short_form);
-    return fmt::format("{} of {} checks passed{}{}.", good, checks, remarks.empty() ? "" : "; remarked: ",
-                       fmt::join(remarks, ", "));
+    return fmt::format("{} of {} checks passed{}{}.", good, checks,
+                       remarks.empty() ? "" : "; remarked: ", fmt::join(remarks, ", "));
   }
   return fmt::format("{} {} checks passed.", doubts_of(answer).empty() ? "All" : "The other", checks);
 }
