@@ -429,11 +429,14 @@ double stiffness_for(const Test& input, const Readings& readings) {
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 
-void find_sign(SignRule rule, Readings& readings, Preparation& steps) {
+// By the rows [first, last), counted from 0.
+void find_sign(SignRule rule, std::size_t first, std::size_t last, Readings& readings, Preparation& steps) {
   Signs signs{1, 1};
   if (rule == SignRule::reverse) signs = {-1, -1};
   if (rule == SignRule::find) {
-    signs = find_signs(readings.displacement(), force_or_difference(readings));
+    const std::vector<double> force = force_or_difference(readings);
+    signs = find_signs(std::span(readings.displacement()).subspan(first, last - first),
+                       std::span(force).subspan(first, last - first));
     // Without a force column its sign is that of the displacements it is the difference of.
     if (!readings.has(Reading::force) && signs.force != signs.displacement) signs = {1, 1};
   }
@@ -476,11 +479,42 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& step
   add("repeated", sampling.repeated, "repeat the previous row and count once");
   add("held", sampling.held, "repeat the force of the previous row while the displacement moves on, and are left out");
   add("interpolated", sampling.interpolated, "are interpolated between readings and are left out");
+  const std::size_t left = rows - sampling.repeated - sampling.held - sampling.interpolated;
   if (sampling.stride > 1)
+    steps.add("thinning", true, fmt::format("one row in {} is used, out of {}", sampling.stride, left), {});
+  else if (sampling.stride_unloaded > 1)
     steps.add("thinning", true,
-              fmt::format("one row in {} is used, out of {}", sampling.stride,
-                          rows - sampling.repeated - sampling.held - sampling.interpolated),
+              fmt::format("before and after the load one row in {} is used, as the record has {}",
+                          sampling.stride_unloaded, left),
               {});
+}
+
+// The points before a row, counted from 0.
+std::size_t points_before(std::size_t row, const Sampling& sampling) {
+  return static_cast<std::size_t>(std::lower_bound(sampling.rows.begin(), sampling.rows.end(), row) -
+                                  sampling.rows.begin());
+}
+
+// Of the rows [first, until), counted from 0, and of those behind, which tell no more than what came after.
+Sampling sampling_between(std::size_t first, std::size_t until, std::span<const double> displacement,
+                          const Record& every, Preparation& steps) {
+  const auto sampled = [&](std::size_t begin, std::size_t end) {
+    const std::size_t most =
+        find_legs(points_between(every, begin, end).stage).size() > 1 ? max_cyclic_points : max_record_points;
+    Sampling sampling =
+        sampling_of(displacement.subspan(begin, end - begin), std::span(every.force).subspan(begin, end - begin), most);
+    for (std::size_t& row : sampling.rows) row += begin;
+    sampling.end += begin;
+    return sampling;
+  };
+  Sampling sampling = sampled(first, until);
+  note_sampling(sampling, until - first, steps);
+  if (const std::size_t end = every.force.size(); until < end) {
+    const Sampling behind = sampled(until, end);
+    sampling.rows.insert(sampling.rows.end(), behind.rows.begin(), behind.rows.end());
+    sampling.end = end;
+  }
+  return sampling;
 }
 
 // The record up to where the load cell is at its end.
@@ -547,8 +581,7 @@ void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Prep
   leave_out(spikes, record, sampling);
 }
 
-ForceZero zero_of(const Record& record) {
-  const Record rise = first_rise(record);
+ForceZero zero_of(const Record& rise) {
   if (rise.force.size() < least_noise_points) return {ForceZeroStatus::no_free_rows, 0, 0, 0};
   return find_force_zero(rise.stage, rise.force, force_noise(rise));
 }
@@ -561,8 +594,8 @@ Record with_force_zero(const Record& record, const Baseline& zero, bool stage_is
                        : record_from_deflection_and_force(record.deflection, force, stiffness);
 }
 
-Record zeroed(const Test& input, const Record& record, bool stage_is_read, double stiffness, const Sampling& sampling,
-              const Baseline& baseline, Preparation& steps) {
+Record zeroed(const Test& input, const Record& record, const Record& rise, bool stage_is_read, double stiffness,
+              const Sampling& sampling, const Baseline& baseline, Preparation& steps) {
   const ForceZeroRule& rule = input.record->zero;
   if (rule == ForceZeroRule{ZeroWord::keep}) {
     steps.add("zero", false, "the force is counted from the file's own zero, as stated",
@@ -582,7 +615,7 @@ Record zeroed(const Test& input, const Record& record, bool stage_is_read, doubl
               RowRange{1, rows_of_points(sampling, baseline.points)});
     return with_force_zero(record, baseline, stage_is_read, stiffness);
   }
-  const ForceZero zero = zero_of(record);
+  const ForceZero zero = zero_of(rise);
   if (zero.status != ForceZeroStatus::found) {
     steps.add("zero", false,
               "the record has no rows before contact that show the zero of the force: the file's own zero is kept",
@@ -751,6 +784,12 @@ struct RowsTo {
   std::size_t before, up_to;
 };
 
+// The row that a place is, if it is one of the record's; else `none`.
+std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, std::size_t none) {
+  const auto* at = place ? std::get_if<AtRow>(&*place) : nullptr;
+  return at && at->row >= 1 && at->row <= rows ? at->row : none;
+}
+
 // Fails:      InputError where the record does not get there.
 RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
                const std::string& file) {
@@ -775,14 +814,12 @@ RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& inp
 
 // The points before where the record is stated to end.
 std::size_t points_until(std::size_t until, Measurement& result, Preparation& steps) {
-  const auto& counted = result.sampling.rows;
-  const auto end = std::lower_bound(counted.begin(), counted.end(), until);
   result.end = MeasurementEnd::until;
   const bool changed = until < result.rows;
   steps.add("end", changed, fmt::format("the record ends with row {}, as stated", until),
             KeyChange{"record", "until", fmt::format("{}", result.rows)}, {},
             changed ? std::optional(RowRange{until + 1, result.rows}) : std::nullopt);
-  return static_cast<std::size_t>(end - counted.begin());
+  return points_before(until, result.sampling);
 }
 
 // Drops of the force of a loading from a point on, which come after what is evaluated.
@@ -993,35 +1030,34 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   Preparation& steps = result.preparation;
 
   const double stiffness = stiffness_for(input, readings);
-  find_sign(input.record->sign, readings, steps);
+  const std::size_t sign_from = row_or(input.record->first, result.rows, 1) - 1;
+  const std::size_t sign_to = row_or(input.record->until, result.rows, result.rows);
+  find_sign(input.record->sign, std::min(sign_from, sign_to), sign_to, readings, steps);
   Record every = record_of(readings, stiffness);
   if (readings.has(Reading::length)) result.pulled_in = readings.of(Reading::length);
   require_finite(every, table);
-  const std::size_t max_points = find_legs(every.stage).size() > 1 ? max_cyclic_points : max_record_points;
   std::optional<std::size_t> until;  // the last row
   if (const auto& place = input.record->until) until = rows_to(*place, "record.until", input, every, result.file).up_to;
   std::size_t first = 0;
   if (const auto& place = input.record->first)
     first = rows_to(*place, "record.first", input, every, result.file).before;
+  if (until && first >= *until)
+    throw wrong_value(input, "record.first", fmt::format("a place before the end of the record, row {}", *until),
+                      fmt::format("row {}", first + 1));
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
   if (!until) every = before_overload(std::move(every), first, result, steps);
-  const auto used = [first](const std::vector<double>& column) { return std::span(column).subspan(first); };
-  result.sampling =
-      sampling_of(used(readings.displacement()).first(every.force.size() - first), used(every.force), max_points);
-  for (std::size_t& row : result.sampling.rows) row += first;
-  result.sampling.end += first;
-  note_sampling(result.sampling, result.sampling.end - first, steps);
+  result.sampling = sampling_between(first, until.value_or(every.force.size()), readings.displacement(), every, steps);
   every = picked(every, result.sampling.rows);
   leave_out_holds(every, result.sampling, steps);
   leave_out_spikes(every, stiffness, result.sampling, steps);
-  const Record rise = first_rise(every);
+  const Record rise = first_rise(until ? first_points(every, points_before(*until, result.sampling)) : every);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);
   result.baseline_is_off = input.record->zero == ForceZeroRule{ZeroWord::slope} && result.baseline.points > 0;
   const Record all =
-      zeroed(input, every, readings.has(Reading::stage), stiffness, result.sampling, result.baseline, steps);
+      zeroed(input, every, rise, readings.has(Reading::stage), stiffness, result.sampling, result.baseline, steps);
   note_compliance(input, readings, stiffness, steps);
   result.is_derived = readings.has(Reading::stage) && !readings.has(Reading::deflection);
 

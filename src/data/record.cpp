@@ -352,19 +352,40 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   return legs;
 }
 
+namespace {
+
+// Of each value with the two before and after it; of those at the ends with fewer.
+std::vector<double> medians_of_five(std::span<const double> values) {
+  std::vector<double> medians;
+  medians.reserve(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t reach = std::min({std::size_t{2}, i, values.size() - 1 - i});
+    const auto window = values.subspan(i - reach, 2 * reach + 1);
+    std::array<double, 5> sorted{};
+    const auto end = std::copy(window.begin(), window.end(), sorted.begin());
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(reach);
+    std::nth_element(sorted.begin(), middle, end);
+    medians.push_back(*middle);
+  }
+  return medians;
+}
+
+}  // namespace
+
 Signs find_signs(std::span<const double> displacement, std::span<const double> force) {
   if (displacement.size() != force.size())
     throw std::invalid_argument("columns of " + std::to_string(displacement.size()) + " and " +
                                 std::to_string(force.size()) + " points");
   if (force.empty()) return {1, 1};
 
+  const std::vector<double> calm = medians_of_five(force);
   const auto by_magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const auto greatest = std::max_element(force.begin(), force.end(), by_magnitude);
+  const auto greatest = std::max_element(calm.begin(), calm.end(), by_magnitude);
   const int force_sign = *greatest < 0 ? -1 : 1;
   const auto by_compression = [=](double a, double b) { return force_sign * a < force_sign * b; };
-  const auto least = greatest == force.begin() ? std::min_element(greatest, force.end(), by_compression)
-                                               : std::min_element(force.begin(), greatest, by_compression);
-  const auto at = [&](auto row) { return displacement[static_cast<std::size_t>(row - force.begin())]; };
+  const auto least = greatest == calm.begin() ? std::min_element(greatest, calm.end(), by_compression)
+                                              : std::min_element(calm.begin(), greatest, by_compression);
+  const auto at = [&](auto row) { return displacement[static_cast<std::size_t>(row - calm.begin())]; };
   return {at(greatest) < at(least) ? -1 : 1, force_sign};
 }
 
@@ -465,14 +486,60 @@ std::vector<std::size_t> Sampling::halts_between(std::size_t first, std::size_t 
   return points;
 }
 
+namespace {
+
+// From the contact to the last load: what lies between the first and the last force that differs from that of the first rows, and a part of as many
+// rows before and after.
+struct Loaded {
+  std::size_t first, last;
+};
+
+Loaded loaded_of(std::span<const double> force) {
+  constexpr double of_greatest = 0.05;
+  constexpr std::size_t beside = 10;  // one in so many rows
+  std::vector<double> change = medians_of_five(force);
+  const double at_first = force.empty() ? 0 : change[std::min<std::size_t>(2, change.size() - 1)];
+  for (double& value : change) value -= at_first;
+  const double least = of_greatest * greatest_of(change);
+  const auto is_loaded = [=](double value) { return std::abs(value) > least; };
+  const auto first = std::find_if(change.begin(), change.end(), is_loaded);
+  const auto last = std::find_if(change.rbegin(), change.rend(), is_loaded).base();
+  if (first == change.end()) return {0, force.size()};
+  const auto begin = static_cast<std::size_t>(first - change.begin()),
+             end = static_cast<std::size_t>(last - change.begin());
+  const std::size_t more = (end - begin) / beside + beside;
+  return {begin - std::min(begin, more), std::min(end + more, force.size())};
+}
+
+void thin(Sampling& sampling, std::span<const double> force, std::size_t most) {
+  if (force.size() <= most) return;
+  constexpr std::size_t part_unloaded = 10;  // of the rows that count, before and after the load each
+  const auto stride_for = [](std::size_t rows, std::size_t at_most) {
+    return std::max<std::size_t>((rows + at_most - 1) / at_most, 1);
+  };
+  const auto [first, last] = loaded_of(force);
+  const std::size_t before = first, after = force.size() - last, few = std::max<std::size_t>(most / part_unloaded, 1);
+  sampling.stride_unloaded = std::max(stride_for(before, few), stride_for(after, few));
+  const std::size_t unloaded = (before + sampling.stride_unloaded - 1) / sampling.stride_unloaded +
+                               (after + sampling.stride_unloaded - 1) / sampling.stride_unloaded;
+  sampling.stride = stride_for(last - first, std::max<std::size_t>(most - std::min(unloaded, most - 1), 1));
+  sampling.stride_unloaded = std::max(sampling.stride_unloaded, sampling.stride);
+  leave_out(sampling.rows, [&](std::size_t i) {
+    if (i < first) return i % sampling.stride_unloaded == 0;
+    return i < last ? (i - first) % sampling.stride == 0 : (i - last) % sampling.stride_unloaded == 0;
+  });
+}
+
+}  // namespace
+
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
-  Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 1};
+  Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 1, 1};
   auto& rows = sampling.rows;
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   sampling.repeated = leave_out(rows, [&](std::size_t i) {
     return i == 0 || force[i] != force[i - 1] || displacement[i] != displacement[i - 1];
   });
-  const double greatest = greatest_of(force);
+  const double greatest = greatest_of(medians_of_five(force));
   constexpr double of_greatest = 0.05;
   const double loaded = of_greatest * greatest;
   auto forces = values_at(rows, force);
@@ -484,8 +551,7 @@ Sampling sampling_of(std::span<const double> displacement, std::span<const doubl
   if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest); !readings.empty())
     sampling.interpolated =
         leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
-  sampling.stride = (rows.size() + most - 1) / most;
-  if (sampling.stride > 1) leave_out(rows, [&](std::size_t i) { return i % sampling.stride == 0; });
+  thin(sampling, values_at(rows, force), most);
   return sampling;
 }
 

@@ -144,9 +144,9 @@ struct Signs {
 // The signs of a record, read off it as a whole.
 // Domain: columns of one length, finite, in any units; std::invalid_argument for different lengths.
 // Fails:  never: columns that do not change are taken as they are.
-// Method: a specimen between its supports only pushes back, so that the force of greatest magnitude is one of compression. The
-//         displacement advances from the least force before that one to it; after it, if the record begins with the greatest.
-//         Wrong for a record whose force is tared by more than it rises.
+// Method: a specimen between its supports only pushes back, so that the force of greatest magnitude is one of compression: of medians of five
+//         rows, as one or two readings may be none. The displacement advances from the least force before that one to it; after it, if
+//         the record begins with the greatest. Wrong for a record whose force is tared by more than it rises.
 Signs find_signs(std::span<const double> displacement, std::span<const double> force);
 
 // Which rows of a record say something new: loggers repeat rows, hold values, and interpolate between readings.
@@ -157,7 +157,8 @@ struct Sampling {
   std::size_t repeated;              // rows that say what the row before says
   std::size_t held;                  // rows whose force is that of the row before, while the displacement has moved on
   std::size_t interpolated;          // rows between readings
-  std::size_t stride;                // of the rest one in so many counts
+  std::size_t stride;                // of the rest one in so many counts, from the contact to the last load
+  std::size_t stride_unloaded;       // before and after
   std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them
   std::vector<std::size_t> halts{};  // the rows before those, rising
   std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
@@ -170,7 +171,8 @@ struct Sampling {
 // Method:     Repeated rows never count. Held ones do not where they are a quarter of the rows above a twentieth of the greatest force, and
 //             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
 //             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
-//             it bends count, if they are a hundred.
+//             it bends count, if they are a hundred. Where more are left than `most`, those before and after the load, however many, are
+//             thinned to a tenth of it each.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
 
 }  // namespace flexslip
