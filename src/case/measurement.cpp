@@ -325,6 +325,52 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
                       file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
 }
 
+// The row that a place is, if it is one of the record's; else `none`.
+std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, std::size_t none) {
+  const auto* at = place ? std::get_if<AtRow>(&*place) : nullptr;
+  return at && at->row >= 1 && at->row <= rows ? at->row : none;
+}
+
+// Fails:      InputError where the times of a file say that its rows run backwards, or that a second record begins where displacement and time do anew.
+void require_one_run(const Test& input, const ExportedSpecimen& specimen, const ExportColumn& displacement,
+                     const std::string& file) {
+  const auto is_time = [](const ExportColumn& column) { return column.role == ColumnRole::time; };
+  const auto time = std::find_if(specimen.columns.begin(), specimen.columns.end(), is_time);
+  if (time == specimen.columns.end()) return;
+  const std::size_t rows = time->values.size(), first = row_or(input.record->first, rows, 1) - 1;
+  const std::size_t last = std::max(row_or(input.record->until, rows, rows), first);
+  constexpr std::size_t fewest = 30;
+  if (last - first < fewest) return;
+  const auto times = std::span(time->values).subspan(first, last - first);
+  const auto places = std::span(displacement.values).subspan(first, last - first);
+  std::size_t falling = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) falling += times[i] < times[i - 1] ? 1 : 0;
+  constexpr double nearly_all = 0.9;
+  if (static_cast<double>(falling) > nearly_all * static_cast<double>(times.size() - 1))
+    throw InputError({.file = file,
+                      .line = specimen.lines[first],
+                      .field = fmt::format("the column '{}'", time->name),
+                      .expected = "times that rise from row to row",
+                      .found = "times that fall",
+                      .remedy = "write the rows in the reverse order"});
+  if (falling == 0) return;
+  const auto [least, most] = std::minmax_element(places.begin(), places.end());
+  constexpr double far = 0.5;
+  for (std::size_t i = fewest; i + fewest <= times.size(); ++i) {
+    const bool begins_anew = times[i] < times[i - 1] && times[i] - times[0] < 1e-3 * (times[i - 1] - times[0]) &&
+                             std::abs(places[i] - places[i - 1]) > far * (*most - *least);
+    if (!begins_anew) continue;
+    const std::string row = fmt::format("{}", first + i), next = fmt::format("{}", first + i + 1);
+    throw InputError({.file = file,
+                      .line = specimen.lines[first + i],
+                      .expected = "one record",
+                      .found = fmt::format("a second one from row {} on, where time and displacement begin anew", next),
+                      .remedy = fmt::format("take the first ({}) or the second ({})",
+                                            to_say(input, KeyChange{"record", "until", row}),
+                                            to_say(input, KeyChange{"record", "first", next}))});
+  }
+}
+
 // A column in SI, whose unit a case says in its title.
 std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
                              std::string_view key) {
@@ -343,6 +389,7 @@ Readings readings_from(const Test& input, const Needs& needs, const Export& file
   const ExportedSpecimen& specimen = specimen_of(input, file);
   const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
   const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
+  require_one_run(input, specimen, column, file.origin.source);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
   const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
   std::vector<double> displacements = in_si_of(input, file, column, kind::length, "displacement_column");
@@ -554,6 +601,20 @@ void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
                         halts.places == 1 ? "place" : "places"),
             {}, {}, RowRange{sampling.rows[halts.points.front()] + 1, sampling.rows[halts.points.back()] + 1});
   leave_out(halts.points, record, sampling);
+}
+
+// The way back of the stage before the first loading, which bends nothing that is evaluated.
+void leave_out_way_back(Record& record, Sampling& sampling, Preparation& steps) {
+  const std::vector<Leg> legs = find_legs(record.stage);
+  if (legs.size() < 2 || legs.front().direction == Direction::loading) return;
+  std::vector<std::size_t> before(legs.front().last - 1);  // the turning point is the first of the loading
+  std::iota(before.begin(), before.end(), std::size_t{0});
+  if (before.empty()) return;
+  const RowRange range{sampling.rows.front() + 1, sampling.rows[before.size()]};
+  steps.add("way_back", true,
+            fmt::format("the stage goes back before it loads: rows {} to {} are left out", range.first, range.last),
+            KeyChange{"record", "first", fmt::format("{}", range.last + 1)}, {}, range);
+  leave_out(before, record, sampling);
 }
 
 // Single readings that no specimen can have made, in any loading.
@@ -783,12 +844,6 @@ Loading loading_to_evaluate(const Test& input, const Table& table, const Record&
 struct RowsTo {
   std::size_t before, up_to;
 };
-
-// The row that a place is, if it is one of the record's; else `none`.
-std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, std::size_t none) {
-  const auto* at = place ? std::get_if<AtRow>(&*place) : nullptr;
-  return at && at->row >= 1 && at->row <= rows ? at->row : none;
-}
 
 // Fails:      InputError where the record does not get there.
 RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
@@ -1051,6 +1106,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   result.sampling = sampling_between(first, until.value_or(every.force.size()), readings.displacement(), every, steps);
   every = picked(every, result.sampling.rows);
   leave_out_holds(every, result.sampling, steps);
+  leave_out_way_back(every, result.sampling, steps);
   leave_out_spikes(every, stiffness, result.sampling, steps);
   const Record rise = first_rise(until ? first_points(every, points_before(*until, result.sampling)) : every);
   if (rise.force.size() >= least_noise_points)

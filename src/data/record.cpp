@@ -383,8 +383,13 @@ Signs find_signs(std::span<const double> displacement, std::span<const double> f
   const auto greatest = std::max_element(calm.begin(), calm.end(), by_magnitude);
   const int force_sign = *greatest < 0 ? -1 : 1;
   const auto by_compression = [=](double a, double b) { return force_sign * a < force_sign * b; };
-  const auto least = greatest == calm.begin() ? std::min_element(greatest, calm.end(), by_compression)
-                                              : std::min_element(calm.begin(), greatest, by_compression);
+  auto least = greatest == calm.begin() ? std::min_element(greatest, calm.end(), by_compression)
+                                        : std::min_element(calm.begin(), greatest, by_compression);
+  // Of rows that bear as little, some on a way back before the test, the last before the greatest.
+  constexpr double as_little = 0.05;  // [rise]
+  const double little = as_little * std::abs(*greatest - *least), fewest = *least;
+  for (auto row = least; row < greatest; ++row)
+    if (std::abs(*row - fewest) <= little) least = row;
   const auto at = [&](auto row) { return displacement[static_cast<std::size_t>(row - calm.begin())]; };
   return {at(greatest) < at(least) ? -1 : 1, force_sign};
 }
