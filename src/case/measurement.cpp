@@ -526,13 +526,11 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& step
   add("repeated", sampling.repeated, "repeat the previous row and count once");
   add("held", sampling.held, "repeat the force of the previous row while the displacement moves on, and are left out");
   add("interpolated", sampling.interpolated, "are interpolated between readings and are left out");
-  const std::size_t left = rows - sampling.repeated - sampling.held - sampling.interpolated;
+  add("unloaded", sampling.unloaded, "lie far before or after the load and are left out");
   if (sampling.stride > 1)
-    steps.add("thinning", true, fmt::format("one row in {} is used, out of {}", sampling.stride, left), {});
-  else if (sampling.stride_unloaded > 1)
     steps.add("thinning", true,
-              fmt::format("before and after the load one row in {} is used, as the record has {}",
-                          sampling.stride_unloaded, left),
+              fmt::format("one row in {} is used, out of {}", sampling.stride,
+                          rows - sampling.repeated - sampling.held - sampling.interpolated - sampling.unloaded),
               {});
 }
 

@@ -519,26 +519,19 @@ Loaded loaded_of(std::span<const double> force) {
 void thin(Sampling& sampling, std::span<const double> force, std::size_t most) {
   if (force.size() <= most) return;
   constexpr std::size_t part_unloaded = 10;  // of the rows that count, before and after the load each
-  const auto stride_for = [](std::size_t rows, std::size_t at_most) {
-    return std::max<std::size_t>((rows + at_most - 1) / at_most, 1);
-  };
   const auto [first, last] = loaded_of(force);
-  const std::size_t before = first, after = force.size() - last, few = std::max<std::size_t>(most / part_unloaded, 1);
-  sampling.stride_unloaded = std::max(stride_for(before, few), stride_for(after, few));
-  const std::size_t unloaded = (before + sampling.stride_unloaded - 1) / sampling.stride_unloaded +
-                               (after + sampling.stride_unloaded - 1) / sampling.stride_unloaded;
-  sampling.stride = stride_for(last - first, std::max<std::size_t>(most - std::min(unloaded, most - 1), 1));
-  sampling.stride_unloaded = std::max(sampling.stride_unloaded, sampling.stride);
-  leave_out(sampling.rows, [&](std::size_t i) {
-    if (i < first) return i % sampling.stride_unloaded == 0;
-    return i < last ? (i - first) % sampling.stride == 0 : (i - last) % sampling.stride_unloaded == 0;
-  });
+  const std::size_t few = std::min(most / part_unloaded, force.size() - (last - first));
+  sampling.stride = (last - first + most - 2 * few - 1) / (most - 2 * few);
+  const std::size_t beside = few * sampling.stride;
+  const std::size_t begin = first - std::min(first, beside), end = std::min(last + beside, force.size());
+  sampling.unloaded = force.size() - (end - begin);
+  leave_out(sampling.rows, [&](std::size_t i) { return i >= begin && i < end && (i - begin) % sampling.stride == 0; });
 }
 
 }  // namespace
 
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
-  Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 1, 1};
+  Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 0, 1};
   auto& rows = sampling.rows;
   std::iota(rows.begin(), rows.end(), std::size_t{0});
   sampling.repeated = leave_out(rows, [&](std::size_t i) {

@@ -152,13 +152,13 @@ Signs find_signs(std::span<const double> displacement, std::span<const double> f
 // Which rows of a record say something new: loggers repeat rows, hold values, and interpolate between readings.
 
 struct Sampling {
-  std::vector<std::size_t> rows;     // those that count, rising; the first row of the record is one
+  std::vector<std::size_t> rows;     // those that count, rising
   std::size_t end;                   // after the last row of the record
   std::size_t repeated;              // rows that say what the row before says
   std::size_t held;                  // rows whose force is that of the row before, while the displacement has moved on
   std::size_t interpolated;          // rows between readings
-  std::size_t stride;                // of the rest one in so many counts, from the contact to the last load
-  std::size_t stride_unloaded;       // before and after
+  std::size_t unloaded;              // rows far before and after the load, of a record with too many
+  std::size_t stride;                // of the rest one in so many counts
   std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them
   std::vector<std::size_t> halts{};  // the rows before those, rising
   std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
@@ -171,8 +171,8 @@ struct Sampling {
 // Method:     Repeated rows never count. Held ones do not where they are a quarter of the rows above a twentieth of the greatest force, and
 //             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
 //             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
-//             it bends count, if they are a hundred. Where more are left than `most`, those before and after the load, however many, are
-//             thinned to a tenth of it each.
+//             it bends count, if they are a hundred. Where more are left than `most`, those before and after the load count up to a tenth of
+//             that each, the nearest, and of all these every so many.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
 
 }  // namespace flexslip

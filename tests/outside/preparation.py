@@ -16,7 +16,7 @@ CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
 INSTRUMENTS = (SOURCE / "../shared/data/instruments").resolve()
-STEPS = {"columns", "missing", "metadata", "sign", "thinning", "holds", "spikes", "zero", "compliance", "loading", "overload", "end", "stage", "contact"}
+STEPS = {"columns", "missing", "metadata", "sign", "thinning", "holds", "way_back", "spikes", "zero", "compliance", "loading", "overload", "end", "stage", "contact"}
 KEYS = {"step", "changed", "done", "value", "uncertainty", "unit", "rows", "key", "flag"}
 # A bar of ISO 178: E = 2.7 GPa, 10 mm x 4 mm, span 64 mm.
 MODULUS = 2.7e9
@@ -157,6 +157,50 @@ class Loading(InFolder):
                 self.assertIn(f"{3 * length} readings", step(fit, "spikes")["done"])
                 self.assertIn(f"{3 * length} spikes left out", fit["answer"][0]["words"])
         self.assertNotIn("spikes", {each["step"] for each in self.fitted(rows)["preparation"]})
+
+    def test_truth_one_reading_turns_no_sign(self):
+        rows = self.simulated()
+        for at, force in itertools.product((30, 200, len(rows) - 3), (-20e-3, -999.0, 50e-3)):
+            self.friction_is_half(self.fitted([(stage, force if i == at else each) for i, (stage, each) in enumerate(rows)]))
+
+    def test_truth_rows_that_are_not_of_the_test_cost_none_of_it(self):
+        """A long approach, a logger that runs on, a way back of the stage: before and after the load, stated or not."""
+        rows = self.simulated()
+        draw = random.Random(2)
+        free = lambda stages: [(stage, draw.gauss(0, 1e-5)) for stage in stages]
+        approach = free(-2e-6 * i for i in range(3000, 0, -1))
+        runs_on = free(rows[-1][0] + 2e-6 * i for i in range(1, 6001))
+        way_back = free(1e-3 - 5e-6 * i for i in range(200))
+        for before, behind in (([], runs_on), (approach, []), (approach, runs_on), (way_back, [])):
+            fit = self.fitted(before + rows + behind)
+            self.friction_is_half(fit)
+            self.assertLess(fit["parameters"]["mu0"]["standard_error"], 1.2 * self.fitted(rows)["parameters"]["mu0"]["standard_error"])
+        first, last = len(approach) + 1, len(approach) + len(rows)
+        wrong = [(stage, -20e-3) for stage, _ in runs_on]
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in [*approach, *rows, *wrong]))
+        stated = self.file("case.toml", self.RIG + f'[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\nfirst = {first}\nuntil = {last}\n')
+        self.friction_is_half(self.json("fit", stated))
+
+    def test_bad_input_the_end_before_the_beginning(self):
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in self.simulated()))
+        record = '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'
+        for first, until in (("200", "100"), ('"500 um"', '"200 um"'), ("2", '"-5 mm"')):
+            case = self.file("case.toml", self.RIG + record + f"first = {first}\nuntil = {until}\n")
+            for command in ("fit", "modulus", "invert"):
+                self.refused(command, case, says=["first", "before the end of the record"])
+
+    def test_bad_input_rows_backwards_and_a_second_record(self):
+        rows = self.simulated()
+        titles = "Time [s],Displacement [mm],Force [N]\n"
+        line = lambda i, row: f"{i * 0.5},{1e3 * row[0]:.6f},{row[1]:.9e}\n"
+        lines = [line(i, row) for i, row in enumerate(rows)]
+        flags = ["--span", "1278 um", "--bending-stiffness", "2.13e-9 N m^2", "--stiffness", "90.65 N/m", "--displacement", "crosshead"]
+        self.friction_is_half(self.json("fit", self.file("once.csv", titles + "".join(lines)), *flags))
+        self.refused("fit", self.file("back.csv", titles + "".join(reversed(lines))), *flags, says=["times that fall", "reverse order"])
+        twice = self.file("twice.csv", titles + "".join(lines) + "".join(lines))
+        self.refused("fit", twice, *flags, says=[f"--until {len(rows)}", f"--first {len(rows) + 1}"])
+        for part in (["--until", len(rows)], ["--first", len(rows) + 1]):
+            self.friction_is_half(self.json("fit", twice, *flags, *part))
 
     def test_truth_small_cycles_before_the_test_do_not_hide_it(self):
         for cycles, far in itertools.product((1, 3), ("40 um", "8 um")):
