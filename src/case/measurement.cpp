@@ -605,10 +605,9 @@ void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
 void leave_out_way_back(Record& record, Sampling& sampling, Preparation& steps) {
   const std::vector<Leg> legs = find_legs(record.stage);
   if (legs.size() < 2 || legs.front().direction == Direction::loading) return;
-  std::vector<std::size_t> before(legs.front().last - 1);  // the turning point is the first of the loading
+  std::vector<std::size_t> before(legs.front().last);
   std::iota(before.begin(), before.end(), std::size_t{0});
-  if (before.empty()) return;
-  const RowRange range{sampling.rows.front() + 1, sampling.rows[before.size()]};
+  const RowRange range{sampling.rows.front() + 1, sampling.rows[before.back()] + 1};
   steps.add("way_back", true,
             fmt::format("the stage goes back before it loads: rows {} to {} are left out", range.first, range.last),
             KeyChange{"record", "first", fmt::format("{}", range.last + 1)}, {}, range);

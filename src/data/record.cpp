@@ -354,18 +354,18 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
 
 namespace {
 
-// Of each value with the two before and after it; of those at the ends with fewer.
+// Of the five values about each, at the ends the first or the last five; of fewer than thirty, which have no row to spare, the values themselves.
 std::vector<double> medians_of_five(std::span<const double> values) {
-  std::vector<double> medians;
-  medians.reserve(values.size());
+  constexpr std::size_t enough = 30, count = 5, middle = count / 2;
+  std::vector<double> medians(values.begin(), values.end());
+  if (values.size() < enough) return medians;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t reach = std::min({std::size_t{2}, i, values.size() - 1 - i});
-    const auto window = values.subspan(i - reach, 2 * reach + 1);
-    std::array<double, 5> sorted{};
-    const auto end = std::copy(window.begin(), window.end(), sorted.begin());
-    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(reach);
-    std::nth_element(sorted.begin(), middle, end);
-    medians.push_back(*middle);
+    std::array<double, count> sorted{};
+    std::copy_n(
+        values.begin() + static_cast<std::ptrdiff_t>(std::clamp(i, middle, values.size() - 1 - middle) - middle), count,
+        sorted.begin());
+    std::nth_element(sorted.begin(), sorted.begin() + middle, sorted.end());
+    medians[i] = sorted[middle];
   }
   return medians;
 }
@@ -525,7 +525,12 @@ void thin(Sampling& sampling, std::span<const double> force, std::size_t most) {
   const std::size_t beside = few * sampling.stride;
   const std::size_t begin = first - std::min(first, beside), end = std::min(last + beside, force.size());
   sampling.unloaded = force.size() - (end - begin);
-  leave_out(sampling.rows, [&](std::size_t i) { return i >= begin && i < end && (i - begin) % sampling.stride == 0; });
+  const auto by_magnitude = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto greatest =
+      static_cast<std::size_t>(std::max_element(force.begin(), force.end(), by_magnitude) - force.begin());
+  leave_out(sampling.rows, [&](std::size_t i) {
+    return i == greatest || (i >= begin && i < end && (i - begin) % sampling.stride == 0);
+  });
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ struct Signs {
 // Domain: columns of one length, finite, in any units; std::invalid_argument for different lengths.
 // Fails:  never: columns that do not change are taken as they are.
 // Method: a specimen between its supports only pushes back, so that the force of greatest magnitude is one of compression: of medians of five
-//         rows, as one or two readings may be none. The displacement advances from the least force before that one to it; after it, if
+//         rows, as one or two readings may be none (of thirty rows and more). The displacement advances from the least force before that one to it; after it, if
 //         the record begins with the greatest. Wrong for a record whose force is tared by more than it rises.
 Signs find_signs(std::span<const double> displacement, std::span<const double> force);
 
@@ -172,7 +172,7 @@ struct Sampling {
 //             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
 //             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
 //             it bends count, if they are a hundred. Where more are left than `most`, those before and after the load count up to a tenth of
-//             that each, the nearest, and of all these every so many.
+//             that each, the nearest, and of all these every so many, and the greatest force.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
 
 }  // namespace flexslip

@@ -352,8 +352,7 @@ Found no_sliding(T test) {
   if (!test.analysis.model_implausible) return std::nullopt;
   const std::string remedy =
       "Check the columns (flexslip read FILE shows them), the modulus, the section, the span, the contact, the zero of "
-      "the "
-      "force and the load train. If they are right, the specimen gave way: unload and load once more.";
+      "the force and the load train. If they are right, the specimen gave way: unload and load once more.";
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",

@@ -93,10 +93,12 @@ Rows number_rows(const StandardTest& test) {
                   fmt::format("rows {} to {}, from {:.0f} % to {:.0f} % of {}", file_row(measurement, numbers.first),
                               last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
                               100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)))});
-  rows.push_back({measurement.contact == ContactSource::stated
-                      ? "deflection and strain count from the contact stated"
-                      : "deflection and strain count from where the straight part meets zero force",
-                  readable(measurement.contact_offset + numbers.origin, numbers.origin_error, as(kind::length))});
+  rows.push_back(
+      {"deflection and strain count from",
+       fmt::format("{}, {}",
+                   readable(measurement.contact_offset + numbers.origin, numbers.origin_error, as(kind::length)),
+                   measurement.contact == ContactSource::stated ? "the contact stated"
+                                                                : "where the straight part meets zero force")});
   if (load_train_counts(test))
     rows.push_back(
         {"share of the displacement that the load train takes", percent_to_two_digits(numbers.load_train_share)});

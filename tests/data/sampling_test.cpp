@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -129,11 +130,35 @@ TEST_CASE("identity: points behind which the stage halted are counted from the f
   CHECK(sampling.halts_between(21, 31).empty());
 }
 
+TEST_CASE("limit: rows far before and after the load go first, and take no row of it") {
+  const auto test = readings();
+  Columns columns;
+  const auto add = [&](double displacement, double force) {
+    columns.displacement.push_back(displacement);
+    columns.force.push_back(force);
+  };
+  constexpr int free = 3000;
+  for (int i = 0; i < free; ++i) add(test.displacement.front() - 1e-6 * (free - i), 1e-7 * (i % 7));
+  for (std::size_t i = 0; i < test.force.size(); ++i) add(test.displacement[i], test.force[i]);
+  for (int i = 0; i < free; ++i) add(test.displacement.back() + 1e-6 * i, 1e-7 * (i % 5));
+  const auto sampling = sampling_of(columns, 1000);
+  CHECK(sampling.stride == 1);
+  CHECK(sampling.rows.size() <= 1000);
+  CHECK(sampling.unloaded == columns.force.size() - sampling.rows.size());
+  CHECK(sampling.rows.front() > 2500);
+  CHECK(sampling.rows.front() < free - 100);
+  CHECK(sampling.rows.back() >= free + test.force.size() + 90);
+  CHECK(sampling.end == columns.force.size());
+}
+
 TEST_CASE("limit: of more rows than are asked for every so many count") {
-  const auto sampling = sampling_of(readings(), 150);
+  const Columns columns = readings();
+  const auto sampling = sampling_of(columns, 150);
   CHECK(sampling.stride == 3);
-  CHECK(sampling.rows.size() == 134);
-  CHECK(sampling.rows[1] == 3);
+  CHECK(sampling.rows.size() >= 133);
+  CHECK(sampling.rows[1] == sampling.rows[0] + 3);
+  const auto greatest = std::max_element(columns.force.begin(), columns.force.end()) - columns.force.begin();
+  CHECK(std::binary_search(sampling.rows.begin(), sampling.rows.end(), static_cast<std::size_t>(greatest)));
 }
 
 }  // namespace flexslip

@@ -63,6 +63,29 @@ TEST_CASE("signs: load, unload, reload, and a record that begins by unloading (t
   CHECK(found(unloading, -1, -1));
 }
 
+TEST_CASE("signs: one or two readings turn none, nor does a way back of the stage before the test (truth)") {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    Curve curve = broken_test(seed);
+    for (const std::size_t at : {std::size_t{10}, curve.force.size() / 2, curve.force.size() - 3}) {
+      Curve spiked = curve;
+      spiked.force[at] = spiked.force[at + 1] = -999;
+      CHECK(found(spiked, 1, 1));
+      CHECK(found(spiked, -1, -1));
+    }
+    const double farthest = curve.displacement.back(), first = curve.displacement.front(),
+                 at_first = curve.force.front();
+    std::vector<double> back, free;
+    for (int i = 0; i < 50; ++i) {
+      back.push_back(first + 2 * (farthest - first) * (50 - i) / 50);
+      free.push_back(at_first - 1e-6 * (50 - i));
+    }
+    curve.displacement.insert(curve.displacement.begin(), back.begin(), back.end());
+    curve.force.insert(curve.force.begin(), free.begin(), free.end());
+    CHECK(found(curve, 1, 1));
+    CHECK(found(curve, 1, -1));
+  }
+}
+
 TEST_CASE("signs: where the displacement counts from makes no difference (identity)") {
   Curve curve = broken_test(7);
   for (double& x : curve.displacement) x -= 1000;

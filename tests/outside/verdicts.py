@@ -19,19 +19,18 @@ class Verdicts(InFolder):
         return json.loads(result.stdout) if result.stdout else None, result
 
     def test_a_straight_line_noise_and_no_contact_have_no_sound_answer(self):
-        noise = random.Random(7)
-        records = {
-            "straight": [(2 * i, 0.02 * i) for i in range(300)],
-            "noise": [(2 * i, 0.01 * noise.gauss(0, 1)) for i in range(300)],
-        }
+        records = {"straight": [(2 * i, 0.02 * i) for i in range(300)]}
+        for seed in range(4, 10):
+            noise = random.Random(seed)
+            records[f"noise {seed}"] = [(2 * i, 0.01 * noise.gauss(0, 1)) for i in range(300)]
         for name, readings in records.items():
             with self.subTest(name):
                 text = "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in readings)
                 fit, result = self.answer(self.file(f"{name}.csv", text), *FLAGS)
                 sound = fit is not None and fit["judgement"] is not None and fit["judgement"]["standing"] == "sound"
                 self.assertFalse(sound, result.stdout[:600])
-                if name == "noise":  # of which friction explains three readings in five
-                    self.assertEqual(fit["status"], "not_explained")
+                if name != "straight":  # of which friction explains three readings in five
+                    self.assertEqual(fit["verdict"]["code"], "no_answer", fit["verdict"])
 
     def test_the_cracked_example_is_one_that_cracks(self):
         answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
