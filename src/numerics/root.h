@@ -110,7 +110,7 @@ double zero_by_secant(const Function& f, Tried negative, Tried positive, double 
 // Max error:  as first_where.
 // Method:     as zero_by_secant down to some ulp, no closer to an end than half of these, halving where three steps have not halved the bracket; then
 //             by halves.
-// Cost:       one call at the end, and some ten more where it is not positive there; at a jump as first_where.
+// Cost:       one call at the end, and some ten more where it is not positive there; at a jump up to 250.
 template <class Function>
 double first_not_positive(const Function& f, Tried before, double end) {
   Tried after{end, f(end)};
