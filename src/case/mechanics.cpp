@@ -549,7 +549,7 @@ Rig rig_of(const Test& test, const Scales& scales) {
 RigErrors rig_errors_of(const Measurement& measurement) {
   const Test& test = measurement.test;
   RigErrors errors;
-  errors.preload = measurement.begins_free ? 0 : usual_preload_error;
+  if (measurement.begins_free) errors.preload = 0;
   const auto take = [](double& error, const std::optional<Known>& known, double times = 1) {
     if (known) error = times * known->relative_uncertainty().value_or(error);
   };

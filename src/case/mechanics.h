@@ -106,8 +106,6 @@ Rig rig_of(const Test& test, const Scales& scales);
 // By how much the rig may be off what the test states: as it says, and as is usual where it does not.
 // Fails:      InputError if that of the preload exceeds a twentieth of the span.
 RigErrors rig_errors_of(const Measurement& measurement);
-// [L] Of the preload, where neither the test nor rows before the contact say that there was none.
-inline constexpr double usual_preload_error = 0.005;
 
 // [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
 std::optional<double> pin_limit_of(const Test& test);

@@ -58,8 +58,24 @@ InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std:
   return slopes;
 }
 
-// What a bending stiffness and a rig that are off do to the readings; of the rig combined so that the first tells most, without what no noise
-// would let show.
+// [1/L] The rms of dμ/dS as read, between readings whose places noise does not confuse. An error of the place is one of friction by as much.
+double steepness_of(const Passages& passages, const Eigen::VectorXd& noise_place) {
+  double squares = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < passages.size(); ++i) {
+    const double apart = 3 * passages.noise * std::abs(noise_place[static_cast<Eigen::Index>(i)]);
+    std::size_t next = i + 1;
+    while (next < passages.size() && !(std::abs(passages.S[next] - passages.S[i]) > apart)) ++next;
+    if (next == passages.size()) break;
+    const double slope = (passages.q[next] - passages.q[i]) / (passages.S[next] - passages.S[i]);
+    squares += slope * slope;
+    ++count;
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+// What a bending stiffness and a rig that are off do to the readings; of the rig combined so that the first tells most, by friction or by place, without
+// what no noise would let show.
 void add_errors(Passages& passages, const FitProblem& problem, double from) {
   constexpr int points = 100;
   const double friction = std::clamp(median_of(passages.q), 0.0, 1.5);
@@ -116,13 +132,23 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     return at;
   };
 
-  const VectorXd noise_gain = at_readings(Eigen::Map<const VectorXd>(slopes.q_F.data(), static_cast<Index>(w.size())));
-  MatrixXd over_noise = at_readings(of_friction.rightCols(of_friction.cols() - alone));
-  for (Index i = 0; i < over_noise.rows(); ++i)
-    over_noise.row(i) /= elementary::length(noise_gain[i] * passages.noise, nugget);
+  const auto along_it = [&](const std::vector<double>& values) -> VectorXd {
+    return at_readings(Eigen::Map<const VectorXd>(values.data(), static_cast<Index>(values.size())));
+  };
+  const VectorXd noise_gain = along_it(slopes.q_F), noise_place = along_it(slopes.S_F);
+  const double steepness = steepness_of(passages, noise_place);
+  const Index errors = of_friction.cols() - alone;
+  MatrixXd over_noise(2 * static_cast<Index>(passages.size()), errors);
+  over_noise << at_readings(of_friction.rightCols(errors)), steepness * at_readings(of_place.rightCols(errors));
+  for (Index i = 0; i < noise_gain.size(); ++i) {
+    const double noise = elementary::length(noise_gain[i] * passages.noise, nugget);
+    over_noise.row(i) /= noise;
+    over_noise.row(noise_gain.size() + i) /= noise;
+  }
   const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
   constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
-  constexpr Index at_most = 7;         // what the others tell is far below the errors of these
+  constexpr auto at_most =
+      static_cast<Index>(most_rig_errors);  // what the others tell is far below the errors of these
   const Index count = told.eigenvalues().size();
   Index kept = 0;
   while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;

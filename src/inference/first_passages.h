@@ -26,6 +26,9 @@ struct RigError {
   std::vector<double> place;     // [L] of S
 };
 
+inline constexpr std::size_t most_rig_errors =
+    9;  // independent ones that a fit finds; of the other combinations readings tell next to nothing
+
 // The readings of a record that tell of friction, in its order.
 struct Passages {
   std::size_t judged = 0;            // readings deep enough to tell of friction, whether any friction gives them or not

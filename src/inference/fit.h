@@ -68,7 +68,7 @@ struct RigErrors {
   double load_train = 0.01, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
-  double preload = 0.001;  // [L] of deflection that was there before displacement and force were set to zero, with care
+  double preload = 0.005;      // [L] of deflection that was there before displacement and force were set to zero
   double slow_force = 0.0065;  // of the greatest force: bow, relaxation, drift of the cell
 };
 

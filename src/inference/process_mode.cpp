@@ -21,6 +21,9 @@ namespace {
 
 using Eigen::Index;
 
+constexpr int of_friction_and_stiffness = 3;  // mean, drift, and ln EI
+static_assert(of_friction_and_stiffness + most_rig_errors + 2 * max_waves <= max_columns);
+
 }  // namespace
 
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
@@ -244,12 +247,17 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   }
 }
 
-// What the evidence would gain by an EI away from that of the linearisation: no gain, since there it does not hold.
-double FrictionProcess::by_moving_stiffness(const Mode& mode, const Chain& chain) const {
-  const Index at = columns_.stiffness;
-  if (at < 0) return 0;
-  const double away = chain.mean()[at] - mode.at.eta;
-  return 0.5 * away * away / chain.covariance()(at, at);
+// What the evidence would gain by an EI and a rig away from those of the linearisation: no gain, since there it does not hold.
+double FrictionProcess::by_moving_rig(const Mode& mode, const Chain& chain) const {
+  const bool knows_stiffness = columns_.stiffness < 0;
+  const Index from = knows_stiffness ? columns_.rig : columns_.stiffness, count = columns_.waves - from;
+  if (count == 0) return 0;
+  Coefficients away = chain.mean().segment(from, count);
+  if (!knows_stiffness) away[0] -= mode.at.eta;
+  for (std::size_t r = 0; r < mode.at.rig.size(); ++r)
+    away[columns_.rig - from + static_cast<Index>(r)] -= mode.at.rig[r];
+  const Eigen::LLT<CoefficientMatrix> covariance(chain.covariance().block(from, from, count, count));
+  return 0.5 * away.dot(covariance.solve(away));
 }
 
 void FrictionProcess::settle(Mode& mode) const {
@@ -261,7 +269,7 @@ void FrictionProcess::settle(Mode& mode) const {
   constexpr int max_rounds = 30;
   for (int round = 0; round < max_rounds; ++round) {
     const Chain chain(observations, mode.kernel, p);
-    double evidence = chain.log_likelihood() - by_moving_stiffness(mode, chain);
+    double evidence = chain.log_likelihood() - by_moving_rig(mode, chain);
     if (!std::isfinite(evidence)) evidence = -infinity;  // so far from any sliding that it leads nowhere
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
@@ -356,7 +364,7 @@ Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisati
 
 void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   for (int step = 0; step < steps; ++step) {
-    constexpr double settled = 2e-7;  // [L] far below what a reading resolves
+    constexpr double settled = 2e-6;  // [L] far below what a reading resolves
     if (pass(mode, fraction) < settled) break;
   }
   settle(mode);
@@ -595,8 +603,15 @@ class Search {
       mend(mode);
       components[i] = component_of(process_, mode);
     }
-    std::stable_sort(result.components.begin(), result.components.end(),
-                     [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
+    const auto rank = [&] {
+      std::stable_sort(components.begin(), components.end(),
+                       [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
+    };
+    rank();
+    best = components.front().log_evidence;
+    for (Component& component : components)
+      if (component.log_evidence > best - far_below) converge(component);
+    rank();
     return result;
   }
 
@@ -638,6 +653,17 @@ class Search {
           !better_from(run_forward(process_, run_, mode)))
         return;
     }
+  }
+
+  // Until it is linearised at what it says itself of the rig, too: merits of others say little.
+  void converge(Component& component) const {
+    Mode mode = component.mode;
+    constexpr int steps = 24;
+    constexpr double fraction = 0.5, ran_away = 12;  // of the merit
+    process_.burst(mode, steps, fraction);
+    if (!(mode.merit > component.mode.merit - ran_away)) return;
+    component.log_evidence += mode.merit - component.mode.merit;
+    component.mode = std::move(mode);
   }
 
   // A mode settled, and moved by a burst where that is much better.

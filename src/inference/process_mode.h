@@ -101,7 +101,7 @@ class FrictionProcess {
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
-  double by_moving_stiffness(const Mode& mode, const Chain& chain) const;
+  double by_moving_rig(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
                     const std::vector<SmoothedObservation>& smoothed) const;
@@ -130,7 +130,7 @@ inline constexpr double claiming_gain = 3;
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
   std::optional<std::size_t>
-      waves;  // modes with so many; not given: with none, with one, and with two where both are claimed
+      waves;  // modes with so many, or fewer where no further one is told from those that are there; not given: with none, with one, and with two where both are claimed
 };
 
 struct Component {

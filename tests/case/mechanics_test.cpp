@@ -67,7 +67,7 @@ TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual 
   CHECK(usual.load_train == RigErrors{}.load_train);
   CHECK(usual.span == RigErrors{}.span);
   CHECK(usual.force_gain == RigErrors{}.force_gain);
-  CHECK(usual.preload == usual_preload_error);
+  CHECK(usual.preload == RigErrors{}.preload);
   measurement.begins_free = true;
   CHECK(rig_errors_of(measurement).preload == 0);
   measurement.test = read_case(

@@ -12,7 +12,8 @@ namespace {
 TestDescription description_of(const SimulatedTruth& truth) {
   return {.span = scales.span(),
           .load_train_stiffness = scales.physical_stiffness(truth.stiffness),
-          .bending_stiffness = scales.bending_stiffness()};
+          .bending_stiffness = scales.bending_stiffness(),
+          .rig_errors = none_off};
 }
 
 SimulatedTruth toothed() {

@@ -11,7 +11,8 @@ namespace {
 FrictionProcess process_of(const Friction& friction) {
   return FrictionProcess(passages_of({.record = simulated_record({.friction = friction, .noise = 0.02}),
                                       .rig = {90},
-                                      .errors = {.force = 0.02, .bending_stiffness = 0.03, .contact = 0}}));
+                                      .errors = {.force = 0.02, .bending_stiffness = 0.03, .contact = 0},
+                                      .rig_errors = {.preload = 0.001}}));
 }
 
 FrictionProcess wavy() { return process_of(Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4)); }
