@@ -1,6 +1,9 @@
 #include "answers/standard_fields.h"
 
+#include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "case/studies.h"
 
@@ -183,11 +186,10 @@ Fields<StandardTest> modulus_fields() {
 
 Fields<PreparationStep> preparation_fields() {
   using S = const PreparationStep&;
+  static const std::string names =
+      fmt::format("name of the step, one of {}, which are done in this order", fmt::join(preparation_steps, ", "));
   return Fields<PreparationStep>()
-      .words("step",
-             "name of the step: columns, missing, metadata, first, repeated, held, interpolated, sign, thinning, zero, "
-             "compliance, end, turn, stage or contact",
-             [](S step) { return step.name; })
+      .words("step", names, [](S step) { return std::string(step.name); })
       .yes_no("changed", "numbers differ from those in the file, or rows are left out",
               [](S step) { return step.changed; })
       .words("done", "what was done, in words", [](S step) { return step.done; })

@@ -109,14 +109,10 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
   measurement.own_contact = counted_from(contact.value, measurement.own_contact);
-  measurement.preparation.steps.push_back(
-      {.name = "contact",
-       .changed = true,
-       .done = "displacements of the loading evaluated are counted from the contact that the loops determine",
-       .value = PreparedValue{contact.value, contact.standard_error, kind},
-       .rows =
-           skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt,
-       .otherwise = KeyChange{"record", "contact", "\"0 um\""}});
+  measurement.preparation.add(
+      "contact", true, "displacements of the loading evaluated are counted from the contact that the loops determine",
+      KeyChange{"record", "contact", "\"0 um\""}, PreparedValue{contact.value, contact.standard_error, kind},
+      skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt);
 }
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with

@@ -30,11 +30,6 @@
 
 namespace flexslip {
 
-void Preparation::add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
-                      std::optional<PreparedValue> value, std::optional<RowRange> rows) {
-  steps.push_back({std::string(name), changed, std::move(done), value, rows, std::move(otherwise)});
-}
-
 namespace {
 
 enum class Reading { stage, deflection, force, length };
@@ -144,7 +139,8 @@ Readings readings_of_table(const Test& input, const Needs& needs) {
                          table.columns[i].name);
   words += ", as stated";
   for (const std::string& note : table.notes) words += "; " + note;
-  Preparation steps{{{"columns", false, std::move(words), {}, RowRange{1, table.rows()}, {}}}};
+  Preparation steps;
+  steps.add("columns", false, std::move(words), {}, {}, RowRange{1, table.rows()});
   if (!table.left_out.empty()) steps.add("missing", true, table.left_out, {});
   const std::size_t missing = table.missing;
   return {input, std::move(table), std::move(columns), std::move(steps), missing};
@@ -238,8 +234,7 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
 // that list them all.
 void complete(Test& input, const ExportedTest& said, Preparation& preparation) {
   const auto note = [&](std::string words, double value, KeyChange otherwise) {
-    preparation.steps.push_back(
-        {"metadata", false, std::move(words), PreparedValue{value, {}, kind::length}, {}, std::move(otherwise)});
+    preparation.add("metadata", false, std::move(words), std::move(otherwise), PreparedValue{value, {}, kind::length});
   };
   if (said.span && !(input.rig && input.rig->span)) {
     if (!input.rig) input.rig.emplace();
@@ -413,12 +408,9 @@ Readings readings_from(const Test& input, const Needs& needs, const Export& file
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
   if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
-  readings.preparation.steps.push_back({"columns",
-                                        asked.calibration.has_value(),
-                                        std::move(words),
-                                        {},
-                                        RowRange{1, readings.table.rows()},
-                                        switch_to("displacement", is_crosshead ? "deflection" : "crosshead")});
+  readings.preparation.add("columns", asked.calibration.has_value(), std::move(words),
+                           switch_to("displacement", is_crosshead ? "deflection" : "crosshead"), {},
+                           RowRange{1, readings.table.rows()});
   if (!missing.words.empty()) readings.preparation.add("missing", true, missing.words, {});
   complete(readings.test, file.test, readings.preparation);
   return readings;
@@ -614,29 +606,33 @@ void leave_out_way_back(Record& record, Sampling& sampling, Preparation& steps) 
   leave_out(before, record, sampling);
 }
 
-// Single readings that no specimen can have made, in any loading.
-void leave_out_spikes(Record& record, double stiffness, Sampling& sampling, Preparation& steps) {
+// Readings that are none, counted and named.
+void leave_out_spikes(const std::vector<std::size_t>& spikes, std::string_view what, std::string_view name,
+                      Record& record, Sampling& sampling, Preparation& steps) {
+  if (spikes.empty()) return;
+  const RowRange range{sampling.rows[spikes.front()] + 1, sampling.rows[spikes.back()] + 1};
+  constexpr std::size_t shown = 3;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < std::min(shown, spikes.size()); ++i) rows.push_back(sampling.rows[spikes[i]] + 1);
+  const bool one = spikes.size() == 1;
+  steps.add(
+      name, true,
+      fmt::format("{} {} {} left out: row{} {}{}", one ? "a reading" : fmt::format("{} readings", spikes.size()), what,
+                  one ? "is" : "are", one ? "" : "s", fmt::join(rows, ", "), spikes.size() > shown ? ", …" : ""),
+      {}, {}, range);
+  sampling.spikes += spikes.size();
+  leave_out(spikes, record, sampling);
+}
+
+// Single forces that no specimen can have made, in any loading.
+std::vector<std::size_t> spikes_of_force(const Record& record, double stiffness) {
   std::vector<std::size_t> spikes;
   for (const Leg& leg : find_legs(record.stage)) {
     if (leg.direction != Direction::loading || leg.last - leg.first < least_noise_points) continue;
     for (const std::size_t point : find_spikes(points_between(record, leg.first, leg.last), stiffness))
       spikes.push_back(leg.first + point);
   }
-  if (spikes.empty()) return;
-  const RowRange range{sampling.rows[spikes.front()] + 1, sampling.rows[spikes.back()] + 1};
-  constexpr std::size_t shown = 3;
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < std::min(shown, spikes.size()); ++i) rows.push_back(sampling.rows[spikes[i]] + 1);
-  steps.add(
-      "spikes", true,
-      fmt::format("{} that the force goes to and comes back from faster than the load train allows {} left out: row{} "
-                  "{}{}",
-                  spikes.size() == 1 ? "a reading" : fmt::format("{} readings", spikes.size()),
-                  spikes.size() == 1 ? "is" : "are", spikes.size() == 1 ? "" : "s", fmt::join(rows, ", "),
-                  spikes.size() > shown ? ", …" : ""),
-      {}, {}, range);
-  sampling.spikes = spikes.size();
-  leave_out(spikes, record, sampling);
+  return spikes;
 }
 
 ForceZero zero_of(const Record& rise) {
@@ -1102,9 +1098,14 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   if (!until) every = before_overload(std::move(every), first, result, steps);
   result.sampling = sampling_between(first, until.value_or(every.force.size()), readings.displacement(), every, steps);
   every = picked(every, result.sampling.rows);
+  leave_out_spikes(find_stray_positions(readings.has(Reading::stage) ? every.stage : every.deflection),
+                   "that the displacement jumps to and comes back from at once", "stray", every, result.sampling,
+                   steps);
   leave_out_holds(every, result.sampling, steps);
   leave_out_way_back(every, result.sampling, steps);
-  leave_out_spikes(every, stiffness, result.sampling, steps);
+  leave_out_spikes(spikes_of_force(every, stiffness),
+                   "that the force goes to and comes back from faster than the load train allows", "spikes", every,
+                   result.sampling, steps);
   const Record rise = first_rise(until ? first_points(every, points_before(*until, result.sampling)) : every);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "case/case_file.h"
+#include "case/preparation.h"
 #include "data/contact.h"
 #include "data/record.h"
 #include "data/small_deflection.h"
@@ -16,34 +17,6 @@
 #include "io/quantity.h"
 
 namespace flexslip {
-
-struct PreparedValue {
-  double value;                 // [SI unit of the kind]
-  std::optional<double> error;  // standard deviation, where it is known
-  Kind kind;
-};
-
-// Rows of the file, counted from 1, both among them.
-struct RowRange {
-  std::size_t first, last;
-};
-
-struct PreparationStep {
-  std::string name;                    // "columns", "sign", "zero", ..., the same in every language and version
-  bool changed;                        // the numbers are not as in the file, or rows are left out
-  std::string done;                    // in words, a sentence without its full stop
-  std::optional<PreparedValue> value;  // taken off, applied or found
-  std::optional<RowRange> rows;        // that it is about; none: all
-  std::optional<KeyChange> otherwise;  // for having it otherwise; none if nothing would
-};
-
-// In the order in which they are done: columns, missing, metadata, sign, overload, thinning, holds, spikes, zero, compliance, loading, end, stage, contact.
-struct Preparation {
-  std::vector<PreparationStep> steps;
-
-  void add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
-           std::optional<PreparedValue> value = {}, std::optional<RowRange> rows = {});
-};
 
 // Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
 inline constexpr std::size_t max_record_points = 2000;

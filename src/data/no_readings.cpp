@@ -80,6 +80,30 @@ std::vector<std::size_t> find_spikes(const Record& record, double stiffness) {
   return Spikes(record, stiffness).found();
 }
 
+std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stage.size(); ++i)
+    if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
+  if (steps.empty()) return {};
+  const double usual = median_of(std::move(steps));
+  constexpr double far = 20, back = 3;  // [usual step]
+  const auto step_before = [&](std::size_t i) { return i == 0 ? 0.0 : std::abs(stage[i] - stage[i - 1]); };
+  std::vector<std::size_t> stray;
+  for (std::size_t i = 1; i + 1 < stage.size(); ++i) {
+    const double before = stage[i - 1], jump = std::abs(stage[i] - before);
+    if (!(jump > far * std::max(usual, step_before(i - 1)))) continue;
+    for (std::size_t end = i + 1; end < stage.size() && end - i <= longest; ++end) {
+      const double steps_since = static_cast<double>(end + 1 - i);
+      if (std::abs(stage[end] - before) > back * usual * steps_since) continue;
+      for (; i < end; ++i) stray.push_back(i);
+      break;
+    }
+  }
+  constexpr std::size_t of_points = 20;
+  if (of_points * stray.size() > stage.size()) stray.clear();
+  return stray;
+}
+
 Halts find_halts(const std::vector<double>& stage) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stage.size(); ++i)

@@ -16,6 +16,12 @@ namespace flexslip {
 // Method:     beyond six standard deviations of a step, by the noise where the record is quiet and by what half of all steps exceed.
 std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
 
+// Points whose position is none of the stage's: it jumps there, by more than 20 of its usual steps and of those beside, and is back where it was within
+// three points.
+// Domain:     positions in any unit.
+// Fails:      none where they would be more than a twentieth of the points: such a stage goes to and fro.
+std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage);
+
 // Readings while the stage halts, but the first of each place.
 struct Halts {
   std::vector<std::size_t> points;  // rising

@@ -545,10 +545,15 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
     log_evidence += elementary::log(static_cast<double>(wave + 1)) -
                     elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
-  return {.mode = mode,
-          .log_evidence = log_evidence,
-          .spread = unit.asDiagonal() * eigen.eigenvectors() * values.cwiseInverse().asDiagonal() *
-                    eigen.eigenvectors().transpose() * unit.asDiagonal()};
+  Component component{.mode = mode,
+                      .log_evidence = log_evidence,
+                      .spread = unit.asDiagonal() * eigen.eigenvectors() * values.cwiseInverse().asDiagonal() *
+                                eigen.eigenvectors().transpose() * unit.asDiagonal()};
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+    const auto at = static_cast<Index>(Theta::first_wave + wave);
+    component.wavelength_deviation[wave] = std::sqrt(component.spread(at, at));
+  }
+  return component;
 }
 
 bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
@@ -612,6 +617,8 @@ class Search {
     for (Component& component : components)
       if (component.log_evidence > best - far_below) converge(component);
     rank();
+    move_along_valley(components);
+    rank();
     return result;
   }
 
@@ -664,6 +671,36 @@ class Search {
     if (!(mode.merit > component.mode.merit - ran_away)) return;
     component.log_evidence += mode.merit - component.mode.merit;
     component.mode = std::move(mode);
+  }
+
+  // The likeliest waves to where their lengths and the errors of the rig are likeliest together, which no polish of one at a time gets to soon: a rig that
+  // is off stretches all waves alike. How far the lengths may be off is taken for that of all other modes with so many waves.
+  void move_along_valley(std::vector<Component>& components) const {
+    Component& component = components.front();
+    const std::size_t waves = component.mode.theta.waves;
+    if (waves == 0) return;
+    const auto stretched = [&](double by) {
+      Mode mode = component.mode;
+      for (std::size_t wave = 0; wave < waves; ++wave) mode.theta.values[Theta::first_wave + wave] += by;
+      constexpr int steps = 16;
+      process_.burst(mode, steps, 0.5);
+      return mode;
+    };
+    const auto begin = component.wavelength_deviation.begin(), end = begin + static_cast<std::ptrdiff_t>(waves);
+    const double linearised = *std::min_element(begin, end), step = 2 * linearised, top = component.mode.merit;
+    const double longer = stretched(step).merit, shorter = stretched(-step).merit;
+    const double curvature = (2 * top - longer - shorter) / (step * step);
+    if (!std::isfinite(curvature)) return;
+    constexpr double widest = 5;  // beyond, a parabola tells nothing
+    const double told = std::max(curvature, 1 / (widest * widest * linearised * linearised));
+    for (Component& each : components)
+      if (each.mode.theta.waves == waves)
+        for (std::size_t wave = 0; wave < waves; ++wave)
+          each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
+    Mode moved = stretched(std::clamp((longer - shorter) / (2 * step * told), -2 * step, 2 * step));
+    if (!(moved.merit > top)) return;
+    component.log_evidence += moved.merit - top;
+    component.mode = std::move(moved);
   }
 
   // A mode settled, and moved by a burst where that is much better.

@@ -136,7 +136,9 @@ struct SearchOptions {
 struct Component {
   Mode mode;
   double log_evidence;
-  Eigen::MatrixXd spread;  // covariance of θ, by the curvature of the merit
+  Eigen::MatrixXd spread;  // covariance of θ, by the curvature of the merit as it is linearised
+  // [1] Of ln λ of each wave, by how the merit falls where it is linearised anew: wavelengths and the errors of the rig make up for each other.
+  std::array<double, max_waves> wavelength_deviation{};
 };
 
 struct ScannedWavelength {
@@ -152,7 +154,8 @@ struct ProcessSearch {
 // Domain:     options.kernels not empty.
 // Method:     From the rises of the record, the mode without a wave; scans over wavelengths at three settings of the hyperparameters; from the
 //             best two peaks of each, modes with a wave. The best three within 12 of the first are polished, if the first gains anything, and
-//             those within 3 continued to the other kernels, unless no wave is likelier by more than 2. A second wave likewise.
+//             those within 3 continued to the other kernels, unless no wave is likelier by more than 2. A second wave likewise. What weighs anything is
+//             linearised until it agrees with itself, and the likeliest waves are moved along the valley that their length shares with the rig.
 ProcessSearch search(const FrictionProcess& process, const SearchOptions& options);
 
 }  // namespace flexslip

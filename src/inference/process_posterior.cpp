@@ -612,10 +612,8 @@ class Posterior {
     // What is left of covariances after rounding need be none, where there is hardly any noise.
     if (factor.info() != Eigen::Success) factor.compute(MatrixXd(covariance.diagonal().cwiseMax(1e-16).asDiagonal()));
     std::array<double, max_waves> deviation{};
-    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
-      const auto at = static_cast<Index>(Theta::first_wave + wave);
-      deviation[wave] = elementary::length(std::sqrt(component.spread(at, at)), scatter_of(component, wave));
-    }
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
+      deviation[wave] = elementary::length(component.wavelength_deviation[wave], scatter_of(component, wave));
     for (int i = 0; i < draws; ++i) {
       VectorXd z(1 + 2 * waves);
       for (auto& value : z) value = normal_();

@@ -427,7 +427,7 @@ Rows preparation_rows(const Measurement& measurement) {
     std::string done = step.done;
     if (!about.empty()) done += fmt::format(" ({})", fmt::join(about, "; "));
     if (const auto& change = step.otherwise) done += "; to change this: " + in_words(measurement.test, *change);
-    rows.push_back({step.name, std::move(done)});
+    rows.push_back({std::string(step.name), std::move(done)});
   }
   return rows;
 }

@@ -349,7 +349,7 @@ TEST_CASE("measurement: the steps are in their documented order, each with the f
   const Folder folder;
   const Measurement found = folder.measured({.tare = 2.5});
   std::string names;
-  for (const PreparationStep& step : found.preparation.steps) names += step.name + " ";
+  for (const PreparationStep& step : found.preparation.steps) names += std::string(step.name) + " ";
   CHECK(names == "columns sign zero compliance end contact ");
   CHECK(step_of(found, "sign")->otherwise->in_case() == "[record] sign = \"reverse\"");
   CHECK(step_of(found, "sign")->otherwise->flag() == "--sign reverse");

@@ -50,6 +50,30 @@ TEST_CASE("spikes: readings that the load train cannot have made are found, and 
         }
 }
 
+TEST_CASE("stray positions: what the stage jumps to and comes back from is found, and no turn of it (truth known)") {
+  for (const double to : {99e-3, -99e-3, 0.0})
+    for (const std::size_t length : {1u, 2u, 3u}) {
+      CAPTURE(to);
+      CAPTURE(length);
+      std::vector<double> stage = curve(0, 1).stage;
+      std::vector<std::size_t> made;
+      for (const std::size_t at : {60u, 130u, 250u})
+        for (std::size_t k = 0; k < length; ++k) {
+          stage[at + k] = to;
+          made.push_back(at + k);
+        }
+      CHECK(find_stray_positions(stage) == made);
+    }
+  std::vector<double> to_and_fro, in_steps;
+  for (int i = 0; i < 300; ++i) {
+    to_and_fro.push_back(step * (i % 100 < 50 ? i % 100 : 0));  // back at once, and from there again
+    in_steps.push_back(step * (i / 10) * 30);
+  }
+  CHECK(find_stray_positions(to_and_fro).empty());
+  CHECK(find_stray_positions(in_steps).empty());
+  CHECK(find_stray_positions(std::vector<double>(20, 1.0)).empty());
+}
+
 TEST_CASE("spikes: slips are none, however deep (limit)") {
   for (const double slip : {0.0, 0.2e-3, 2e-3, 6e-3})
     for (unsigned seed = 1; seed <= 20; ++seed) {
