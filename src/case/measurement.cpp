@@ -14,6 +14,7 @@
 
 #include "case/case_keys.h"
 #include "case/mechanics.h"
+#include "case/rows_that_count.h"
 #include "case/toml.h"
 #include "data/contact.h"
 #include "data/drops.h"
@@ -444,7 +445,6 @@ constexpr double min_free_rows = 5;
 // A stage that runs back by less, the larger of both, is one whose encoder is noisy; farther, the record is another test, or out of order.
 constexpr double max_stage_noise = 0.005;  // [travel]
 constexpr double stage_noise_range = 5;    // [noise of the stage] between the extremes of some hundred readings
-constexpr std::size_t least_noise_points = 11;
 
 void require_finite(const Record& record, const Table& table) {
   const RecordCheck check = check_record(record);
@@ -504,135 +504,6 @@ Record first_rise(const Record& record) {
   const auto greatest =
       std::max_element(record.force.begin(), record.force.begin() + static_cast<std::ptrdiff_t>(points));
   return first_points(record, static_cast<std::size_t>(greatest - record.force.begin()) + 1);
-}
-
-// The last row, counted from 1, before that of the point after so many.
-std::size_t rows_of_points(const Sampling& sampling, std::size_t points) {
-  return points < sampling.rows.size() ? sampling.rows[points] : sampling.end;
-}
-
-void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& steps) {
-  const auto add = [&](const char* name, std::size_t count, std::string_view what) {
-    if (count > 0) steps.add(name, true, fmt::format("{} of the {} rows {}", count, rows, what), {});
-  };
-  add("repeated", sampling.repeated, "repeat the previous row and count once");
-  add("held", sampling.held, "repeat the force of the previous row while the displacement moves on, and are left out");
-  add("interpolated", sampling.interpolated, "are interpolated between readings and are left out");
-  add("unloaded", sampling.unloaded, "lie far before or after the load and are left out");
-  if (sampling.stride > 1)
-    steps.add("thinning", true,
-              fmt::format("one row in {} is used, out of {}", sampling.stride,
-                          rows - sampling.repeated - sampling.held - sampling.interpolated - sampling.unloaded),
-              {});
-}
-
-// The points before a row, counted from 0.
-std::size_t points_before(std::size_t row, const Sampling& sampling) {
-  return static_cast<std::size_t>(std::lower_bound(sampling.rows.begin(), sampling.rows.end(), row) -
-                                  sampling.rows.begin());
-}
-
-// Of the rows [first, until), counted from 0, and of those behind, which tell no more than what came after.
-Sampling sampling_between(std::size_t first, std::size_t until, std::span<const double> displacement,
-                          const Record& every, Preparation& steps) {
-  const auto sampled = [&](std::size_t begin, std::size_t end) {
-    const std::size_t most =
-        find_legs(points_between(every, begin, end).stage).size() > 1 ? max_cyclic_points : max_record_points;
-    Sampling sampling =
-        sampling_of(displacement.subspan(begin, end - begin), std::span(every.force).subspan(begin, end - begin), most);
-    for (std::size_t& row : sampling.rows) row += begin;
-    sampling.end += begin;
-    return sampling;
-  };
-  Sampling sampling = sampled(first, until);
-  note_sampling(sampling, until - first, steps);
-  if (const std::size_t end = every.force.size(); until < end) {
-    const Sampling behind = sampled(until, end);
-    sampling.rows.insert(sampling.rows.end(), behind.rows.begin(), behind.rows.end());
-    sampling.end = end;
-  }
-  return sampling;
-}
-
-// The record up to where the load cell is at its end.
-Record before_overload(Record every, std::size_t first, Measurement& result, Preparation& steps) {
-  const std::size_t rows = first + points_before_overload(points_between(every, first, every.force.size()));
-  if (rows == every.force.size()) return every;
-  result.end = MeasurementEnd::overload;
-  steps.add(
-      "overload", true,
-      fmt::format(
-          "the force stays at its greatest value, the end of the load cell, from row {} on: later rows are left out",
-          rows),
-      KeyChange{"record", "until", fmt::format("{}", result.rows)}, {}, RowRange{rows + 1, result.rows});
-  return first_points(every, rows);
-}
-
-// Takes points out of a record and of its sampling.
-void leave_out(const std::vector<std::size_t>& points, Record& record, Sampling& sampling) {
-  std::vector<std::size_t> kept;
-  for (std::size_t point = 0; point < record.force.size(); ++point)
-    if (!std::binary_search(points.begin(), points.end(), point)) kept.push_back(point);
-  record = picked(record, kept);
-  for (std::size_t& point : kept) point = sampling.rows[point];
-  sampling.rows = std::move(kept);
-}
-
-// What the force does while the stage halts: the first reading there belongs to the loading.
-void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
-  const Halts halts = find_halts(record.stage);
-  if (halts.points.empty()) return;
-  sampling.at_rest = halts.points.size();
-  for (std::size_t i = 0; i < halts.points.size(); ++i)
-    if (i == 0 || halts.points[i] > halts.points[i - 1] + 1)
-      sampling.halts.push_back(sampling.rows[halts.points[i] - 1]);
-  steps.add("holds", true,
-            fmt::format("{} rows read while the stage halts, at {} {}, are left out", halts.points.size(), halts.places,
-                        halts.places == 1 ? "place" : "places"),
-            {}, {}, RowRange{sampling.rows[halts.points.front()] + 1, sampling.rows[halts.points.back()] + 1});
-  leave_out(halts.points, record, sampling);
-}
-
-// The way back of the stage before the first loading, which bends nothing that is evaluated.
-void leave_out_way_back(Record& record, Sampling& sampling, Preparation& steps) {
-  const std::vector<Leg> legs = find_legs(record.stage);
-  if (legs.size() < 2 || legs.front().direction == Direction::loading) return;
-  std::vector<std::size_t> before(legs.front().last);
-  std::iota(before.begin(), before.end(), std::size_t{0});
-  const RowRange range{sampling.rows.front() + 1, sampling.rows[before.back()] + 1};
-  steps.add("way_back", true,
-            fmt::format("the stage goes back before it loads: rows {} to {} are left out", range.first, range.last),
-            KeyChange{"record", "first", fmt::format("{}", range.last + 1)}, {}, range);
-  leave_out(before, record, sampling);
-}
-
-// Readings that are none, counted and named.
-void leave_out_spikes(const std::vector<std::size_t>& spikes, std::string_view what, std::string_view name,
-                      Record& record, Sampling& sampling, Preparation& steps) {
-  if (spikes.empty()) return;
-  const RowRange range{sampling.rows[spikes.front()] + 1, sampling.rows[spikes.back()] + 1};
-  constexpr std::size_t shown = 3;
-  std::vector<std::size_t> rows;
-  for (std::size_t i = 0; i < std::min(shown, spikes.size()); ++i) rows.push_back(sampling.rows[spikes[i]] + 1);
-  const bool one = spikes.size() == 1;
-  steps.add(
-      name, true,
-      fmt::format("{} {} {} left out: row{} {}{}", one ? "a reading" : fmt::format("{} readings", spikes.size()), what,
-                  one ? "is" : "are", one ? "" : "s", fmt::join(rows, ", "), spikes.size() > shown ? ", …" : ""),
-      {}, {}, range);
-  sampling.spikes += spikes.size();
-  leave_out(spikes, record, sampling);
-}
-
-// Single forces that no specimen can have made, in any loading.
-std::vector<std::size_t> spikes_of_force(const Record& record, double stiffness) {
-  std::vector<std::size_t> spikes;
-  for (const Leg& leg : find_legs(record.stage)) {
-    if (leg.direction != Direction::loading || leg.last - leg.first < least_noise_points) continue;
-    for (const std::size_t point : find_spikes(points_between(record, leg.first, leg.last), stiffness))
-      spikes.push_back(leg.first + point);
-  }
-  return spikes;
 }
 
 ForceZero zero_of(const Record& rise) {
@@ -833,6 +704,34 @@ Loading loading_to_evaluate(const Test& input, const Table& table, const Record&
                     .remedy = "if the stage is counted the other way, " + to_say(input, switch_to("sign", "reverse"))});
 }
 
+// Fails:      InputError where the force of a loading is greatest as it begins and falls steadily from there: an unloading, or rows that run backwards.
+void require_rise(const Test& input, const Table& table, const Record& record, const Leg& leg,
+                  const Sampling& sampling) {
+  const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
+  constexpr std::size_t fewest = 30, parts = 20;
+  if (force.size() < fewest) return;
+  const auto mean_of_part = [&](std::size_t part) {
+    const std::size_t begin = part * force.size() / parts, end = (part + 1) * force.size() / parts;
+    return std::accumulate(force.begin() + static_cast<std::ptrdiff_t>(begin),
+                           force.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+           static_cast<double>(end - begin);
+  };
+  constexpr double to_noise = 1.02, of_it = 0.2;
+  for (std::size_t part = 1; part < parts; ++part)
+    if (mean_of_part(part) > to_noise * mean_of_part(part - 1)) return;
+  if (mean_of_part(parts / 2) < of_it * mean_of_part(0) || mean_of_part(parts - 1) > of_it * mean_of_part(0)) return;
+  const std::size_t row = sampling.rows[leg.first];
+  throw InputError(
+      {.file = table.source,
+       .line = table.lines[row],
+       .field = "the force",
+       .expected = "one that rises as the specimen is bent",
+       .found = fmt::format("one that is greatest at first, {}, and falls steadily from there",
+                            readable(force.front(), kind_in(input, kind::force))),
+       .remedy = "if the rows run backwards in time, write them in the reverse order; if this is the unloading of a "
+                 "test, give the rows of its loading"});
+}
+
 // How many rows lie before a place, a row or where the stage or the deflection first gets there; and how many up to it, itself among them.
 struct RowsTo {
   std::size_t before, up_to;
@@ -911,6 +810,7 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   const std::vector<double>& stage = looked_at.stage;
   const std::vector<Leg> legs = find_legs(stage);
   Loading loading = loading_to_evaluate(input, table, looked_at, legs);
+  require_rise(input, table, looked_at, loading.leg, result.sampling);
   result.loading = loading.counted;
   const auto row = [&](std::size_t point) { return rows_of_points(result.sampling, point); };
   if (result.loading.of > 1)
@@ -1095,17 +995,10 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
-  if (!until) every = before_overload(std::move(every), first, result, steps);
-  result.sampling = sampling_between(first, until.value_or(every.force.size()), readings.displacement(), every, steps);
-  every = picked(every, result.sampling.rows);
-  leave_out_spikes(find_stray_positions(readings.has(Reading::stage) ? every.stage : every.deflection),
-                   "that the displacement jumps to and comes back from at once", "stray", every, result.sampling,
-                   steps);
-  leave_out_holds(every, result.sampling, steps);
-  leave_out_way_back(every, result.sampling, steps);
-  leave_out_spikes(spikes_of_force(every, stiffness),
-                   "that the force goes to and comes back from faster than the load train allows", "spikes", every,
-                   result.sampling, steps);
+  CountedRows counted = rows_that_count(std::move(every), readings.displacement(), {first, until}, stiffness, steps);
+  every = std::move(counted.record);
+  result.sampling = std::move(counted.sampling);
+  if (counted.ends_in_overload) result.end = MeasurementEnd::overload;
   const Record rise = first_rise(until ? first_points(every, points_before(*until, result.sampling)) : every);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);

@@ -10,6 +10,7 @@
 
 #include "case/case_file.h"
 #include "case/preparation.h"
+#include "case/rows_that_count.h"
 #include "data/contact.h"
 #include "data/record.h"
 #include "data/small_deflection.h"
@@ -17,10 +18,6 @@
 #include "io/quantity.h"
 
 namespace flexslip {
-
-// Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
-inline constexpr std::size_t max_record_points = 2000;
-inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is unloaded
 
 // What ends the loading that is evaluated.
 enum class MeasurementEnd { last_row, until, failure, turn, overload };

@@ -128,22 +128,54 @@ Halts find_halts(const std::vector<double>& stage) {
   return halts;
 }
 
-std::size_t points_before_overload(const Record& record) {
+namespace {
+
+// Where the force is at its end; those at which it stays there follow.
+struct Plateau {
+  std::size_t first, last;
+  double band;  // [N] within which it stays
+};
+
+// Would the force have risen by far more than the band, and by a hundredth of all, had it gone on as before?
+bool would_have_risen(const Record& record, const Plateau& plateau, std::size_t points_before) {
   const auto& [stage, deflection, force] = record;
-  constexpr std::size_t at_least = 5;  // points at the end; and before it, to know how the force rises
+  if (plateau.first < points_before) return false;
+  const std::size_t before = plateau.first - points_before;
+  const double travel = stage[plateau.first] - stage[before];
+  const double slope = (force[plateau.first] - force[before]) / travel;
+  constexpr double by_far = 8, part = 0.01;
+  const double least = std::max(by_far * plateau.band, part * force[plateau.first]);
+  return travel > 0 && slope * (stage[plateau.last] - stage[plateau.first]) > least;
+}
+
+}  // namespace
+
+std::size_t points_before_overload(const Record& record) {
+  const std::vector<double>& force = record.force;
   const auto greatest = std::max_element(force.begin(), force.end());
+  if (greatest == force.end()) return 0;
+  const auto stays_from = [&](std::size_t first, double band) {
+    std::size_t last = first;
+    while (last + 1 < force.size() && force[last + 1] >= *greatest - band) ++last;
+    return Plateau{first, last, band};
+  };
   const auto first = static_cast<std::size_t>(greatest - force.begin());
-  std::size_t last = first;
-  while (last + 1 < force.size() && force[last + 1] == *greatest) ++last;
-  if (greatest == force.end() || first < at_least || last + 1 - first < at_least) return force.size();
-  const double travel = stage[first] - stage[first - at_least];
-  const double slope = (force[first] - force[first - at_least]) / travel;
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)
     if (force[i] != force[i - 1]) resolution = std::min(resolution, std::abs(force[i] - force[i - 1]));
-  constexpr double by_far = 5;
-  const double least = std::max(by_far * resolution, 0.01 * *greatest);
-  return travel > 0 && slope * (stage[last] - stage[first]) > least ? first + 1 : force.size();
+  constexpr std::size_t to_the_bit = 5, in_noise = 10;  // points at the end; and before it, to know how the force rises
+  Plateau plateau = stays_from(first, 0);
+  plateau.band = resolution;
+  if (plateau.last + 1 - first >= to_the_bit && would_have_risen(record, plateau, to_the_bit)) return first + 1;
+
+  if (force.size() < 2 * in_noise) return force.size();
+  constexpr double errors = 8;  // between the greatest and the least of many readings
+  const double band = errors * force_noise(record);
+  std::size_t begin = first;
+  while (begin > 0 && force[begin - 1] >= *greatest - band) --begin;
+  const Plateau noisy = stays_from(begin, band);
+  const bool stays = noisy.last + 1 - begin >= in_noise;
+  return stays && would_have_risen(record, noisy, in_noise) ? begin + 1 : force.size();
 }
 
 }  // namespace flexslip

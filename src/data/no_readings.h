@@ -33,8 +33,9 @@ struct Halts {
 //             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
 Halts find_halts(const std::vector<double>& stage);
 
-// How many points a load cell shows before it is at its end: where the force rises and then stays, to the last bit, at its greatest value, for five
-// points or more in which it would have risen by far more than its resolution. All points if it never does.
+// How many points a load cell shows before it is at its end: where the force rises and then stays at its greatest value, to the last bit for five
+// points or more in which it would have risen by far more than its resolution, or within its noise for ten or more in which it would have by far more
+// than that; a smooth top bends into its flat part, and is none. All points if it never does.
 // Domain:     columns of one length.
 std::size_t points_before_overload(const Record& record);
 

@@ -109,7 +109,8 @@ class StepNoise {
 double stage_noise(std::span<const double> stage);
 
 // Noise of a single force reading [N]: that of one step over √2, its standard deviation if readings err independently.
-// Domain: at least 11 points; std::invalid_argument otherwise.
+// Domain: at least so many points; std::invalid_argument otherwise.
+inline constexpr std::size_t least_noise_points = 11;
 double force_noise(const Record& record);
 
 // The loading and unloading legs of a record: a stage programme with turning points, cut at them.

@@ -148,7 +148,7 @@ struct TestAnalysis {
 
 // Domain:     one loading up to the failure, counted from the contact, without faults (check_record); span and stiffness positive;
 //             std::invalid_argument otherwise.
-// Cost:       that of the fit: at most 150,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
+// Cost:       that of the fit: at most 200,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
 //             the record; on supports 60 million besides, as 20 draws and the mean are run forward through up to 10,000 lengths each.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
 

@@ -665,7 +665,7 @@ class Search {
   // Until it is linearised at what it says itself of the rig, too: merits of others say little.
   void converge(Component& component) const {
     Mode mode = component.mode;
-    constexpr int steps = 24;
+    constexpr int steps = 12;
     constexpr double fraction = 0.5, ran_away = 12;  // of the merit
     process_.burst(mode, steps, fraction);
     if (!(mode.merit > component.mode.merit - ran_away)) return;
@@ -682,7 +682,7 @@ class Search {
     const auto stretched = [&](double by) {
       Mode mode = component.mode;
       for (std::size_t wave = 0; wave < waves; ++wave) mode.theta.values[Theta::first_wave + wave] += by;
-      constexpr int steps = 16;
+      constexpr int steps = 10;
       process_.burst(mode, steps, 0.5);
       return mode;
     };

@@ -116,6 +116,25 @@ TEST_CASE("overload: a force that stays at its greatest value is the end of the 
       static_cast<std::size_t>(std::find(record.force.begin(), record.force.end(), 0.008) - record.force.begin());
   CHECK(points_before_overload(record) == first + 1);
 
+  for (unsigned seed = 1; seed <= 20; ++seed) {  // with noise of the amplifier behind the cell's end
+    CAPTURE(seed);
+    std::mt19937_64 engine(seed);
+    std::normal_distribution<double> normal(0, noise);
+    Record noisy = curve(0, seed);
+    for (double& force : noisy.force)
+      if (force > 0.008) force = 0.008 + normal(engine);
+    const std::size_t found = points_before_overload(noisy);
+    CHECK(found >= first - 5);
+    CHECK(found <= first + 5);
+    Record top = curve(0, seed);  // goes over its top
+    for (double& stage : top.stage) stage *= 2;
+    for (std::size_t i = 0; i < top.force.size(); ++i)
+      top.force[i] = 0.012 * std::sin(top.stage[i] / 4e-4) + normal(engine);
+    CHECK(points_before_overload(top) == 300);
+    CHECK(points_before_overload(curve(0.2e-3, seed)) == 300);
+    CHECK(points_before_overload(curve(2e-3, seed)) == 300);
+  }
+
   Record coarse = curve(0, 1);  // its top is flat within the steps of the converter
   for (double& force : coarse.force) force = 2e-4 * std::round(force / 2e-4);
   CHECK(points_before_overload(coarse) == 300);
