@@ -236,6 +236,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   std::optional<Judgement> judgement;
   if (analysis.status == AnalysisStatus::ok)
     judgement = judge(analysis, cycles ? &*cycles : nullptr, measurement.loading.number - 1);
+  if (judgement && lost_stiffness(*judgement)) analysis.energy.friction_share = not_a_number;  // cracks took their part
   const std::size_t drops_elsewhere = drops_in_other_loadings(measurement);
   std::optional<ImagedLength> imaged;
   if (analysis.status == AnalysisStatus::ok && !measurement.pulled_in.empty()) {

@@ -704,30 +704,39 @@ Loading loading_to_evaluate(const Test& input, const Table& table, const Record&
                     .remedy = "if the stage is counted the other way, " + to_say(input, switch_to("sign", "reverse"))});
 }
 
-// Fails:      InputError where the force of a loading is greatest as it begins and falls steadily from there: an unloading, or rows that run backwards.
+// Fails:      InputError where a loading begins under more than half of its greatest force, and the force falls steadily from that to nearly none: an
+//             unloading, or rows that run backwards.
 void require_rise(const Test& input, const Table& table, const Record& record, const Leg& leg,
                   const Sampling& sampling) {
   const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
   constexpr std::size_t fewest = 30, parts = 20;
   if (force.size() < fewest) return;
-  const auto mean_of_part = [&](std::size_t part) {
+  std::array<double, parts> mean;
+  for (std::size_t part = 0; part < parts; ++part) {
     const std::size_t begin = part * force.size() / parts, end = (part + 1) * force.size() / parts;
-    return std::accumulate(force.begin() + static_cast<std::ptrdiff_t>(begin),
-                           force.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-           static_cast<double>(end - begin);
-  };
-  constexpr double to_noise = 1.02, of_it = 0.2;
-  for (std::size_t part = 1; part < parts; ++part)
-    if (mean_of_part(part) > to_noise * mean_of_part(part - 1)) return;
-  if (mean_of_part(parts / 2) < of_it * mean_of_part(0) || mean_of_part(parts - 1) > of_it * mean_of_part(0)) return;
+    mean[part] = std::accumulate(force.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 force.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                 static_cast<double>(end - begin);
+  }
+  const auto greatest = std::max_element(mean.begin(), mean.end());
+  constexpr double much = 0.5, little = 0.2, rise = 0.05;  // of the greatest
+  if (mean.front() < much * *greatest || mean.back() > little * *greatest) return;
+  constexpr std::ptrdiff_t at_once = 5;  // where it gives way, it falls in less
+  std::ptrdiff_t between = 0;
+  for (auto part = greatest + 1; part != mean.end(); ++part) {
+    if (*part > *(part - 1) + rise * *greatest) return;
+    if (*part > little * *greatest && *part < (1 - little) * *greatest) ++between;
+  }
+  if (between < at_once) return;
   const std::size_t row = sampling.rows[leg.first];
   throw InputError(
       {.file = table.source,
        .line = table.lines[row],
        .field = "the force",
        .expected = "one that rises as the specimen is bent",
-       .found = fmt::format("one that is greatest at first, {}, and falls steadily from there",
-                            readable(force.front(), kind_in(input, kind::force))),
+       .found = fmt::format("one that begins with {} and falls steadily to {}",
+                            readable(force.front(), kind_in(input, kind::force)),
+                            readable(force.back(), kind_in(input, kind::force))),
        .remedy = "if the rows run backwards in time, write them in the reverse order; if this is the unloading of a "
                  "test, give the rows of its loading"});
 }

@@ -567,7 +567,7 @@ RigErrors rig_errors_of(const Measurement& measurement) {
     constexpr double most = 0.05;  // [L] beyond, the beginning of the curve is another test's
     if (errors.preload > most)
       throw wrong_value(test, "record.preload_error", "at most 5 % of the span",
-                        fmt::format("{:.2g} %", 100 * errors.preload),
+                        fmt::format("{:.3g} %", 100 * errors.preload),
                         "zero displacement and force before the contact");
   }
   return errors;

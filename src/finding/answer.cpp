@@ -38,15 +38,12 @@ double lost_by_rises(const SlipOrCrack& rises) {
 
 // ---- The verdict
 
-// Nothing of a friction that is only a limit, or that cannot be.
-bool tells_work(T test, const std::vector<Finding>& findings) {
-  return !test.analysis.fit.mu0_is_bound && !finding_in(findings, "implausible_friction");
-}
+bool tells_work(T test) { return std::isfinite(test.analysis.energy.friction_share); }
 
-std::string work_in_short(T test, const std::vector<Finding>& findings) {
+std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
-  if (!tells_work(test, findings) || !(share > worth_saying)) return "";
+  if (!(share > worth_saying)) return "";
   return fmt::format("{}{} of the work was friction, not toughness", has_reload(test) ? "" : "at least ",
                      format_percent(share));
 }
@@ -118,7 +115,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   }
   Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
                   {friction + (has_reload(test) ? "" : " if no stiffness was lost")}};
-  if (const std::string work = work_in_short(test, findings); !work.empty()) verdict.parts.push_back(work);
+  if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
   if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
   return verdict;
 }
@@ -269,7 +266,13 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   words += if_lost_in_words(test);
   if (const auto on_rollers = friction_on_rollers(test)) words += "; " + *on_rollers;
   const FrictionRead& read = test.analysis.friction_read;
-  if (std::isfinite(read.median)) words += fmt::format("; {:.2f} to {:.2f} along it", read.low80, read.high80);
+  if (std::isfinite(read.median)) {
+    const bool above = read.low80 > fit.mu0.value, below = read.high80 < fit.mu0.value;
+    words += fmt::format("; {:.2f} to {:.2f} {}", read.low80, read.high80,
+                         above   ? "where the specimen came to rest, more than where it slipped"
+                         : below ? "where the specimen was read, less than beside it"
+                                 : "along it");
+  }
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
   if (has_wave)
     words += fmt::format("; it repeats every {}",
@@ -330,9 +333,9 @@ std::string stiffness_in_words(T test, bool tells) {
   const double curvature = greatest_curvature(analysis.profile_at_fit, analysis.rig.fibre);
   if (test.surface && std::isfinite(curvature)) {
     const double strain = test.surface->strain(curvature);
-    words += fmt::format("; strain up to {:.2g} %", 100 * strain);
+    words += fmt::format("; strain up to {}", format_relative(strain));
     if (test.strain_at_break && strain > *test.strain_at_break)
-      words += fmt::format(", beyond the {:.2g} % at which it should break", 100 * *test.strain_at_break);
+      words += fmt::format(", beyond the {} at which it should break", format_relative(*test.strain_at_break));
     if (curvature > test.nose_curvature) words += "; it wrapped the nose";
   }
   return words;
@@ -352,9 +355,9 @@ std::string assumed_in_words(T test) {
   parts.emplace_back("a slender, straight, elastic beam, its nose at midspan to 3 % of the span");
   std::vector<std::string> errors;
   for (const auto& [what, error, kind] : assumed_errors(test))
-    errors.push_back(fmt::format("{} to {}", what,
-                                 kind.name == kind::length.name ? format_roughly(error, print.as(kind::length))
-                                                                : fmt::format("{:.2g} %", 100 * error)));
+    errors.push_back(fmt::format(
+        "{} to {}", what,
+        kind.name == kind::length.name ? format_roughly(error, print.as(kind::length)) : format_relative(error)));
   if (!errors.empty()) parts.push_back(fmt::format("{}: state yours and the error shrinks", fmt::join(errors, ", ")));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
@@ -366,7 +369,7 @@ std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Sta
   if (tells) {
     if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
     rows.push_back({"friction", friction_in_words(test, findings)});
-    if (!lost_stiffness(*test.judgement) && tells_work(test, findings)) rows.push_back({"work", work_in_words(test)});
+    if (tells_work(test)) rows.push_back({"work", work_in_words(test)});
   }
   if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
     rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
@@ -376,7 +379,7 @@ std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Sta
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
-    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test, findings))});
+    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
   rows.push_back({"assumed", assumed_in_words(test)});
   return rows;
 }

@@ -20,6 +20,7 @@
 #include "finding/printed.h"
 #include "finding/reload.h"
 #include "finding/slips_of_a_bar.h"
+#include "inference/first_passages.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
 #include "numerics/beam.h"
@@ -235,14 +236,14 @@ Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
   if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || no_force(test))
     return std::nullopt;
-  const double deepest = greatest_deflection(test), from = friction_told_from(test.analysis.rig.fibre);
+  const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format(
-          "Fewer than 20 of {} lie beyond a deflection of {}, the larger of a twentieth of the span and twice the "
-          "thickness; friction shows only there. The greatest deflection is {}, {:.2g} % of the span of {}.",
-          format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest), 100 * deepest,
-          Print(test).length(1)),
+      .sentence = fmt::format("Fewer than 20 of {} lie beyond a deflection of {}, from which on friction is judged. "
+                              "The greatest deflection "
+                              "is {}, {} of the span of {}.",
+                              format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest),
+                              format_relative(deepest), Print(test).length(1)),
       .short_form = "bent too little",
       .remedy =
           "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
@@ -391,7 +392,7 @@ Found impossible_drops(T test) {
 Found implausible_friction(T test) {
   const TestAnalysis& analysis = test.analysis;
   const double most = std::min(analysis.suspects.limit, analysis.most_friction);
-  if (!analysis.suspects.suspect && !(analysis.fit.mu0.low > most)) return std::nullopt;
+  if (!is_friction_implausible(analysis)) return std::nullopt;
   const std::string how =
       analysis.suspects.suspect
           ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
@@ -414,9 +415,8 @@ Found misses_force(T test) {
   const Check* check = check_of(test, CheckKind::residuals);
   if (!check) return std::nullopt;
   const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
-  const std::string misses =
-      fmt::format("The fit, run forward, misses the force by {:.2g} % of its greatest (limit {:g} %).", 100 * share,
-                  100 * max_residual);
+  const std::string misses = fmt::format("The fit, run forward, misses the force by {} of its greatest (limit {:g} %).",
+                                         format_relative(share), 100 * max_residual);
   return checked(test, *check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }

@@ -111,8 +111,7 @@ Statement statement_of(T test, StatedQuantity quantity) {
 }
 
 std::string error_in_words(T test, StatedQuantity quantity, double error) {
-  return is_offset(quantity) ? format_roughly(error, Print(test).as(kind::length))
-                             : fmt::format("{:.2g} %", 100 * error);
+  return is_offset(quantity) ? format_roughly(error, Print(test).as(kind::length)) : format_relative(error);
 }
 
 std::string signed_points(double share) {
@@ -136,7 +135,7 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
     if (!statement.may_be_there || !(deviation > 0)) continue;
     const double unit = changes_in_spans(quantity) ? analysis.scales.span() : 1;
     const double friction = (*analysis.fit.friction_by)[quantity];
-    const double work = analysis.fit.mu0_is_bound ? not_a_number : (*analysis.work_by)[quantity];
+    const double work = analysis.work_by ? (*analysis.work_by)[quantity] : not_a_number;
     const std::string step =
         statement.is_there ? error_in_words(test, quantity, statement.error) : format_roughly(deviation * unit, length);
     all.push_back({.quantity = name_of(quantity),

@@ -46,6 +46,11 @@ std::string format_percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.0f} %", 100 * share) : "an unknown share";
 }
 
+std::string format_relative(double share) {
+  constexpr double all_digits = 0.0995;  // from there on two stand before the point
+  return std::abs(share) < all_digits ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+}
+
 std::string format_roughly(double value, const Kind& kind) {
   if (!std::isfinite(value) || value == 0) return readable(value, kind);
   const std::string_view unit = best_unit(value, kind);

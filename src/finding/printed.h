@@ -48,6 +48,9 @@ std::string format_count(std::size_t count, std::string_view one, std::string_vi
 // A share [1] as "12 %".
 std::string format_percent(double share);
 
+// To two digits, as many as there are: "0.5 %", "1 %", "626 %".
+std::string format_relative(double share);
+
 // A part of a whole, "0.1 %".
 std::string format_share(double part, double whole);
 

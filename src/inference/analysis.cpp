@@ -340,7 +340,9 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.replay = replay_of(analysis);
   // What work was measured is a matter of what was read.
   analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
-  if (analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
+  const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis);
+  if (!tells_work) analysis.energy.friction_share = not_a_number;
+  if (tells_work && analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
   stages.enter("checks", 0.09);
   analysis.checks = checks_of(problem, analysis.fit, options);
 
@@ -358,6 +360,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
     snap.stage = snap.before.stage;
   }
   return analysis;
+}
+
+bool is_friction_implausible(const TestAnalysis& analysis) {
+  return analysis.suspects.suspect || analysis.fit.mu0.low > std::min(analysis.suspects.limit, analysis.most_friction);
 }
 
 double friction_hidden_by(const TestAnalysis& analysis, double loss) {

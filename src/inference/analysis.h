@@ -85,7 +85,8 @@ enum class SawtoothCategory { clear, nominal, none };
 struct MeasuredEnergy {
   EnergyAccount account;    // without its imbalance
   double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
-  double friction_share;    // [1] of it: (friction + snaps)/work_of_fracture
+  double
+      friction_share;  // [1] of it: (friction + snaps)/work_of_fracture; NaN where friction is only a limit, or cannot be
 };
 
 // The measured profile run forward as a table.
@@ -142,7 +143,7 @@ struct TestAnalysis {
   TestPath model{};
   Replay replay{};
   MeasuredEnergy energy{};
-  std::optional<Sensitivities> work_by{};  // of energy.friction_share; none of a constant
+  std::optional<Sensitivities> work_by{};  // of energy.friction_share; none of a constant, and where there is none
   SawtoothCategory category = SawtoothCategory::none;
 };
 
@@ -151,6 +152,10 @@ struct TestAnalysis {
 // Cost:       that of the fit: at most 200,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
 //             the record; on supports 60 million besides, as 20 draws and the mean are run forward through up to 10,000 lengths each.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+
+// Does the record need more friction than its supports let act, or than the suspect limit?
+// Domain:     analysis.status is ok.
+bool is_friction_implausible(const TestAnalysis& analysis);
 
 // [1] By how much the friction read off a record, averaged over the length that slid, would be larger if that share of the bending stiffness had been lost by
 // its middle, the half of its deepest deflection, evenly until there. A loss lowers the force, which reads as less friction.

@@ -125,7 +125,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .residual_rms = scales.physical_force(fit.residual_rms),
                       .drops = analysis.drops.drops.size(),
                       .spacing = scales.physical_length(analysis.slip_summary.median_spacing),
-                      .friction_share = fit.mu0_is_bound ? not_a_number : analysis.energy.friction_share,
+                      .friction_share = analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .known = marginals_of(fit, scales)};
   if (const auto& by = fit.friction_by) {

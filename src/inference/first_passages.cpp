@@ -23,7 +23,6 @@ constexpr double min_S = 1.0005, max_S = 2.05;
 constexpr double min_mu = -0.5, max_mu = 1.8;
 constexpr double min_q = -1.5, max_q = 2.2;
 constexpr double max_w = 0.8;
-constexpr double usually_from = 0.08;  // below, 1 % in EI is 0.06 in μ
 
 // Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
 std::vector<char> within_drops(std::span<const double> force, double noise) {
@@ -181,10 +180,15 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
 
 }  // namespace
 
+double friction_judged_from(double greatest_deflection, const Fibre& fibre) {
+  constexpr double usually = 0.08;  // below, 1 % in EI is 0.06 in μ
+  return std::max(std::min(usually, 0.5 * greatest_deflection), friction_told_from(fibre));
+}
+
 Passages passages_of(const FitProblem& problem) {
   const auto& record = problem.record;
   const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double from = std::max(std::min(usually_from, 0.5 * greatest), friction_told_from(problem.rig.fibre));
+  const double from = friction_judged_from(greatest, problem.rig.fibre);
   Passages p{};
   p.fibre = problem.rig.fibre;
   p.noise = noise_of_second_differences(second_differences(record.force));

@@ -52,7 +52,10 @@ struct Passages {
   double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + 2 * place); }
 };
 
-// Method:     Deflections from 0.08, or half the greatest if that is less, never below friction_told_from, to 0.8, that some friction in
+// [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below friction_told_from.
+double friction_judged_from(double greatest_deflection, const Fibre& fibre);
+
+// Method:     Deflections from friction_judged_from to 0.8, that some friction in
 //             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
 Passages passages_of(const FitProblem& problem);
 

@@ -72,7 +72,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> spelling
      {"gf", "gf"}}};
 constexpr std::size_t longest_spelling = 24;  // [bytes] longer ones are prose
 
-constexpr std::array<std::pair<std::string_view, int>, 12> prefixes{{{"f", -15},
+constexpr std::array<std::pair<std::string_view, int>, 13> prefixes{{{"f", -15},
                                                                      {"p", -12},
                                                                      {"n", -9},
                                                                      {"u", -6},
@@ -83,7 +83,8 @@ constexpr std::array<std::pair<std::string_view, int>, 12> prefixes{{{"f", -15},
                                                                      {"d", -1},
                                                                      {"k", 3},
                                                                      {"M", 6},
-                                                                     {"G", 9}}};
+                                                                     {"G", 9},
+                                                                     {"T", 12}}};
 
 constexpr std::array all_kinds{&kind::length,      &kind::inverse_length, &kind::force,
                                &kind::stiffness,   &kind::pressure,       &kind::bending_stiffness,
