@@ -269,7 +269,7 @@ void FrictionProcess::settle(Mode& mode) const {
   constexpr int max_rounds = 30;
   for (int round = 0; round < max_rounds; ++round) {
     const Chain chain(observations, mode.kernel, p);
-    double evidence = chain.log_likelihood() - by_moving_rig(mode, chain);
+    double evidence = chain.log_likelihood();
     if (!std::isfinite(evidence)) evidence = -infinity;  // so far from any sliding that it leads nowhere
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
@@ -281,15 +281,15 @@ void FrictionProcess::settle(Mode& mode) const {
         ++j;
       }
       constexpr double negligible = 0.002;  // of the evidence
-      if (!(round > 0 && std::abs(evidence - before) < negligible)) {
+      if (round + 1 < max_rounds && !(round > 0 && std::abs(evidence - before) < negligible)) {
         before = evidence;
-        mode.merit = evidence + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, mode.theta);
         update_sites(mode, nodes, observations, smoothed);
         say_sites(mode, nodes, observations);
         continue;
       }
     }
-    mode.merit = evidence + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, mode.theta);
+    mode.merit = evidence - by_moving_rig(mode, chain) + mode.at.log_jacobian +
+                 prior_of_theta_.log_density(mode.kernel, mode.theta);
     break;
   }
 }
@@ -673,6 +673,23 @@ class Search {
     component.mode = std::move(mode);
   }
 
+  // [rad] φ of each wave, R cos(2πx/λ − φ).
+  std::array<double, max_waves> angles_of(const Mode& mode) const {
+    const Observations observations = process_.observations_of(mode);
+    const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
+    std::array<double, max_waves> angles{};
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const Index at = process_.columns().waves + 2 * static_cast<Index>(wave);
+      angles[wave] = elementary::angle(beta[at + 1], beta[at]);
+    }
+    return angles;
+  }
+
+  static double turned_by(double angle) {
+    constexpr double turn = 2 * std::numbers::pi;
+    return angle - turn * std::round(angle / turn);
+  }
+
   // The likeliest waves to where their lengths and the errors of the rig are likeliest together, which no polish of one at a time gets to soon: a rig that
   // is off stretches all waves alike. How far the lengths may be off is taken for that of all other modes with so many waves.
   void move_along_valley(std::vector<Component>& components) const {
@@ -688,16 +705,23 @@ class Search {
     };
     const auto begin = component.wavelength_deviation.begin(), end = begin + static_cast<std::ptrdiff_t>(waves);
     const double linearised = *std::min_element(begin, end), step = 2 * linearised, top = component.mode.merit;
-    const double longer = stretched(step).merit, shorter = stretched(-step).merit;
-    const double curvature = (2 * top - longer - shorter) / (step * step);
+    const Mode longer = stretched(step), shorter = stretched(-step);
+    const double curvature = (2 * top - longer.merit - shorter.merit) / (step * step);
     if (!std::isfinite(curvature)) return;
+    const auto angles = angles_of(component.mode), of_longer = angles_of(longer), of_shorter = angles_of(shorter);
+    std::array<double, max_waves> turn{};
+    for (std::size_t wave = 0; wave < waves; ++wave)
+      turn[wave] =
+          (turned_by(of_longer[wave] - angles[wave]) + turned_by(angles[wave] - of_shorter[wave])) / (2 * step);
     constexpr double widest = 5;  // beyond, a parabola tells nothing
     const double told = std::max(curvature, 1 / (widest * widest * linearised * linearised));
-    for (Component& each : components)
-      if (each.mode.theta.waves == waves)
-        for (std::size_t wave = 0; wave < waves; ++wave)
-          each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
-    Mode moved = stretched(std::clamp((longer - shorter) / (2 * step * told), -2 * step, 2 * step));
+    for (Component& each : components) {
+      if (each.mode.theta.waves != waves) continue;
+      each.turn = turn;
+      for (std::size_t wave = 0; wave < waves; ++wave)
+        each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
+    }
+    Mode moved = stretched(std::clamp((longer.merit - shorter.merit) / (2 * step * told), -2 * step, 2 * step));
     if (!(moved.merit > top)) return;
     component.log_evidence += moved.merit - top;
     component.mode = std::move(moved);

@@ -625,7 +625,11 @@ class Posterior {
           posterior.log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
         const double log_wavelength = component.mode.theta.log_wavelength(static_cast<std::size_t>(wave)) +
                                       deviation[static_cast<std::size_t>(wave)] * normal_();
-        posterior.draws.push_back({weight, log_wavelength, drawn[1 + 2 * wave], drawn[2 + 2 * wave], drawn[0]});
+        const double longer = log_wavelength - component.mode.theta.log_wavelength(static_cast<std::size_t>(wave));
+        const auto turn = elementary::sine_and_cosine(component.turn[static_cast<std::size_t>(wave)] * longer);
+        const double cosine = drawn[1 + 2 * wave], sine = drawn[2 + 2 * wave];
+        posterior.draws.push_back({weight, log_wavelength, turn.cosine * cosine - turn.sine * sine,
+                                   turn.sine * cosine + turn.cosine * sine, drawn[0]});
       }
     }
   }
