@@ -309,7 +309,7 @@ TEST_CASE("contact: at the zero of the file, also where that is stated") {
   CHECK(has(assumed(ContactSource::stated, 2e-6), "contact at 2 µm, as stated;"));
 }
 
-TEST_CASE("work: no share of it is claimed of a friction that cannot be") {
+TEST_CASE("work: no share of it is claimed where the analysis tells none") {
   const auto claims = [](const FittedTest& test) {
     const Answer answer = answer_of(test);
     return has(sentence_of(answer.verdict), "of the work") ||
@@ -324,9 +324,9 @@ TEST_CASE("work: no share of it is claimed of a friction that cannot be") {
   CHECK(claims(changed(without_drops)));
   CHECK_FALSE(claims(changed([&](FittedTest& test) {
     without_drops(test);
-    test.analysis.fit.mu0.low = 1.01;
+    test.analysis.energy.friction_share = not_a_number;
   })));
-  CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.suspects.suspect = true; })));
+  CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.energy.friction_share = not_a_number; })));
 }
 
 // The example on supports that it does not state, and what it would be on rollers.
@@ -446,7 +446,7 @@ TEST_CASE("hangs on: what moves friction most comes first, and the share of the 
   CHECK(of(open, "support_radius")->stated == "edges, not stated");
   CHECK(of(open, "support_radius")->may_be_off == "say 1.3 µm");
   const std::vector<HangsOn> limit =
-      what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.fit.mu0_is_bound = true; }));
+      what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.work_by.reset(); }));
   CHECK(std::isnan(limit.front().work));
 }
 

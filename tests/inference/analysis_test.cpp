@@ -127,6 +127,23 @@ TEST_CASE("identity: the share of the work moves with what is stated as its sens
   }
 }
 
+TEST_CASE("limit: friction that is only a limit, or cannot be, tells no share of the work") {
+  const SimulatedTruth slippery{.friction = Friction::constant(0.01), .noise = 0.02};
+  const auto limit = analyse(to_physical(simulated_record(slippery), scales), description_of(slippery));
+  REQUIRE(limit.fit.mu0_is_bound);
+  CHECK(std::isnan(limit.energy.friction_share));
+  CHECK(!limit.work_by);
+  const auto record = to_physical(simulated_record(toothed()), scales);
+  const auto told = analyse(record, description_of(toothed()));
+  CHECK(!is_friction_implausible(told));
+  CHECK(told.energy.friction_share > 0.1);
+  AnalysisOptions on_pins;
+  on_pins.most_friction = 0.1;
+  const auto turning = analyse(record, description_of(toothed()), on_pins);
+  CHECK(is_friction_implausible(turning));
+  CHECK(std::isnan(turning.energy.friction_share));
+}
+
 TEST_CASE("identity: the profile and the fit know the same errors, and the contact's moves the profile as they say") {
   auto description = description_of(toothed());
   description.contact_error = 0.577e-6;
