@@ -174,8 +174,10 @@ std::size_t points_before_overload(const Record& record) {
   std::size_t begin = first;
   while (begin > 0 && force[begin - 1] >= *greatest - band) --begin;
   const Plateau noisy = stays_from(begin, band);
-  const bool stays = noisy.last + 1 - begin >= in_noise;
-  return stays && would_have_risen(record, noisy, in_noise) ? begin + 1 : force.size();
+  const std::size_t count = noisy.last + 1 - begin;
+  // As it rose before over a stretch in which noise does not tell the slope, and that is short beside a smooth top.
+  const bool ends = count >= in_noise && would_have_risen(record, noisy, std::max(in_noise, count / 4));
+  return ends ? begin + 1 : force.size();
 }
 
 }  // namespace flexslip

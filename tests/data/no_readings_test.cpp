@@ -131,6 +131,13 @@ TEST_CASE("overload: a force that stays at its greatest value is the end of the 
     for (std::size_t i = 0; i < top.force.size(); ++i)
       top.force[i] = 0.012 * std::sin(top.stage[i] / 4e-4) + normal(engine);
     CHECK(points_before_overload(top) == 300);
+    Record dense;  // whose steps are far below the noise
+    for (int i = 0; i < 6000; ++i) {
+      dense.stage.push_back(0.5e-6 * i / 5);
+      dense.force.push_back(0.012 * std::sin(dense.stage.back() / 4e-4) + normal(engine));
+      dense.deflection.push_back(dense.stage.back());
+    }
+    CHECK(points_before_overload(dense) == 6000);
     CHECK(points_before_overload(curve(0.2e-3, seed)) == 300);
     CHECK(points_before_overload(curve(2e-3, seed)) == 300);
   }

@@ -1,7 +1,7 @@
 // Numbers with units: read as people write them, shown with as many digits as their error allows.
 
 // The program's units (src/io/quantity.cpp), to SI: tests/outside/units.py holds that none is missing, and none more.
-const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9 };
+const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9, T: 1e12 };
 const WITH_PREFIX: Record<string, number> = { m: 1, g: 1e-3, s: 1, N: 1, Pa: 1, J: 1, rad: 1 };
 const WITHOUT_PREFIX: Record<string, number> = {
   micron: 1e-6, microns: 1e-6, in: 0.0254, mil: 2.54e-5, sec: 1, min: 60, h: 3600, lbf: 4.4482216152605, psi: 6894.757293168361, ksi: 6894757.293168361,
