@@ -68,7 +68,7 @@ TestDescription some_description() {
           .fibre = wide + thick > 0 ? Fibre({wide, thick}) : Fibre()};
 }
 
-// Of 2,200 such tests the worst on edges took 166,000 states for each row and 100 more, the worst on supports 41 million for 57 rows.
+// Of some 2,300 such tests the worst on edges took 166,000 states for each row and 100 more, the worst on supports 41 million for 57 rows.
 TEST_CASE("effort: an analysis takes no more than its rows allow, whatever its record meets (identity)") {
   CHECK(rc::check("absurd tests", [] {
     const Record record = to_physical(some_record(), scales);

@@ -44,7 +44,7 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   else if (mu0) [friction.value, friction.rest] = estimate(mu0.value, mu0.standard_error, { name: "", command: "", factor: 1 });
   const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: fit.verdict.code === "undecided" ? "if the drops are slips" : fit.judgement?.stiffness_lost == null ? "if no stiffness was lost" : "" };
   const ofWork = saidOf(fit, "work");
-  if (energy && ofWork) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
+  if (energy?.friction_share != null && ofWork) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
   else work.condition = "";
   if (ofWork?.startsWith("at least ")) work.condition = `at least, ${work.condition}`.replace(/, $/, "");
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };

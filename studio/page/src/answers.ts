@@ -20,7 +20,7 @@ export interface FitAnswer {
   judgement: { stiffness_lost: number | null; cracks_alone: number | null } | null;
   verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
-  energy: { work_of_fracture: number; friction_share: number } | null;
+  energy: { work_of_fracture: number; friction_share: number | null } | null;
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
