@@ -144,6 +144,31 @@ class Loading(InFolder):
         mu0 = fit["parameters"]["mu0"]
         self.assertLess(abs(mu0["value"] - 0.5), mu0["standard_error"])
 
+    def test_truth_a_stage_reading_that_none_can_be_is_left_out(self):
+        rows = self.simulated()
+        for place in (99e-3, 0.0):
+            stray = [(place, force) if at == 150 else (stage, force) for at, (stage, force) in enumerate(rows)]
+            fit = self.fitted(stray)
+            self.friction_is_half(fit)
+            self.assertIn("row 151", step(fit, "stray")["done"])
+            self.assertEqual(fit["measurement"]["last_row"], len(rows))
+
+    def test_truth_the_end_of_a_load_cell_with_noise_is_seen(self):
+        rows = self.simulated()
+        end = 0.6 * max(force for _, force in rows)
+        first = next(at for at, (_, force) in enumerate(rows) if force > end)
+        clipped = [(stage, min(force, end) + (5e-7 * math.sin(at * at) if force > end else 0)) for at, (stage, force) in enumerate(rows)]
+        fit = self.fitted(clipped)
+        self.friction_is_half(fit)
+        self.assertEqual(fit["measurement"]["ends_with"], "overload")
+        self.assertLess(abs(fit["measurement"]["last_row"] - first), 6)
+
+    def test_limit_rows_that_run_backwards_are_refused(self):
+        rows = self.simulated()
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in rows[::-1]))
+        case = self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n')
+        self.refused("fit", case, says=["test.csv", "the force", "write them in the reverse order"])
+
     def test_truth_single_readings_that_none_can_be_are_left_out(self):
         rows = self.simulated()
         for change in (lambda force: force - 0.4e-3, lambda force: force + 2e-3, lambda force: 0.0):
