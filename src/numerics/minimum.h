@@ -95,7 +95,8 @@ struct Box {
   Vector longest_step;
 };
 
-// Uphill until a step gains less than `negligible`, or none of six lengths of a step gains at all, or for so many iterations.
+// Uphill until a step gains less than `negligible` and the next promises no more, or none of six lengths of a step gains at all, or for so many
+// iterations.
 // Domain:     Vector: a column of Eigen's; f(Vector) gives a struct with `value` and `gradient`, finite in the box. variances: minus the inverse
 //             curvature of each number, roughly. Numbers and values of the order of 1: of steps shorter than 1e-6 no curvature is learned.
 // Method:     BFGS, each step shortened to the longest and to the box, then by 0.3 until it rises, at most five times.
@@ -111,11 +112,13 @@ Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector
   auto now = f(x);
   Matrix inverse = Matrix::Zero(n, n);  // of minus the Hessian
   inverse.diagonal() = variances;
+  double gain = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Vector step = inverse * now.gradient;
     for (Eigen::Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
       if ((x[i] <= box.low[i] && step[i] < 0) || (x[i] >= box.high[i] && step[i] > 0)) step[i] = 0;
     if (!step.allFinite()) break;
+    if (gain < negligible && 0.5 * now.gradient.dot(step) < negligible) break;
     const double over = step.cwiseQuotient(box.longest_step).cwiseAbs().maxCoeff();
     if (over > 1) step /= over;
     bool has_risen = false;
@@ -129,14 +132,13 @@ Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector
     if (!has_risen) break;
     const Vector s = next - x, y = now.gradient - then.gradient;  // of minus the function
     const double sy = s.dot(y);
-    const double gain = then.value - now.value;
+    gain = then.value - now.value;
     if (sy > 1e-12) {
       const Matrix I = Matrix::Identity(n, n);
       inverse = (I - s * y.transpose() / sy) * inverse * (I - y * s.transpose() / sy) + s * s.transpose() / sy;
     }
     x = next;
     now = then;
-    if (gain < negligible) break;
   }
   return x;
 }

@@ -87,6 +87,10 @@ TEST_CASE("table: uphill to the top of a hill, or to where the box ends") {
   const auto wall = maximised_in_box(bowl, start, narrow, rough, 200, 1e-16);
   CHECK(wall[0] == 0.5);
   CHECK(std::abs(wall[1] - 2) < 1e-6);
+  // Not where a step gains little because it was short.
+  const auto flat = [](const Eigen::Vector2d& x) { return Hill{-0.1 * x.squaredNorm(), -0.2 * x}; };
+  const auto near = maximised_in_box(flat, Eigen::Vector2d(1.5, 0), wide, rough, 8, 0.003);
+  CHECK(-flat(near).value < 0.003);
 }
 
 TEST_CASE("limit: no step is longer than it may be, and a start outside the box begins at its wall") {
