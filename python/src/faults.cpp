@@ -1,6 +1,8 @@
 #include <exception>
 #include <string_view>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/pybind11.h>
 
 #include "data/names.h"
@@ -27,7 +29,8 @@ py::object exception_of(const InputError& error) {
   if (fault.line > 0) line = py::int_(fault.line);
   if (fault.limit) limit = py::float_(*fault.limit);
   return py::module_::import("flexslip._errors")
-      .attr("error_of")(text_or_none(error.what()), py::arg("file") = text_or_none(fault.file), py::arg("line") = line,
+      .attr("error_of")(text_or_none(fmt::format("{}", fmt::join(error.lines(), "\n"))),
+                        py::arg("file") = text_or_none(fault.file), py::arg("line") = line,
                         py::arg("field") = text_or_none(fault.field),
                         py::arg("expected") = text_or_none(fault.expected),
                         py::arg("found") = text_or_none(fault.found), py::arg("remedy") = text_or_none(fault.remedy),

@@ -237,12 +237,10 @@ void check_rig(const Test& test) {
     refuse(test, "rig.supports", "rollers, as they have a radius", "\"edges\"", "delete it, or roller_radius");
   if (rig.supports == SupportKind::rollers && !has_radius)
     refuse(test, "rig.supports", "edges, or rollers with a radius", "\"rollers\"",
-           rig.span ? fmt::format("add that of your rig, such as roller_radius = {}", written(0.08 * *rig.span))
-                    : "add roller_radius");
+           fmt::format("state that of yours, {}", keys_in_words(test, "rig", {"roller_radius"})));
   if (rig.rollers != Rollers::fixed && !has_radius)
     refuse(test, "rig.rollers", "rollers with a radius", "none",
-           rig.span ? fmt::format("add a radius, such as roller_radius = {}, or delete it", written(0.08 * *rig.span))
-                    : "add roller_radius, or delete it");
+           fmt::format("state that of yours, {}, or delete it", keys_in_words(test, "rig", {"roller_radius"})));
   const bool is_pinned = rig.rollers == Rollers::pinned;
   for (const auto& [name, member] :
        {std::pair{"pin_radius", &RigInput::pin_radius}, {"pin_friction", &RigInput::pin_friction}}) {
@@ -490,7 +488,8 @@ Test read_case(std::string_view text, const std::string& source, const std::vect
   for (const std::string& change : changes) test.changed.push_back(changed_key(change));
   note_lines(table, "", test);
   const Keys top(table, "", test);
-  top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"});
+  Faults faults;
+  faults.note([&] { top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"}); });
   if (const toml::node* reduced = top.find("reduced")) {
     if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
     test.reduced = reduced->value_or(false);
@@ -501,7 +500,9 @@ Test read_case(std::string_view text, const std::string& source, const std::vect
     return node ? node->as_table() : nullptr;
   };
   const auto read = [&](const char* name, auto& part) {
-    if (const toml::table* said = section(name)) Keys(*said, name, test).read(&part.emplace());
+    faults.note([&] {
+      if (const toml::table* said = section(name)) Keys(*said, name, test).read(&part.emplace());
+    });
   };
   read("specimen", test.specimen);
   read("rig", test.rig);
@@ -512,9 +513,12 @@ Test read_case(std::string_view text, const std::string& source, const std::vect
     if (!test.rig) test.rig.emplace();
     if (!test.rig->span) test.rig->span = 1;
   }
-  if (const toml::table* friction = section("friction")) read_supports({*friction, "friction", test}, test);
+  faults.note([&] {
+    if (const toml::table* friction = section("friction")) read_supports({*friction, "friction", test}, test);
+  });
   read("stage", test.stage);
   read("record", test.record);
+  faults.raise();
   check(test);
   return test;
 }

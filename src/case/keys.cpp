@@ -199,6 +199,7 @@ std::string Keys::key(std::string_view name) const {
 }
 
 void Keys::only(const std::vector<std::string>& known) const {
+  Faults faults;
   for (auto&& [name, value] : table_) {
     if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
     const CaseKey* described = case_key(path_, name.str());
@@ -210,8 +211,9 @@ void Keys::only(const std::vector<std::string>& known) const {
             .fault;
     fault.kind = FaultKind::unknown;
     fault.problem = is_elsewhere ? "has no meaning here" : "is an unknown key";
-    throw InputError(std::move(fault));
+    faults.note([&] { throw InputError(std::move(fault)); });
   }
+  faults.raise();
 }
 
 void Keys::read(const TestPart& part) const {
@@ -219,17 +221,24 @@ void Keys::read(const TestPart& part) const {
   std::vector<std::string> known;
   for (const CaseKey& key : case_keys())
     if (is_there(key) || (key.section == path_ && !key.slot)) known.emplace_back(key.name);
-  only(known);
-  for (const CaseKey& key : case_keys())
-    std::visit(
-        [&](auto member) {
-          using Member = decltype(member);
-          if constexpr (!std::is_same_v<Member, std::monostate>) {
-            if (is_required<Member>) need(key.name);
-            if (has(key.name)) Reader{*this, test_, key}(*member);
-          }
-        },
-        key.of(part));
+  Faults faults;
+  faults.note([&] { only(known); });
+  const auto with_each = [&](auto&& use) {
+    for (const CaseKey& key : case_keys())
+      std::visit(
+          [&](auto member) {
+            if constexpr (!std::is_same_v<decltype(member), std::monostate>) faults.note([&] { use(key, member); });
+          },
+          key.of(part));
+  };
+  with_each([&](const CaseKey& key, auto member) {
+    if (has(key.name)) Reader{*this, test_, key}(*member);
+  });
+  faults.raise();
+  with_each([&](const CaseKey& key, auto member) {
+    if (is_required<decltype(member)>) need(key.name);
+  });
+  faults.raise();
 }
 
 const toml::node& Keys::need(std::string_view name) const {

@@ -29,10 +29,11 @@ class Keys {
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
   // Reads all into the members of a part that the keys are (case_keys.h).
-  // Fails:      InputError for a key that is no member of it, for one that is required and not there, and for a value that the key does not hold.
+  // Fails:      InputError, of all at once, for keys that are no member of it and values that the keys do not hold, or for required keys that are not
+  //             there: one misspelt should not be reported as missing, too.
   void read(const TestPart& part) const;
 
-  // Refuses all keys but these. To be called first: a key misspelt should not be reported as one that is missing.
+  // Refuses all keys but these.
   void only(const std::vector<std::string>& known) const;
 
   // All below refuse a key that is not there.

@@ -18,15 +18,15 @@
 namespace flexslip {
 namespace {
 
-// [L] As the record counts them, from the contact.
+// [L] From the origin of the straight part, whatever the contact that the record counts from.
 std::optional<LoadingRead> loading_read(const Measurement& measurement, const SmallDeflection& numbers,
                                         const Scales& scales) {
-  const auto& deflection = measurement.record.deflection;
-  const double from = numbers.chord ? numbers.origin + numbers.chord->deflection_from : deflection[numbers.first];
-  const double to = numbers.chord ? numbers.origin + numbers.chord->deflection_to : deflection[numbers.last - 1];
+  const auto counted = [&](std::size_t point) { return measurement.record.deflection[point] - numbers.origin; };
+  const double from = numbers.chord ? numbers.chord->deflection_from : counted(numbers.first);
+  const double to = numbers.chord ? numbers.chord->deflection_to : counted(numbers.last - 1);
   const LoadingRead read{.from = std::max(scales.reduced_length(from), 0.0),
                          .to = scales.reduced_length(to),
-                         .greatest = scales.reduced_length(std::max(to, numbers.origin + numbers.greatest.deflection))};
+                         .greatest = scales.reduced_length(std::max(to, numbers.greatest.deflection))};
   if (!(read.to > std::max(read.from, min_stage) && read.to <= deepest_on_supports)) return std::nullopt;
   return read;
 }

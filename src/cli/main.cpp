@@ -138,7 +138,8 @@ int run(int argc, char** argv) {
   } catch (const std::invalid_argument& error) {
     return complain(error.what(), exit_wrong_input);
   } catch (const InputError& error) {
-    return complain(error.what(), exit_wrong_input);
+    for (const std::string& line : error.lines()) complain(line, exit_wrong_input);
+    return exit_wrong_input;
   } catch (const OutputClash& error) {
     return complain(error.what(), exit_wrong_input);
   }

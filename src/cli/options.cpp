@@ -124,17 +124,27 @@ Test test_of(const TestRequest& request) {
 
 InputError in_words_of_call(const TestRequest& request, const InputError& error) {
   if (names_case_file(request)) return error;
-  InputFault fault = error.fault;
-  if (fault.key == "rig") fault.key = "rig.span";
-  for (const auto& [key, value] : request.flags) {
-    if (fault.key != fmt::format("{}.{}", key->section, key->name)) continue;
-    fault.field = flag_of(key->name);
-    if (fault.kind == FaultKind::missing) {
-      fault.remedy = fmt::format("add {} {}, or describe the test in a case file (.toml)", fault.field, type_of(*key));
+  const auto say = [&](InputFault fault) {
+    for (const auto& [key, value] : request.flags) {
+      if (fault.key != fmt::format("{}.{}", key->section, key->name)) continue;
+      fault.field = flag_of(key->name);
+      if (fault.kind == FaultKind::missing)
+        fault.remedy =
+            fmt::format("add {} {}{}, or describe the test in a case file (.toml)", fault.field, type_of(*key),
+                        key->range == Range::positive_or_infinite ? " (\"inf\" for one that does not give way)" : "");
     }
+    if (fault.file.empty()) fault.line = 0;
+    return fault;
+  };
+  std::vector<InputFault> all{error.fault};
+  if (error.fault.key == "rig") {  // no flag states any of it: both are asked for at once
+    all.front().key = "rig.span";
+    all.push_back(all.front());
+    all.back().key = "rig.stiffness";
   }
-  if (fault.file.empty()) fault.line = 0;
-  return InputError(fault);
+  all.insert(all.end(), error.also.begin(), error.also.end());
+  for (InputFault& each : all) each = say(std::move(each));
+  return InputError(all.front(), {all.begin() + 1, all.end()});
 }
 
 const Supports& within_limits(const Supports& stated) {

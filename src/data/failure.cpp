@@ -126,13 +126,33 @@ class Loading {
       if (through == falls_.end()) return falls_.size();
       std::size_t before = low - 1;
       while (before > through->peak && stage_[low] - stage_[before - 1] <= window * travel_) --before;
-      const bool is_break = lost_from(before, through->trough) >= a_twentieth * most_;
-      return is_break ? static_cast<std::size_t>(through - falls_.begin()) : falls_.size();
+      const auto fall = static_cast<std::size_t>(through - falls_.begin());
+      const double lost = lost_from(before, through->trough);
+      return lost >= a_twentieth * most_ && (is_left_bare(fall) || lost >= 1.5 * most_lost_before(fall))
+                 ? fall
+                 : falls_.size();
     }
     constexpr std::size_t next_to_the_end = 3;
     const bool ends_so = !falls_.empty() && bears_nothing_more() && points_ - falls_.back().trough <= next_to_the_end &&
                          stands_out(falls_.size() - 1, a_tenth);
     return ends_so ? falls_.size() - 1 : falls_.size();
+  }
+
+  // Does hardly any force remain of a fall, or of those that follow at once? What slips bears on.
+  bool is_left_bare(std::size_t fall) const {
+    const std::size_t trough = falls_[fall].trough;
+    for (std::size_t i = trough; i < points_ && stage_[i] - stage_[trough] <= reach * travel_; ++i)
+      if (force_[i] < a_tenth * most_) return true;
+    return false;
+  }
+
+  // [N] At once, farther before a fall than breaks in steps reach.
+  double most_lost_before(std::size_t fall) const {
+    double most = 0;
+    for (std::size_t k = 0; k < fall; ++k)
+      if (stage_[falls_[fall].peak] - stage_[falls_[k].trough] > reach * travel_)
+        most = std::max(most, falls_[k].at_once);
+    return most;
   }
 
   // Points up to where a fall begins in earnest, on to the last that has hardly lost anything.

@@ -333,16 +333,17 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
     result.chord =
         chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
   if (!result.chord) return result;
+  const Estimate &of_chord = result.chord->stiffness, &of_part = result.stiffness;
+  const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
+  result.toe_excess = of_part.value / of_chord.value - 1;
+  if (!(of_part.value - clearly * error > of_chord.value)) return result;
+  result.toe_explained = explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
   // In a toe the force lies above the straight part.
   constexpr double surely = 4;  // of the noise of a reading
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
-  if (!(*low > stiffness * (result.origin + from - straight->origin) + surely * noise_of(record))) return result;
-  const Estimate &of_chord = result.chord->stiffness, &of_part = result.stiffness;
-  const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
-  result.toe_excess = of_part.value / of_chord.value - 1;
-  result.toe_explained = explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
-  result.chord_in_toe = of_part.value - clearly * error > (1 + result.toe_explained) * of_chord.value;
+  result.chord_in_toe = *low > stiffness * (result.origin + from - straight->origin) + surely * noise_of(record) &&
+                        of_part.value - clearly * error > (1 + result.toe_explained) * of_chord.value;
   if (result.chord_in_toe) result.chord.reset();
   return result;
 }

@@ -22,6 +22,7 @@ struct ForceWindow {
 
 // Beyond that of diamond no material is as stiff.
 inline constexpr double stiffest_material = 1200e9;  // [Pa]
+inline constexpr double stiff_material = 450e9;      // [Pa] only carbides and diamond are stiffer
 
 // [m] Deflections of one loading between which a slope is told, counted from the contact.
 struct DeflectionRange {
@@ -121,7 +122,7 @@ struct SmallDeflection {
       chord;              // where span and section are known, the record covers both strains, and it is not in the toe
   bool chord_in_toe;      // the record bends up between the two strains more than a specimen does
   double toe_excess;      // [1] by how much the straight part is steeper than such a chord
-  double toe_explained;   // [1] what of that supports and friction can have done
+  double toe_explained;   // [1] what of that supports and friction can have done; 0 where it is within its error
   bool deflection_large;  // the greatest force is reached beyond a tenth of the span
   std::optional<double> shear_share;  // [1] what shear adds to a deflection (section.h)
 };

@@ -88,16 +88,17 @@ std::string likely_slip_of_units(double times) {
   struct Slip {
     double times;
     std::string_view words;
+    double near = 1.5;  // friction and a guess of the modulus move the ratio by less
   };
-  constexpr std::array slips{Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
+  constexpr std::array slips{Slip{0.25, ", about 1/4: perhaps the ends are clamped, which no support here is", 1.2},
+                             Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
                              Slip{16, ", about 16: perhaps a diameter for the radius"},
                              Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
                              Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
                              Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
                              Slip{1e6, ", about a million: perhaps a unit of force or modulus"}};
-  constexpr double near = 1.5;  // friction and a guess of the modulus move the ratio by less
   for (const auto& slip : slips)
-    if (times < near * slip.times && times > slip.times / near) return std::string(slip.words);
+    if (times < slip.near * slip.times && times > slip.times / slip.near) return std::string(slip.words);
   return "";
 }
 
@@ -275,8 +276,8 @@ Found wrong_load_train(T test) {
 
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
-  const bool is_judged =
-      is_fitted(test) || analysis.status == AnalysisStatus::not_explained || (seeks_drops(test) && !is_slender(test));
+  const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained ||
+                         analysis.status == AnalysisStatus::too_few_points || (seeks_drops(test) && !is_slender(test));
   if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
@@ -291,11 +292,17 @@ Found wrong_stiffness(T test) {
       .numbers = {{"stated_over_slope", times}}};
 }
 
+// [Pa] Young's modulus as the record has it; NaN without a section.
+double modulus_found(T test) {
+  if (!test.section_moment) return std::numeric_limits<double>::quiet_NaN();
+  const double fitted = is_fitted(test) ? test.analysis.fit.bending_stiffness.value : 1;
+  return fitted * test.analysis.scales.bending_stiffness() / *test.section_moment;
+}
+
 // Of a slope in wrong units, or of a load train that gives as much as all of the displacement.
 Found impossible_modulus(T test) {
-  if (!test.section_moment || wrong_load_train(test) || wrong_stiffness(test)) return std::nullopt;
-  const double fitted = is_fitted(test) ? test.analysis.fit.bending_stiffness.value : 1;
-  const double modulus = fitted * test.analysis.scales.bending_stiffness() / *test.section_moment;
+  if (wrong_load_train(test) || wrong_stiffness(test)) return std::nullopt;
+  const double modulus = modulus_found(test);
   if (!(modulus > stiffest_material)) return std::nullopt;
   const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
   return Finding{.severity = Severity::refusal,
@@ -311,9 +318,9 @@ Found not_explained(T test) {
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
-                 .remedy =
-                     "Check the columns (flexslip read FILE shows them), their units, the span, the section, the "
-                     "modulus and the load train."};
+                 .remedy = find_contact_or_check(test,
+                                                 "the columns (flexslip read FILE shows them), their units, the span, "
+                                                 "the section, the modulus and the load train.")};
 }
 
 // ---- What stands against an answer
@@ -341,10 +348,14 @@ Found most_drops_impossible(T test) {
     const double limit = test.analysis.suspects.limit;
     finding.sentence = fmt::format("{} of the {} drops cannot be slips: most would begin at a friction above {:.3g}.",
                                    impossible, drops, limit);
+    const bool is_from_slope = test.stiffness == StiffnessSource::initial_slope;
     finding.remedy = fmt::format(
-        "Check the modulus, the section, the span, the supports and the load train: a bending stiffness stated too low "
-        "reads so. If friction above {:.3g} can be, raise the suspect limit.",
-        limit);
+        "{} reads so. If friction above {:.3g} can be, raise the suspect limit{}.",
+        find_contact_or_check(test, is_from_slope ? "where the record begins, and state the modulus: a bending "
+                                                    "stiffness read off too flat a beginning"
+                                                  : "the modulus, the section, the span, the supports and the load "
+                                                    "train: a bending stiffness stated too low"),
+        limit, test.measurement.test.by_flags ? " (--suspect-limit)" : "");
   }
   return finding;
 }
@@ -491,9 +502,11 @@ Found falling_friction(T test) {
       .sentence =
           "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
       .short_form = "friction decreases",
-      .remedy = is_on_edges(test) ? fmt::format("State {} if the supports are not edges; if they are, image them.",
-                                                rig_keys(test, {"roller_radius"}))
-                                  : "Image the supports: the length pulled in shows whether the specimen slides."};
+      .remedy =
+          is_on_edges(test)
+              ? fmt::format("State {} if the supports are not edges; if they are, an image of the supports tells.",
+                            rig_keys(test, {"roller_radius"}))
+              : "Image the supports: the length pulled in shows whether the specimen slides."};
 }
 
 // The loops, which know no wrong contact or drawn-in beginning, need another friction than the one loading.
@@ -608,7 +621,8 @@ Found unexpected_stiffness(T test) {
       max_stiffness_errors);
   return checked(
       test, *check, sentence, sentence,
-      fmt::format("stiffness {} from that stated", signed_percent(number_of(*check, "fitted_over_nominal") - 1)),
+      fmt::format("stiffness {} from that {}", signed_percent(number_of(*check, "fitted_over_nominal") - 1),
+                  test.stiffness == StiffnessSource::initial_slope ? "of the slope" : "stated"),
       find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
 
@@ -663,6 +677,23 @@ Finding length_not_stated(T test, StatedQuantity quantity, const std::string& ta
                                   std::abs(more), more < 0 ? "lower" : "higher");
   finding.numbers = {{"friction_moves", more}};
   return finding;
+}
+
+// Where nobody stated a modulus, a slip of units or dimensions shows in it alone.
+Found stiff_modulus(T test) {
+  const auto& specimen = test.measurement.test.specimen;
+  const double modulus = modulus_found(test);
+  if (!(modulus > stiff_material) || test.stiffness != StiffnessSource::initial_slope || specimen->material)
+    return std::nullopt;
+  const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
+  return Finding{
+      .severity = Severity::condition,
+      .sentence = fmt::format(
+          "The modulus found, {}, is that of few materials: of carbides and diamond{}.", in_words(modulus),
+          specimen->diameter ? fmt::format(", or {}, if the diameter stated is a radius", in_words(modulus / 16)) : ""),
+      .remedy = fmt::format("Check the section and the units, or state the material ({}).",
+                            keys_in_words(test.measurement.test, "specimen", {"material"})),
+      .numbers = {{"modulus", modulus, kind::pressure}}};
 }
 
 Found supports_not_stated(T test) {
@@ -817,6 +848,7 @@ constexpr std::array rules{
     Rule{"only_a_limit", only_a_limit, true},
     Rule{"no_reload", no_reload, true},
     Rule{"known_roughly", known_roughly, true},
+    Rule{"stiff_modulus", stiff_modulus, true},
     Rule{"supports_not_stated", supports_not_stated, true},
     Rule{"thickness_not_stated", thickness_not_stated, true},
     Rule{"steady_change", steady_change, true},

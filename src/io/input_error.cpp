@@ -73,8 +73,26 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-InputError::InputError(InputFault what_is_wrong)
-    : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)) {}
+InputError::InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong)
+    : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)), also(std::move(also_wrong)) {}
+
+std::vector<std::string> InputError::lines() const {
+  std::vector<std::string> lines{what()};
+  for (const InputFault& other : also) lines.push_back(sentence(other));
+  return lines;
+}
+
+void Faults::raise() const {
+  if (faults_.empty()) return;
+  std::vector<InputFault> in_order = faults_;
+  std::stable_sort(in_order.begin(), in_order.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
+  throw InputError(in_order.front(), {in_order.begin() + 1, in_order.end()});
+}
+
+void Faults::add(const InputError& error) {
+  faults_.push_back(error.fault);
+  faults_.insert(faults_.end(), error.also.begin(), error.also.end());
+}
 
 bool is_of_call(const InputFault& fault) { return fault.field.starts_with("--") && fault.key.empty(); }
 

@@ -42,8 +42,36 @@ struct InputFault {
 //   ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,
 //   case.toml:4: [rig] span is missing; add span = "1278 um"
 struct InputError : std::runtime_error {
-  explicit InputError(InputFault what_is_wrong);
+  explicit InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong = {});
   InputFault fault;
+  std::vector<InputFault> also;  // what was found to be wrong besides
+
+  // A line for each, what() first.
+  std::vector<std::string> lines() const;
+};
+
+// All that is wrong with an input, so that it can be mended at once.
+class Faults {
+ public:
+  bool empty() const { return faults_.empty(); }
+
+  // Takes a step, and notes the InputError in which it ends.
+  template <class Step>
+  void note(Step step) {
+    try {
+      step();
+    } catch (const InputError& error) {
+      add(error);
+    }
+  }
+
+  // Fails:      InputError, in the order of lines, if there are any.
+  void raise() const;
+
+ private:
+  void add(const InputError& error);
+
+  std::vector<InputFault> faults_;
 };
 
 // The same error with its place filled in: what a reader of text throws, told by the reader of the file it stands in.

@@ -12,7 +12,6 @@ namespace flexslip {
 namespace {
 
 constexpr double train_share_worth_a_word = 0.3;  // of the displacement
-constexpr double stiff_material = 450e9;          // [Pa] carbides and diamond are stiffer
 constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001, load_train_worth_a_word = 0.01;
 constexpr double beginning_worth_a_word = 0.01;  // of the greatest deflection
 
@@ -46,7 +45,8 @@ std::string with_minus(const std::string& number) { return number.front() == '-'
 std::string percent_range(const ShareRange& share) {
   const std::string from = with_minus(fmt::format("{:.2g}", 100 * share.least));
   const std::string to = with_minus(fmt::format("{:.2g}", 100 * share.most));
-  return from == to ? to + " %" : fmt::format("{} to {} %", from, to);
+  if (from == to) return to + " %";
+  return share.most <= 0 ? fmt::format("{} to {} %", to, from) : fmt::format("{} to {} %", from, to);
 }
 
 // Force, deflection, stress and strain of a point of the loading.
@@ -73,17 +73,16 @@ Rows number_rows(const StandardTest& test) {
         {"bending stiffness E I = F L³/(48 δ)",
          readable(*numbers.bending_stiffness, relative * *numbers.bending_stiffness, as(kind::bending_stiffness))});
   if (numbers.chord)
-    rows.push_back({"flexural modulus E_f, chord from 0.05 % to 0.25 % strain",
+    rows.push_back({"flexural modulus E_f, chord of ISO 178",
                     fmt::format("{} (± {})", three_digits(numbers.chord->modulus, as(kind::pressure)),
                                 percent_to_two_digits(relative_error(numbers.chord->stiffness)))});
   if (numbers.modulus)
-    rows.push_back(
-        {numbers.chord ? "flexural modulus E_f, straight part, F L³/(48 I δ)" : "flexural modulus E_f = F L³/(48 I δ)",
-         fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)),
-                     percent_to_two_digits(relative))});
+    rows.push_back({numbers.chord ? "flexural modulus E_f, straight part" : "flexural modulus E_f = F L³/(48 I δ)",
+                    fmt::format("{} (± {})", three_digits(*numbers.modulus, as(kind::pressure)),
+                                percent_to_two_digits(relative))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
-    rows.push_back({fmt::format("flexural modulus E_f of the {}, without the {} that the supports add there",
-                                numbers.chord ? "chord" : "straight part", percent_to_two_digits(*test.supports.alone)),
+    rows.push_back({fmt::format("{} less {} by the supports", numbers.chord ? "that of the chord" : "the same",
+                                percent_to_two_digits(*test.supports.alone)),
                     three_digits(modulus->value, as(kind::pressure))});
   add_reached(rows, measurement.test, numbers.greatest, "greatest force", "flexural strength σ_fM",
               "at the greatest force");
@@ -152,6 +151,32 @@ std::string friction_in_words(const StandardTest& test, const FrictionGain& gain
   return words;
 }
 
+// ", under 372 mN: a preload, or a zero of the force that is off (--zero "372 mN")".
+std::string beginning_in_words(const StandardTest& test) {
+  const Measurement& measurement = test.measurement;
+  if (!(measurement.begins_under > 0)) return "";
+  const std::string force = readable(measurement.begins_under, kind_in(measurement.test, kind::force));
+  return fmt::format(", under {}: a preload, or, if the load cell was not set to zero, {}", force,
+                     to_say(measurement.test, {{"record", "zero", fmt::format("\"{}\"", force)}}));
+}
+
+// Why a record from which a modulus is read has no chord of ISO 178; "" where it has one, or where it lies in the toe.
+std::string why_no_chord(const StandardTest& test) {
+  const SmallDeflection& numbers = test.numbers;
+  if (!test.geometry.span || !test.geometry.section || numbers.chord || numbers.chord_in_toe) return "";
+  const auto strain = [&](double deflection) {
+    return percent_to_two_digits(6 * deflection * depth(*test.geometry.section) /
+                                 (*test.geometry.span * *test.geometry.span));
+  };
+  const double first = test.measurement.record.deflection.front() - numbers.origin + numbers.before_beginning;
+  const bool ends = numbers.greatest.strain < 0.0025;
+  return fmt::format(
+      "There is no chord of ISO 178, from 0.05 % to 0.25 % strain: {}.",
+      ends ? fmt::format("the force is greatest at a strain of {}", percent_to_two_digits(*numbers.greatest.strain))
+      : first > 0 ? fmt::format("the record begins at a strain of {}", strain(first))
+                  : std::string("the force does not rise between the two"));
+}
+
 std::vector<Block> paragraphs(const std::vector<std::string>& words) { return {words.begin(), words.end()}; }
 
 }  // namespace
@@ -184,9 +209,11 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
                     percent_to_two_digits(*test.supports.alone), numbers.chord ? "chord" : "straight part"));
   if (test.supports.friction) list.push_back(friction_in_words(test, *test.supports.friction));
   if (numbers.before_beginning > beginning_worth_a_word * numbers.greatest.deflection)
-    list.emplace_back(
-        "The straight part would meet zero force before the record begins, so deflection and strain count from its "
-        "beginning.");
+    list.push_back(
+        fmt::format("The straight part would meet zero force before the record begins, so deflection and strain count "
+                    "from its beginning{}.",
+                    beginning_in_words(test)));
+  if (const std::string why = why_no_chord(test); !why.empty()) list.push_back(why);
   if (numbers.chord_in_toe)
     list.push_back(fmt::format(
         "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: the "
@@ -200,10 +227,16 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
       list.push_back(fmt::format(
           "The modulus of the straight part differs by {} from that of the chord, which is more than their errors: {}",
           signed_percent(apart),
-          apart > 0 ? "friction and large deflection steepen the straight part more than the chord. Use the chord, or "
-                      "the modulus that fit finds."
-                    : "the record begins steeper than it goes on, as under a preload or with a zero of the force that "
-                      "is off."));
+          apart > numbers.toe_explained && apart > 0
+              ? fmt::format("friction and large deflection explain {} of it, and a toe, which the noise of the chord "
+                            "hides, may explain {}. Use the modulus of the straight part.",
+                            numbers.toe_explained > 0 ? format_percent(numbers.toe_explained) : "none",
+                            numbers.toe_explained > 0 ? "the rest" : "it")
+          : apart > 0
+              ? "friction and large deflection steepen the straight part more than the chord. Use the chord, or "
+                "the modulus that fit finds."
+              : "the record begins steeper than it goes on, as under a preload or with a zero of the force that "
+                "is off."));
   }
   if (numbers.deflection_large)
     list.push_back(

@@ -101,6 +101,11 @@ inline std::vector<Situation> situations() {
   add("impossible_modulus", Severity::refusal, [](FittedTest& test) {
     test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 1.3e12;
   });
+  add("stiff_modulus", Severity::condition, [](FittedTest& test) {
+    test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 5e11;
+    test.stiffness = StiffnessSource::initial_slope;
+    test.measurement.test.specimen->material.reset();
+  });
   add("not_explained", Severity::refusal,
       [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
   add("softer_reload", Severity::suspicion, [](FittedTest& test) {

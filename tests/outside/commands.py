@@ -306,7 +306,7 @@ program = ["0 um", "900 um"]
             self.refused(command, case, says=["loose.toml:", '[rig] rollers: expected "fixed" or "pinned", found \'loose\'', "a feature of earlier versions"])
 
     def test_supports_of_a_case_that_are_none_are_refused(self):
-        for rig, said in (('rollers = "pinned"', "add a radius, such as roller_radius = '5.12 mm'"), (self.PINNED.replace("pinned", "held"), '"fixed" or "pinned"'),
+        for rig, said in (('rollers = "pinned"', "state that of yours, [rig] roller_radius, or delete it"), (self.PINNED.replace("pinned", "held"), '"fixed" or "pinned"'),
                           (self.PINNED.replace('"pinned"', '"fixed"'), "rollers on pins beside it"), (self.PINNED.replace("1 mm", "6 mm"), "at most the radius"),
                           (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'is missing beside rollers = "pinned"'),
                           (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "ratio of the radii of roller and pin")):

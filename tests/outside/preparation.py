@@ -164,10 +164,11 @@ class Loading(InFolder):
         self.assertLess(abs(fit["measurement"]["last_row"] - first), 6)
 
     def test_limit_rows_that_run_backwards_are_refused(self):
-        rows = self.simulated()
-        self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in rows[::-1]))
-        case = self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n')
-        self.refused("fit", case, says=["test.csv", "the force", "write them in the reverse order"])
+        for program in ('["0 um", "600 um"]', '["0 um", "1000 um"]'):  # the force of the second has fallen to below half
+            rows = self.simulated(program)
+            self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in rows[::-1]))
+            case = self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n')
+            self.refused("fit", case, says=["test.csv", "the force", "write them in the reverse order"])
 
     def test_truth_single_readings_that_none_can_be_are_left_out(self):
         rows = self.simulated()
