@@ -853,10 +853,14 @@ Leg evaluated_loading(const Test& input, const Table& table, const Record& all, 
   return {loading.leg.first, last, Direction::loading};
 }
 
-// [N] The force under which a record begins whose file counts from the contact, where none of its specimen could be there; else 0.
+// [N] The force under which a record begins whose file counts from the contact, where none of its specimen could be there; below zero where no
+// specimen makes it; else 0.
 double force_at_beginning(const Record& record, const Contact& contact, double slope, double contact_error,
                           double noise) {
-  constexpr double surely = 3, of_noise = 4;
+  constexpr double surely = 3, of_noise = 4, of_greatest = 0.01;
+  const auto& force = record.force;
+  const double first = force.size() < 3 ? 0 : median_of({force[0], force[1], force[2]});
+  if (first < -std::max(of_noise * noise, of_greatest * *std::max_element(force.begin(), force.end()))) return first;
   if (contact.status != ContactStatus::found ||
       contact.offset.value > record.stage.front() - surely * contact_error)  // or its first reading is an outlier
     return 0;
@@ -910,7 +914,8 @@ void find_zero_displacement(const Test& input, const Record& whole, double stiff
   // A baseline is off by its error, where it is led on to the contact.
   const double by_baseline = contact.status == ContactStatus::found ? result.baseline.error / contact.slope : 0;
   const double slope = result.straight_is_initial ? straight->slope.value : contact.slope;
-  result.begins_under = force_at_beginning(whole, contact, slope, usual, result.force_noise);
+  if (result.baseline.points == 0)
+    result.begins_under = force_at_beginning(whole, contact, slope, usual, result.force_noise);
   const bool is_found = is_asked || (!rule && contact.status == ContactStatus::found &&
                                      (result.begins_free || begins_elsewhere || result.begins_under > 0));
 

@@ -50,9 +50,10 @@ struct Measurement {
   MeasurementEnd end = MeasurementEnd::last_row;  // what ends the loading
   std::size_t drops_behind = 0;                   // of its force, behind the failure or where it is stated to end
   ContactSource contact = ContactSource::first_point;
-  bool is_derived = false;    // the deflection is what the load train leaves of the stage
-  bool begins_free = false;   // with rows before the contact, so that no preload hides in its zero
-  double begins_under = 0;    // [N] the force of its first point, where the file takes that for the contact
+  bool is_derived = false;   // the deflection is what the load train leaves of the stage
+  bool begins_free = false;  // with rows before the contact, so that no preload hides in its zero
+  double begins_under =
+      0;  // [N] the force of its first points, where nothing of the specimen could be there; below 0: an error of the zero
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off

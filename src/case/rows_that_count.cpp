@@ -23,7 +23,8 @@ void note_sampling(const Sampling& sampling, std::size_t rows, Preparation& step
   if (sampling.stride > 1)
     steps.add("thinning", true,
               fmt::format("one row in {} is used, out of {}", sampling.stride,
-                          rows - sampling.repeated - sampling.held - sampling.interpolated - sampling.unloaded),
+                          rows - sampling.repeated - sampling.held - sampling.interpolated - sampling.at_rest -
+                              sampling.unloaded),
               {});
 }
 
@@ -35,8 +36,10 @@ Sampling sampling_between(std::size_t first, std::size_t until, std::span<const 
         find_legs(points_between(every, begin, end).stage).size() > 1 ? max_cyclic_points : max_record_points;
     Sampling sampling =
         sampling_of(displacement.subspan(begin, end - begin), std::span(every.force).subspan(begin, end - begin), most);
-    for (std::size_t& row : sampling.rows) row += begin;
+    for (auto* each : {&sampling.rows, &sampling.halts})
+      for (std::size_t& row : *each) row += begin;
     sampling.end += begin;
+    sampling.last_at_rest += begin;
     return sampling;
   };
   Sampling sampling = sampled(first, until);
@@ -74,17 +77,17 @@ void leave_out(const std::vector<std::size_t>& points, Record& record, Sampling&
 
 // What the force does while the stage halts: the first reading there belongs to the loading.
 void leave_out_holds(Record& record, Sampling& sampling, Preparation& steps) {
-  const Halts halts = find_halts(record.stage);
-  if (halts.points.empty()) return;
-  sampling.at_rest = halts.points.size();
-  for (std::size_t i = 0; i < halts.points.size(); ++i)
-    if (i == 0 || halts.points[i] > halts.points[i - 1] + 1)
-      sampling.halts.push_back(sampling.rows[halts.points[i] - 1]);
+  const std::vector<std::size_t> halts = find_halts(record.stage);
+  Sampling left = sampling;
+  left.leave_out_at_rest(halts);
+  if (left.at_rest == 0) return;
+  const std::size_t places = left.halts.size();
   steps.add("holds", true,
-            fmt::format("{} rows read while the stage halts, at {} {}, are left out", halts.points.size(), halts.places,
-                        halts.places == 1 ? "place" : "places"),
-            {}, {}, RowRange{sampling.rows[halts.points.front()] + 1, sampling.rows[halts.points.back()] + 1});
-  leave_out(halts.points, record, sampling);
+            fmt::format("{} rows read while the stage halts, at {} {}, are left out", left.at_rest, places,
+                        places == 1 ? "place" : "places"),
+            {}, {}, RowRange{left.halts.front() + 2, left.last_at_rest + 1});
+  leave_out(halts, record, sampling);
+  sampling = std::move(left);
 }
 
 // The way back of the stage before the first loading, which bends nothing that is evaluated.

@@ -104,7 +104,7 @@ std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage) 
   return stray;
 }
 
-Halts find_halts(const std::vector<double>& stage) {
+std::vector<std::size_t> find_halts(const std::vector<double>& stage) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < stage.size(); ++i)
     if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
@@ -119,11 +119,10 @@ Halts find_halts(const std::vector<double>& stage) {
     counts.push_back(static_cast<double>(begins[place + 1] - begins[place]));
   constexpr double at_least = 5, of_usual = 3;
   const double many = std::max(at_least, of_usual * median_of(counts) + 1);
-  Halts halts;
+  std::vector<std::size_t> halts;
   for (std::size_t place = 0; place + 1 < begins.size(); ++place) {
     if (counts[place] < many) continue;
-    ++halts.places;
-    for (std::size_t i = begins[place] + 1; i < begins[place + 1]; ++i) halts.points.push_back(i);
+    for (std::size_t i = begins[place] + 1; i < begins[place + 1]; ++i) halts.push_back(i);
   }
   return halts;
 }
@@ -154,30 +153,23 @@ std::size_t points_before_overload(const Record& record) {
   const std::vector<double>& force = record.force;
   const auto greatest = std::max_element(force.begin(), force.end());
   if (greatest == force.end()) return 0;
-  const auto stays_from = [&](std::size_t first, double band) {
-    std::size_t last = first;
-    while (last + 1 < force.size() && force[last + 1] >= *greatest - band) ++last;
-    return Plateau{first, last, band};
-  };
   const auto first = static_cast<std::size_t>(greatest - force.begin());
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)
     if (force[i] != force[i - 1]) resolution = std::min(resolution, std::abs(force[i] - force[i - 1]));
-  constexpr std::size_t to_the_bit = 5, in_noise = 10;  // points at the end; and before it, to know how the force rises
-  Plateau plateau = stays_from(first, 0);
-  plateau.band = resolution;
-  if (plateau.last + 1 - first >= to_the_bit && would_have_risen(record, plateau, to_the_bit)) return first + 1;
-
-  if (force.size() < 2 * in_noise) return force.size();
-  constexpr double errors = 8;  // between the greatest and the least of many readings
-  const double band = errors * force_noise(record);
-  std::size_t begin = first;
-  while (begin > 0 && force[begin - 1] >= *greatest - band) --begin;
-  const Plateau noisy = stays_from(begin, band);
-  const std::size_t count = noisy.last + 1 - begin;
-  // As it rose before over a stretch in which noise does not tell the slope, and that is short beside a smooth top.
-  const bool ends = count >= in_noise && would_have_risen(record, noisy, std::max(in_noise, count / 4));
-  return ends ? begin + 1 : force.size();
+  // Five readings so close to the greatest are hardly met by noise, and what yields is as noisy as it was on the rise.
+  constexpr std::size_t few = 5;
+  constexpr double of_noise = 0.5, nearly = 0.9;
+  const auto rise = static_cast<std::size_t>(
+      std::find_if(force.begin(), force.end(), [&](double each) { return each > nearly * *greatest; }) - force.begin());
+  const double band = of_noise * force_noise(rise >= least_noise_points ? first_points(record, rise) : record);
+  Plateau plateau{first, first, std::max(band, resolution)};
+  while (plateau.first > 0 && force[plateau.first - 1] >= *greatest - band) --plateau.first;
+  while (plateau.last + 1 < force.size() && force[plateau.last + 1] >= *greatest - band) ++plateau.last;
+  const std::size_t count = plateau.last + 1 - plateau.first;
+  // As it rose before over a stretch that is short beside a smooth top.
+  const bool ends = count >= few && would_have_risen(record, plateau, std::max(few, count / 4));
+  return ends ? plateau.first + 1 : force.size();
 }
 
 }  // namespace flexslip

@@ -22,20 +22,15 @@ std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
 // Fails:      none where they would be more than a twentieth of the points: such a stage goes to and fro.
 std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage);
 
-// Readings while the stage halts, but the first of each place.
-struct Halts {
-  std::vector<std::size_t> points;  // rising
-  std::size_t places = 0;
-};
-
+// Readings while the stage halts, but the first of each place; rising.
 // Domain:     a stage in any unit.
 // Method:     points within 0.5 % of the median step of the first of them are at one place. It is a hold if they are five or more, and
 //             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
-Halts find_halts(const std::vector<double>& stage);
+std::vector<std::size_t> find_halts(const std::vector<double>& stage);
 
-// How many points a load cell shows before it is at its end: where the force rises and then stays at its greatest value, to the last bit for five
-// points or more in which it would have risen by far more than its resolution, or within its noise for ten or more in which it would have by far more
-// than that; a smooth top bends into its flat part, and is none. All points if it never does.
+// How many points a load cell shows before it is at its end: where the force rises and then stays within half of its noise of its greatest value for five
+// points or more, in which it would have risen by far more than that had it gone on. What yields is as noisy as before, and a smooth top bends into its
+// flat part: they are none. All points if it never does.
 // Domain:     columns of one length.
 std::size_t points_before_overload(const Record& record);
 

@@ -14,6 +14,7 @@
 #include <string>
 #include <utility>
 
+#include "data/no_readings.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -491,6 +492,15 @@ std::vector<std::size_t> Sampling::halts_between(std::size_t first, std::size_t 
   return points;
 }
 
+void Sampling::leave_out_at_rest(const std::vector<std::size_t>& points) {
+  if (points.empty()) return;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (i == 0 || points[i] > points[i - 1] + 1) halts.push_back(rows[points[i] - 1]);
+  std::sort(halts.begin(), halts.end());
+  last_at_rest = std::max(last_at_rest, rows[points.back()]);
+  at_rest += leave_out(rows, [&](std::size_t i) { return !std::binary_search(points.begin(), points.end(), i); });
+}
+
 namespace {
 
 // From the contact to the last load: what lies between the first and the last force that differs from that of the first rows, and a part of as many
@@ -516,8 +526,12 @@ Loaded loaded_of(std::span<const double> force) {
   return {begin - std::min(begin, more), std::min(end + more, force.size())};
 }
 
-void thin(Sampling& sampling, std::span<const double> force, std::size_t most) {
-  if (force.size() <= most) return;
+void thin(Sampling& sampling, std::span<const double> displacement, std::span<const double> all_force,
+          std::size_t most) {
+  if (sampling.rows.size() <= most) return;
+  sampling.leave_out_at_rest(find_halts(values_at(sampling.rows, displacement)));
+  if (sampling.rows.size() <= most) return;
+  const std::vector<double> force = values_at(sampling.rows, all_force);
   constexpr std::size_t part_unloaded = 10;  // of the rows that count, before and after the load each
   const auto [first, last] = loaded_of(force);
   const std::size_t few = std::min(most / part_unloaded, force.size() - (last - first));
@@ -554,7 +568,7 @@ Sampling sampling_of(std::span<const double> displacement, std::span<const doubl
   if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest); !readings.empty())
     sampling.interpolated =
         leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
-  thin(sampling, values_at(rows, force), most);
+  thin(sampling, displacement, force, most);
   return sampling;
 }
 

@@ -160,20 +160,24 @@ struct Sampling {
   std::size_t interpolated;          // rows between readings
   std::size_t unloaded;              // rows far before and after the load, of a record with too many
   std::size_t stride;                // of the rest one in so many counts
-  std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them
-  std::vector<std::size_t> halts{};  // the rows before those, rising
+  std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them (no_readings.h)
+  std::size_t last_at_rest = 0;      // the last of those rows
+  std::vector<std::size_t> halts{};  // the row before each halt, rising
   std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
 
   // Of the points [first, last), counted from first, those after which the stage halted (find_drops).
   std::vector<std::size_t> halts_between(std::size_t first, std::size_t last) const;
+
+  // Leaves out rows at rest, given by their places among the rows that count, rising.
+  void leave_out_at_rest(const std::vector<std::size_t>& points);
 };
 
 // Domain:     columns of one length; most >= 1: no more rows count.
 // Method:     Repeated rows never count. Held ones do not where they are a quarter of the rows above a twentieth of the greatest force, and
 //             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
 //             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
-//             it bends count, if they are a hundred. Where more are left than `most`, those before and after the load count up to a tenth of
-//             that each, the nearest, and of all these every so many, and the greatest force.
+//             it bends count, if they are a hundred. Where more are left than `most`, those at rest do not, those before and after the load
+//             count up to a tenth of that each, the nearest, and of all these every so many, and the greatest force.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
 
 }  // namespace flexslip

@@ -73,7 +73,7 @@ std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& fin
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   for (const std::string_view wrong :
-       {"deflection_for_stage", "wrong_load_train", "wrong_stiffness", "impossible_modulus"})
+       {"not_bent", "deflection_for_stage", "wrong_load_train", "wrong_stiffness", "impossible_modulus"})
     if (const Finding* found = finding_in(findings, wrong))
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {

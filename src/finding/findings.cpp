@@ -162,10 +162,17 @@ Found other_contact(T test) {
 Found begins_under_force(T test) {
   const Measurement& measurement = test.measurement;
   const double force = measurement.begins_under;
-  if (!(force > 0) || measurement.contact != ContactSource::found || measurement.test.record->contact ||
-      measurement.test.record->zero != ForceZeroRule{})
-    return std::nullopt;
+  if (measurement.test.record->zero != ForceZeroRule{}) return std::nullopt;
   const std::string printed = Print(test).own(force, kind::force);
+  if (force < 0)
+    return Finding{.severity = Severity::doubt,
+                   .sentence = fmt::format("The record begins at a force of {}, as no specimen makes it.", printed),
+                   .short_form = fmt::format("begins at {}", printed),
+                   .remedy = fmt::format("The load cell was not set to zero: {}.",
+                                         to_change(test, {"record", "zero", fmt::format("\"{}\"", printed)})),
+                   .numbers = {{"force", force, kind::force}}};
+  if (!(force > 0) || measurement.contact != ContactSource::found || measurement.test.record->contact)
+    return std::nullopt;
   return Finding{
       .severity = Severity::doubt,
       .sentence =
@@ -176,7 +183,10 @@ Found begins_under_force(T test) {
       .numbers = {{"force", force, kind::force}}};
 }
 
+// What is most likely off where the record begins comes first.
 std::string find_contact_or_check(T test, const std::string& remedy) {
+  if (const Found below = begins_under_force(test); below && test.measurement.begins_under < 0)
+    return below->remedy.substr(0, below->remedy.size() - 1) + "; check " + remedy;
   return (other_contact(test) ? capitalised(to_find_contact(test)) + "; check " : "Check ") + remedy;
 }
 
@@ -220,11 +230,22 @@ Found too_deep(T test) {
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
+Found not_bent(T test) {
+  if (is_fitted(test) || test.analysis.record.force.empty() || greatest_deflection(test) > 0 || no_force(test))
+    return std::nullopt;
+  return Finding{.severity = Severity::refusal,
+                 .sentence = "The displacement stays before the contact: the specimen is nowhere bent.",
+                 .short_form = "nowhere bent",
+                 .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
+                                       to_find_contact(test))};
+}
+
 constexpr std::size_t min_rows = 30;
 
 Found too_few_rows(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || not_bent(test) ||
+      no_force(test))
     return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
@@ -235,7 +256,8 @@ Found too_few_rows(T test) {
 
 Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || not_bent(test) ||
+      no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
   return Finding{
@@ -277,7 +299,8 @@ Found wrong_load_train(T test) {
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
   const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained ||
-                         analysis.status == AnalysisStatus::too_few_points || (seeks_drops(test) && !is_slender(test));
+                         (analysis.status == AnalysisStatus::too_few_points && !too_deep(test) && !not_bent(test)) ||
+                         (seeks_drops(test) && !is_slender(test));
   if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
@@ -814,6 +837,7 @@ constexpr std::array rules{
     Rule{"no_force", no_force, false},
     Rule{"no_initial_slope", no_initial_slope, false},
     Rule{"too_deep", too_deep, false},
+    Rule{"not_bent", not_bent, false},
     Rule{"too_few_rows", too_few_rows, false},
     Rule{"gave_way", gave_way, false},
     Rule{"too_few_points", too_few_points, false},

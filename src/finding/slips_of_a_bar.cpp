@@ -47,7 +47,7 @@ std::size_t least_like_a_slip(T test) {
 std::string most_by_slip_in_words(T test) {
   const std::size_t drop = least_like_a_slip(test);
   const double deflection = test.analysis.reduced.deflection[test.analysis.drops.drops[drop].before];
-  const double most = test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]);
+  const double most = test.analysis.scales.physical_force(std::max(test.analysis.most_by_slips[drop], 0.0));
   const Print print(test);
   return fmt::format("at {} a slip can make at most {}", print.length(deflection),
                      std::string(format_roughly(most, print.as(kind::force))));
@@ -131,7 +131,9 @@ bool is_slender(T test) { return 2 * test.analysis.rig.fibre.supports().half_dep
 
 std::optional<Finding> gave_way(T test) {
   const std::size_t beyond = beyond_slips(test);
-  if (is_fitted(test) || beyond == 0) return std::nullopt;
+  const auto& deflection = test.analysis.reduced.deflection;
+  const bool is_bent = std::any_of(deflection.begin(), deflection.end(), [](double w) { return w > 0; });
+  if (is_fitted(test) || beyond == 0 || !is_bent) return std::nullopt;
   const std::size_t drop = least_like_a_slip(test);
   return Finding{
       .severity = Severity::refusal,

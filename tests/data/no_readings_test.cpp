@@ -101,11 +101,10 @@ TEST_CASE("holds: what is read while the stage halts is found, several readings 
       stage.push_back(step * (i + 0.002 * (k % 2)));
     }
   }
-  CHECK(find_halts(stage).points == halted);
-  CHECK(find_halts(stage).places == 2);
-  CHECK(find_halts(staircase).places == 0);
-  CHECK(find_halts({}).places == 0);
-  CHECK(find_halts({1, 1, 1, 1, 1, 1}).places == 0);  // it never moves
+  CHECK(find_halts(stage) == halted);
+  CHECK(find_halts(staircase).empty());
+  CHECK(find_halts({}).empty());
+  CHECK(find_halts({1, 1, 1, 1, 1, 1}).empty());  // it never moves
 }
 
 TEST_CASE("overload: a force that stays at its greatest value is the end of the load cell, a flat top is not") {
@@ -116,16 +115,17 @@ TEST_CASE("overload: a force that stays at its greatest value is the end of the 
       static_cast<std::size_t>(std::find(record.force.begin(), record.force.end(), 0.008) - record.force.begin());
   CHECK(points_before_overload(record) == first + 1);
 
-  for (unsigned seed = 1; seed <= 20; ++seed) {  // with noise of the amplifier behind the cell's end
+  for (unsigned seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     std::mt19937_64 engine(seed);
     std::normal_distribution<double> normal(0, noise);
-    Record noisy = curve(0, seed);
-    for (double& force : noisy.force)
+    Record ended = curve(0, seed), yielding = ended;
+    for (double& force : ended.force)
+      if (force > 0.008) force = 0.008 + 0.05 * normal(engine);  // the last digit of the converter flickers
+    CHECK(std::abs(static_cast<double>(points_before_overload(ended)) - static_cast<double>(first)) <= 5);
+    for (double& force : yielding.force)
       if (force > 0.008) force = 0.008 + normal(engine);
-    const std::size_t found = points_before_overload(noisy);
-    CHECK(found >= first - 5);
-    CHECK(found <= first + 5);
+    CHECK(points_before_overload(yielding) == 300);
     Record top = curve(0, seed);  // goes over its top
     for (double& stage : top.stage) stage *= 2;
     for (std::size_t i = 0; i < top.force.size(); ++i)

@@ -66,8 +66,8 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
     const FittedTest& test = each.test;
     INFO(code);
     const VerdictCode expected =
-        code == "deflection_for_stage" || code == "wrong_load_train" || code == "wrong_stiffness" ||
-                code == "impossible_modulus" || code == "most_drops_impossible"
+        code == "not_bent" || code == "deflection_for_stage" || code == "wrong_load_train" ||
+                code == "wrong_stiffness" || code == "impossible_modulus" || code == "most_drops_impossible"
             ? VerdictCode::check_input
         : code == "softer_reload" || code == "cracks" || code == "gave_way"                   ? VerdictCode::crack
         : code == "undecided_drops" || code == "impossible_drops" || code == "too_few_points" ? VerdictCode::undecided

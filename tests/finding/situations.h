@@ -64,6 +64,10 @@ inline std::vector<Situation> situations() {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.reduced.deflection.back() = 3.9;
   });
+  add("not_bent", Severity::refusal, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    for (double& deflection : test.analysis.reduced.deflection) deflection = -0.1;
+  });
   add("too_few_rows", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.drops = {};
