@@ -385,9 +385,10 @@ Found most_drops_impossible(T test) {
 
 Found no_sliding(T test) {
   if (!test.analysis.model_implausible) return std::nullopt;
-  const std::string remedy =
-      "Check the columns (flexslip read FILE shows them), the modulus, the section, the span, the contact, the zero of "
-      "the force and the load train. If they are right, the specimen gave way: unload and load once more.";
+  const std::string remedy = find_contact_or_check(
+      test,
+      "the columns (flexslip read FILE shows them), the modulus, the section, the span, the contact, the zero of the "
+      "force and the load train. If they are right, the specimen gave way: unload and load once more.");
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
                  .short_form = "no friction explains it",
@@ -421,6 +422,30 @@ Found impossible_drops(T test) {
       .remedy = fmt::format("{}Look at what happened there: a break, a spike of the load cell, or a crack.",
                             is_stiffness_in_doubt ? "Check the bending stiffness, which the fit contradicts. " : ""),
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
+}
+
+// Where friction repeats, so do its drops: one far deeper is something else, which friction behind it is then read with.
+Found one_drop_stands_out(T test) {
+  const auto& drops = test.analysis.drops.drops;
+  constexpr std::size_t enough = 6;
+  constexpr double far = 2;  // times the next
+  if (drops.size() < enough || !test.analysis.fit.wave_claimed || lost_stiffness(*test.judgement)) return std::nullopt;
+  const auto shallower = [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; };
+  const auto deepest = std::max_element(drops.begin(), drops.end(), shallower);
+  double next = 0;
+  for (auto drop = drops.begin(); drop != drops.end(); ++drop)
+    if (drop != deepest) next = std::max(next, drop->force_fall);
+  if (!(deepest->force_fall > far * next)) return std::nullopt;
+  const std::string row = fmt::format("{}", file_row(test, deepest->before));
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("Friction repeats, and yet the drop behind row {} is {:.1f} times the next: a crack or a "
+                              "jump of the load cell reads as less friction behind it.",
+                              row, deepest->force_fall / next),
+      .short_form = "one drop stands out",
+      .remedy = fmt::format("Compare with the friction before it: {}.",
+                            to_say(test.measurement.test, {{"record", "until", row}})),
+      .numbers = {{"times_the_next", deepest->force_fall / next}}};
 }
 
 Found implausible_friction(T test) {
@@ -851,6 +876,7 @@ constexpr std::array rules{
     Rule{"most_drops_impossible", most_drops_impossible, true},
     Rule{"no_sliding", no_sliding, true},
     Rule{"impossible_drops", impossible_drops, true},
+    Rule{"one_drop_stands_out", one_drop_stands_out, true},
     Rule{"implausible_friction", implausible_friction, true},
     Rule{"sloping_baseline", sloping_baseline, true},
     Rule{"other_contact", other_contact, true},

@@ -125,6 +125,10 @@ inline std::vector<Situation> situations() {
   add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
   add("no_sliding", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
   add("impossible_drops", Severity::doubt, [](FittedTest& test) { test.judgement->impossible = 2; });
+  add("one_drop_stands_out", Severity::doubt, [](FittedTest& test) {
+    test.analysis.fit.wave_claimed = true;
+    test.analysis.drops.drops.back().force_fall *= 10;
+  });
   add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
   for (const auto& [code, kind] :
        {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
