@@ -327,7 +327,8 @@ std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, 
   return at && at->row >= 1 && at->row <= rows ? at->row : none;
 }
 
-// Fails:      InputError where the times of a file say that its rows run backwards, or that a second record begins where displacement and time do anew.
+// Fails:      InputError where the times of a file say that its rows run backwards or are out of order, or that a second record begins where
+//             displacement and time do anew.
 void require_one_run(const Test& input, const ExportedSpecimen& specimen, const ExportColumn& displacement,
                      const std::string& file) {
   const auto is_time = [](const ExportColumn& column) { return column.role == ColumnRole::time; };
@@ -350,6 +351,21 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
                       .found = "times that fall",
                       .remedy = "write the rows in the reverse order"});
   if (falling == 0) return;
+  // A clock that begins anew, at a stage of the test or at midnight, falls to where it began or farther.
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(std::abs(times[i] - times[i - 1]));
+  const double step = median_of(std::move(steps));
+  double earliest = times[0];
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] < times[i - 1] - 0.5 * step && times[i] > earliest + 1.5 * step)
+      throw InputError({.file = file,
+                        .line = specimen.lines[first + i],
+                        .field = fmt::format("the column '{}'", time->name),
+                        .expected = "times that rise from row to row",
+                        .found = "one that falls",
+                        .remedy = "write the rows in the order of their times, each once"});
+    earliest = std::min(earliest, times[i]);
+  }
   const auto [least, most] = std::minmax_element(places.begin(), places.end());
   constexpr double far = 0.5;
   for (std::size_t i = fewest; i + fewest <= times.size(); ++i) {
