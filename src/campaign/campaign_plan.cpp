@@ -67,8 +67,9 @@ toml::table read_common(const std::optional<std::string>& path) {
   toml::table common = parse_toml(text.str(), *path);
   // Its paths are relative to it; from here on all are relative to the working directory.
   const fs::path folder = fs::absolute(*path).parent_path();
-  for (const auto& [section, key] : {std::pair{"friction", "file"}, {"stage", "file"}, {"record", "file"}})
-    if (auto* file = common[section][key].as_string()) file->get() = (folder / file->get()).string();
+  for (const CaseKey& key : case_keys())
+    if (auto* file = key.holds == Holds::file ? common[key.section][key.name].as_string() : nullptr)
+      file->get() = (folder / file->get()).string();
   return common;
 }
 
@@ -340,9 +341,11 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
     toml::table text = common;
     table_at(text, "record").insert_or_assign("file", file.string());
     try {
-      test.input = checked(case_from(text, "", changes));
+      Test input = checked(case_from(text, "", changes));
+      for (auto& [key, line] : input.lines) line = 0;  // of the text made here, which is no file
+      test.input = std::move(input);
     } catch (const InputError& error) {
-      test.input = error;
+      test.input = located(error, error.fault.file, error.fault.file.empty() ? 0 : error.fault.line, error.fault.field);
     }
     plan.tests.push_back(std::move(test));
   }

@@ -127,6 +127,10 @@ struct Reader {
       else
         place = AtDeflection{parts.quantity("deflection", kind::length, Range::any)};
     } else if (node().is_string()) {
+      const std::string row = text();
+      if (!row.empty() && row.find_first_not_of("0123456789") == std::string::npos)
+        keys.refuse(key.name, "a row without quotes, or a stage position with its unit", in_quotes(row),
+                    fmt::format("write {} for that row", row));
       place = AtStage{keys.quantity(key.name, kind::length, Range::any)};
     } else {
       place = AtRow{static_cast<std::size_t>(keys.whole_number(key.name, 1))};

@@ -439,13 +439,22 @@ std::vector<std::string_view> meant_units(std::string_view text, const Kind& kin
                                                                                          {"oz", "ozf"},
                                                                                          {"lbm", "lbf"},
                                                                                          {"kips", "kip"}}};
-  const std::string small = folded(trimmed(text));
+  // Where it was read in another encoding, a µ is two signs or none that ASCII has: "Âµm", "?m".
+  const std::string_view body = trimmed(text);
+  const std::size_t strange = body.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+  const bool is_strange = strange != std::string_view::npos && (body[strange] == '?' || static_cast<unsigned char>(body[strange]) >= 0x80);
+  if (is_strange) {
+    const std::string_view rest = body.substr(strange + 1);
+    if (rest == "m" && kind.dimension == kind::length.dimension) return {"um"};
+    if (rest == "N" && kind.dimension == kind::force.dimension) return {"uN"};
+  }
+  const std::string small = folded(body);
   std::vector<std::string_view> meant;
   const auto add = [&](std::string_view unit) {
     if (parse_unit(unit).dimension == kind.dimension) meant.push_back(unit);
   };
   for (const std::string_view unit : units)
-    if (folded(unit) == small && unit != trimmed(text)) add(unit);
+    if (folded(unit) == small && unit != body) add(unit);
   for (const auto& [mass, unit] : masses)
     if (mass == small) add(unit);
   return meant;
