@@ -712,14 +712,14 @@ Loading loading_to_evaluate(const Test& input, const Table& table, const Record&
   }
   if (legs.empty()) return {evaluated.leg, {}};
   if (evaluated.counted.number > 0) return evaluated;
-  throw InputError({.file = table.source,
-                    .line = table.lines[0],
-                    .field = "the stage",
-                    .expected = "a record that has a loading",
-                    .found = "one that only unloads",
-                    .remedy = "if the stage is counted the other way, " +
-                              to_say(input, switch_to("sign", input.record->sign == SignRule::reverse ? "keep"
-                                                                                                      : "reverse"))});
+  throw InputError(
+      {.file = table.source,
+       .line = table.lines[0],
+       .field = "the stage",
+       .expected = "a record that has a loading",
+       .found = "one that only unloads",
+       .remedy = "if the stage is counted the other way, " +
+                 to_say(input, switch_to("sign", input.record->sign == SignRule::reverse ? "keep" : "reverse"))});
 }
 
 // Fails:      InputError where a loading begins under more than a fifth of its greatest force, and the force falls steadily to nearly none: an

@@ -865,6 +865,7 @@ constexpr std::array rules{
     Rule{"not_bent", not_bent, false},
     Rule{"too_few_rows", too_few_rows, false},
     Rule{"gave_way", gave_way, false},
+    Rule{"sinks", sinks, false},
     Rule{"too_few_points", too_few_points, false},
     Rule{"deflection_for_stage", deflection_for_stage, false},
     Rule{"wrong_load_train", wrong_load_train, false},

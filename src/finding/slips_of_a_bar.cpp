@@ -13,6 +13,7 @@
 #include "finding/printed.h"
 #include "inference/slip_limit.h"
 #include "io/text.h"
+#include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
@@ -149,6 +150,29 @@ std::optional<Finding> gave_way(T test) {
           {"most_by_slip", test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]), kind::force}}};
 }
 
+std::optional<Finding> sinks(T test) {
+  const std::vector<double>& force = test.analysis.record.force;
+  constexpr std::size_t enough = 20, at_the_end = 5;
+  if (is_fitted(test) || test.analysis.status != AnalysisStatus::too_few_points || force.size() < enough)
+    return std::nullopt;
+  const auto greatest = std::max_element(force.begin(), force.end());
+  const double end = median_of(std::vector<double>(force.end() - at_the_end, force.end()));
+  double by_drops = 0;
+  for (const Drop& drop : test.analysis.drops.drops)
+    if (drop.before >= static_cast<std::size_t>(greatest - force.begin())) by_drops += drop.force_fall;
+  const double sunk = 1 - (end + by_drops) / *greatest;
+  constexpr double worth_saying = 0.1;
+  if (!(*greatest > 0 && sunk > worth_saying)) return std::nullopt;
+  const std::size_t row = file_row(test, static_cast<std::size_t>(greatest - force.begin()));
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("From row {} on the force sinks by {} without a drop, as no elastic specimen "
+                                         "does at so small a deflection: it yielded or gave way slowly.",
+                                         row, format_percent(sunk)),
+                 .short_form = fmt::format("the force sinks by {}", format_percent(sunk)),
+                 .remedy = "Use flexslip modulus for stiffness and strength.",
+                 .numbers = {{"sunk", sunk}, {"row", static_cast<double>(row)}}};
+}
+
 std::string slips_of_a_bar_in_words(T test) {
   return fmt::format("{}; {}{}", most_by_slip_in_words(test), deeper_drops(test), thickness_in_words(test));
 }
@@ -156,7 +180,11 @@ std::string slips_of_a_bar_in_words(T test) {
 // Of a specimen that is bent too little to tell friction: what its drops are can still be told.
 Verdict verdict_without_friction(T test, const Finding& shallow, const Finding* gave_way) {
   const std::string no_friction(no_friction_of_a_bar);
-  if (drops_of(test) == 0) return {VerdictCode::no_drops, {no_friction}, shallow.code};
+  if (drops_of(test) == 0) {
+    Verdict none{VerdictCode::no_drops, {no_friction}, shallow.code};
+    if (const auto slowly = sinks(test)) none.parts.insert(none.parts.begin(), slowly->short_form + " all the same");
+    return none;
+  }
   const std::string most = most_by_slip_in_words(test);
   if (gave_way)
     return {

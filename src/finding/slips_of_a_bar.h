@@ -23,6 +23,9 @@ bool is_slender(const FittedTest& test);
 // Of a test without a fit that has a drop deeper than any slip (inference/slip_limit.h).
 std::optional<Finding> gave_way(const FittedTest& test);
 
+// Of a test that is bent too little to tell friction: its force sinks by a tenth or more, and not in drops.
+std::optional<Finding> sinks(const FittedTest& test);
+
 // "at 3.1 mm a slip can make at most 80 mN; 1 of 2 drops is deeper"
 // Domain:     analysis.most_by_slips is not empty.
 std::string slips_of_a_bar_in_words(const FittedTest& test);

@@ -442,7 +442,8 @@ std::vector<std::string_view> meant_units(std::string_view text, const Kind& kin
   // Where it was read in another encoding, a µ is two signs or none that ASCII has: "Âµm", "?m".
   const std::string_view body = trimmed(text);
   const std::size_t strange = body.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
-  const bool is_strange = strange != std::string_view::npos && (body[strange] == '?' || static_cast<unsigned char>(body[strange]) >= 0x80);
+  const bool is_strange =
+      strange != std::string_view::npos && (body[strange] == '?' || static_cast<unsigned char>(body[strange]) >= 0x80);
   if (is_strange) {
     const std::string_view rest = body.substr(strange + 1);
     if (rest == "m" && kind.dimension == kind::length.dimension) return {"um"};

@@ -70,6 +70,7 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
                 code == "wrong_stiffness" || code == "impossible_modulus" || code == "most_drops_impossible"
             ? VerdictCode::check_input
         : code == "softer_reload" || code == "cracks" || code == "gave_way"                   ? VerdictCode::crack
+        : code == "sinks"                                                                     ? VerdictCode::no_drops
         : code == "undecided_drops" || code == "impossible_drops" || code == "too_few_points" ? VerdictCode::undecided
         : severity == Severity::refusal                                                       ? VerdictCode::no_answer
                                                                                               : VerdictCode::slip;
@@ -92,7 +93,7 @@ TEST_CASE("verdict: no friction is told of a specimen that lost stiffness, nor w
     const Severity severity = each.severity;
     const FittedTest& test = each.test;
     const Answer answer = answer_of(test);
-    const bool tells = severity > Severity::refusal && code != "cracks" && code != "softer_reload";
+    const bool tells = severity > Severity::refusal && code != "cracks" && code != "softer_reload" && is_fitted(test);
     INFO(code);
     CHECK(has(sentence_of(answer.verdict), code == "only_a_limit" ? "friction at most" : "friction 0.") == tells);
     const auto friction = std::find_if(answer.rows.begin(), answer.rows.end(),
@@ -179,7 +180,8 @@ TEST_CASE("standing: by the weightiest finding") {
     const Severity severity = each.severity;
     const FittedTest& test = each.test;
     INFO(code);
-    CHECK(standing_of(findings_of(test)) == (severity == Severity::refusal     ? Standing::untrusted
+    const bool is_refused = severity == Severity::refusal || !is_fitted(test);
+    CHECK(standing_of(findings_of(test)) == (is_refused                        ? Standing::untrusted
                                              : severity == Severity::suspicion ? Standing::suspect
                                              : severity == Severity::doubt     ? Standing::doubtful
                                                                            : Standing::conditional));  // it has drops

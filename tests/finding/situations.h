@@ -80,6 +80,16 @@ inline std::vector<Situation> situations() {
     test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 0.001);
     for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::unexplained;
   });
+  add("sinks", Severity::doubt, [](FittedTest& test) {
+    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
+    test.analysis.drops = {};
+    test.analysis.slips.clear();
+    auto& force = test.analysis.record.force;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      force[i] = 1e-3 * std::min(static_cast<double>(i),
+                                 2.0 * static_cast<double>(force.size()) - 2.0 * static_cast<double>(i));
+  });
   add("too_few_points", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});

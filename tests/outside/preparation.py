@@ -170,6 +170,52 @@ class Loading(InFolder):
             case = self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n')
             self.refused("fit", case, says=["test.csv", "the force", "write them in the reverse order"])
 
+    def test_truth_slips_beyond_the_greatest_force_are_no_break(self):
+        """Bent to two thirds of the span on a stiff rig: the force falls below its half by a slip like others."""
+        made = self.file("made.toml", self.RIG.replace("90.65", "400") + '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.3\nwavelength = "25 um"\n'
+                         '[stage]\nprogram = ["0 um", "900 um"]\nstep = "2 um"\n')
+        self.succeeds("simulate", made, "--noise", "10 uN", "-o", self.folder / "made.csv")
+        fit = self.json("fit", self.file("case.toml", self.RIG.replace("90.65", "400") + '[record]\nfile = "made.csv"\nstage = "w_s"\nforce = "F"\n'))
+        self.assertEqual(fit["measurement"]["ends_with"], "last_row")
+        self.assertGreater(len(fit["drops"]), 15)
+        mu0 = fit["parameters"]["mu0"]
+        self.assertLess(abs(mu0["value"] - 0.5), 2 * mu0["standard_error"])
+
+    def test_truth_a_force_that_yields_is_no_end_of_the_load_cell(self):
+        rows = self.simulated()
+        end = 0.6 * max(force for _, force in rows)
+        first = next(at for at, (_, force) in enumerate(rows) if force > end)
+        draw = random.Random(4)
+        fit = self.refused_or_fitted([(stage, force if at < first else end - 2e-6 * (at - first) + draw.gauss(0, 1e-5)) for at, (stage, force) in enumerate(rows)])
+        self.assertNotEqual(fit["measurement"]["ends_with"], "overload")
+
+    def test_truth_a_logger_that_runs_on_while_the_stage_halts_costs_no_rows(self):
+        rows = self.simulated()
+        draw = random.Random(5)
+        at_rest = [(rows[-1][0], rows[-1][1] + draw.gauss(0, 1e-5)) for _ in range(20000)]
+        fit = self.fitted(rows + at_rest)
+        self.friction_is_half(fit)
+        self.assertNotIn("thinning", {each["step"] for each in fit["preparation"]})
+        self.assertGreaterEqual(fit["measurement"]["at_rest"], 19900)
+
+    def test_truth_a_zero_of_the_force_that_is_too_low_is_named(self):
+        rows = [(stage, force - 3e-4) for stage, force in self.simulated()]
+        fit = self.fitted(rows)
+        below = next(each for each in fit["findings"] if each["code"] == "begins_under_force")
+        self.assertEqual(below["severity"], "doubt")
+        self.assertRegex(below["remedy"], r'zero = "-2\d\d(\.\d)? µN"')
+
+    def test_bad_input_rows_out_of_the_order_of_their_times(self):
+        rows = self.simulated()
+        lines = [f"{0.1 * at:.2f},{stage:.9e},{force:.9e}\n" for at, (stage, force) in enumerate(rows)]
+        case = '[record]\nfile = "test.csv"\ndisplacement = "crosshead"\ndisplacement_column = "w_s"\nforce = "F"\n'
+        for wrong in (lines[:150] + lines[150:170][::-1] + lines[170:], lines[:200] + lines[150:]):
+            self.file("test.csv", "time [s],w_s [m],F [N]\n" + "".join(wrong))
+            self.refused("fit", self.file("case.toml", self.RIG + case), says=["test.csv", "'time'", "the order of their times"])
+        anew = [f"{0.1 * (at % 200):.2f},{line.split(',', 1)[1]}" for at, line in enumerate(lines)]  # the clock begins anew
+        self.file("test.csv", "time [s],w_s [m],F [N]\n" + "".join(anew))
+        self.friction_is_half(self.json("fit", self.file("case.toml", self.RIG + case)))
+
     def test_truth_single_readings_that_none_can_be_are_left_out(self):
         rows = self.simulated()
         for change in (lambda force: force - 0.4e-3, lambda force: force + 2e-3, lambda force: 0.0):
