@@ -152,7 +152,7 @@ bool would_have_risen(const Record& record, const Plateau& plateau, std::size_t 
 std::size_t points_before_overload(const Record& record) {
   const std::vector<double>& force = record.force;
   const auto greatest = std::max_element(force.begin(), force.end());
-  if (greatest == force.end()) return 0;
+  if (force.size() < least_noise_points) return force.size();
   const auto first = static_cast<std::size_t>(greatest - force.begin());
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)

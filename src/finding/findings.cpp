@@ -96,7 +96,9 @@ std::string likely_slip_of_units(double times) {
                              Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
                              Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
                              Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
-                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"}};
+                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"},
+                             Slip{1e-9, ", about a billionth: perhaps the unit of the span, mm for um"},
+                             Slip{1e9, ", about a billion: perhaps the unit of the span, um for mm"}};
   for (const auto& slip : slips)
     if (times < slip.near * slip.times && times > slip.times / slip.near) return std::string(slip.words);
   return "";

@@ -429,6 +429,35 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint("rig = 5"), "data/case.toml:1: [rig]: expected a section [rig], found the number 5"));
 }
 
+TEST_CASE("bad input: all that is wrong with a case is said at once, in the order of its lines") {
+  constexpr std::string_view wrong = R"([rig]
+spann = "1278 um"
+stiffness = "90 um"
+supports = "edge"
+[specimen]
+diametre = "34 um"
+modulus = "30 GP"
+[recrod]
+file = "test.csv"
+)";
+  std::vector<std::string> lines;
+  try {
+    read_case(wrong, "case.toml");
+  } catch (const InputError& error) {
+    lines = error.lines();
+    CHECK(std::string(error.what()) == lines.front());
+  }
+  const std::vector<std::string> expected{
+      "case.toml:2: [rig] spann is an unknown key; did you mean 'span'?",
+      "case.toml:3: [rig] stiffness: expected a stiffness, found a length '90 um'",
+      "case.toml:4: [rig] supports: expected \"edges\" or \"rollers\", found 'edge'; did you mean \"edges\"?",
+      "case.toml:6: [specimen] diametre is an unknown key; did you mean 'diameter'?",
+      "case.toml:7: [specimen] modulus: expected a unit, found 'GP'; did you mean 'GPa'?",
+      "case.toml:8: recrod is an unknown key; did you mean 'record'?"};
+  REQUIRE(lines.size() == expected.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i].starts_with(expected[i]));
+}
+
 TEST_CASE("table: what is missing is asked for with an example") {
   CHECK(complaint_with("span      = \"1278 um\"\n", "") ==
         "data/case.toml:4: [rig] span is missing; add span = \"1278 um\"");

@@ -228,7 +228,7 @@ class Remedies(InFolder):
         self.assertIn("the stage moved 536 nm", self.says([(a / 1000, b) for a, b in READINGS]))
 
     def test_a_span_in_the_wrong_unit_is_told_by_the_deflection(self):
-        self.assertIn("0.06 % of the span of 1.278 m", self.says(READINGS, span="1278 mm", code=1))
+        self.assertIn("about a billionth: perhaps the unit of the span", self.says(READINGS, span="1278 mm", code=1))
 
     def test_what_read_proposes_to_do_again_names_the_file_and_works(self):
         export = SOURCE / "tests/instruments/fixtures/undecidable.txt"
