@@ -41,7 +41,6 @@ struct Readings {
   Table table;                   // two columns [m], [N], and perhaps a length [m]
   std::vector<Reading> columns;  // what each of them is
   Preparation preparation;       // how they were found
-  std::size_t missing = 0;       // rows without a number, left out
 
   bool has(Reading reading) const { return std::find(columns.begin(), columns.end(), reading) != columns.end(); }
   const std::vector<double>& of(Reading reading) const {
@@ -141,10 +140,9 @@ Readings readings_of_table(const Test& input, const Needs& needs) {
   words += ", as stated";
   for (const std::string& note : table.notes) words += "; " + note;
   Preparation steps;
-  steps.add("columns", false, std::move(words), {}, {}, RowRange{1, table.rows()});
+  steps.add("columns", false, std::move(words), {}, {}, RowRange{1, table.rows_of_file()});
   if (!table.left_out.empty()) steps.add("missing", true, table.left_out, {});
-  const std::size_t missing = table.missing;
-  return {input, std::move(table), std::move(columns), std::move(steps), missing};
+  return {input, std::move(table), std::move(columns), std::move(steps)};
 }
 
 bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
@@ -412,10 +410,11 @@ Readings readings_from(const Test& input, const Needs& needs, const Export& file
                     .table = {file.origin.source,
                               {{column.name, without_rows(std::move(displacements), missing.rows)},
                                {force.name, without_rows(std::move(forces), missing.rows)}},
-                              without_rows(specimen.lines, missing.rows)},
+                              without_rows(specimen.lines, missing.rows),
+                              {},
+                              missing.rows},
                     .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force},
-                    .preparation = {},
-                    .missing = missing.rows.size()};
+                    .preparation = {}};
   std::string words =
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
@@ -427,7 +426,7 @@ Readings readings_from(const Test& input, const Needs& needs, const Export& file
   if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
   readings.preparation.add("columns", asked.calibration.has_value(), std::move(words),
                            switch_to("displacement", is_crosshead ? "deflection" : "crosshead"), {},
-                           RowRange{1, readings.table.rows()});
+                           RowRange{1, readings.table.rows_of_file()});
   if (!missing.words.empty()) readings.preparation.add("missing", true, missing.words, {});
   complete(readings.test, file.test, readings.preparation);
   return readings;
@@ -608,6 +607,13 @@ void require_stiff_enough(const Test& input, const Record& record, double stiffn
                     "specimen's midpoint or already corrected");
 }
 
+// Values of the rows of a table, at those of its file; NaN at rows without a number.
+std::vector<double> of_file_rows(const std::vector<double>& values, const Table& table) {
+  std::vector<double> all(table.rows_of_file(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < values.size(); ++row) all[table.file_row(row)] = values[row];
+  return all;
+}
+
 // Holds the stage where it runs back by no more than its noise.
 // Fails: InputError where it runs back farther.
 void hold_stage(const Test& input, const Table& table, Record& record, std::span<const std::size_t> rows, bool turns,
@@ -622,7 +628,7 @@ void hold_stage(const Test& input, const Table& table, Record& record, std::span
   for (std::size_t i = 1; i < stage.size(); ++i) {
     if (farthest - stage[i] > allowed)
       throw InputError({.file = table.source,
-                        .line = table.lines[rows[i]],
+                        .line = table.lines[table.rows_before(rows[i])],
                         .field = "the stage",
                         .expected = fmt::format("a position no smaller than the farthest before it, {}",
                                                 readable_length(input, farthest == 0 ? 0 : farthest)),
@@ -750,7 +756,7 @@ void require_rise(const Test& input, const Table& table, const Record& record, c
   const std::size_t row = sampling.rows[leg.first];
   throw InputError(
       {.file = table.source,
-       .line = table.lines[row],
+       .line = table.lines[table.rows_before(row)],
        .field = "the force",
        .expected = "one that rises as the specimen is bent",
        .found = fmt::format("one that begins with {} and falls steadily to {}",
@@ -767,12 +773,12 @@ struct RowsTo {
 
 // Fails:      InputError where the record does not get there.
 RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Test& input, const Record& every,
-               const std::string& file) {
+               const Table& table) {
   if (const auto* at = std::get_if<AtRow>(&place)) {
-    if (at->row > every.force.size())
-      throw wrong_value(input, key, fmt::format("one of the {1} rows of {0}", file, every.force.size()),
+    if (at->row > table.rows_of_file())
+      throw wrong_value(input, key, fmt::format("one of the {1} rows of {0}", table.source, table.rows_of_file()),
                         std::to_string(at->row));
-    return {at->row - 1, at->row};
+    return {table.rows_before(at->row - 1), table.rows_before(at->row)};
   }
   const auto* stage = std::get_if<AtStage>(&place);
   const auto& positions = stage ? every.stage : every.deflection;
@@ -1005,30 +1011,33 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   Measurement result{.test = std::move(readings.test),
                      .preparation = std::move(readings.preparation),
                      .file = table.source,
-                     .rows = table.rows(),
-                     .missing = readings.missing};
+                     .rows = table.rows_of_file(),
+                     .missing = table.missing_rows.size()};
   const Test& input = result.test;
   Preparation& steps = result.preparation;
 
   const double stiffness = stiffness_for(input, readings);
-  const std::size_t sign_from = row_or(input.record->first, result.rows, 1) - 1;
-  const std::size_t sign_to = row_or(input.record->until, result.rows, result.rows);
+  const std::size_t sign_from = table.rows_before(row_or(input.record->first, result.rows, 1) - 1);
+  const std::size_t sign_to = table.rows_before(row_or(input.record->until, result.rows, result.rows));
   find_sign(input.record->sign, std::min(sign_from, sign_to), sign_to, readings, steps);
   Record every = record_of(readings, stiffness);
-  if (readings.has(Reading::length)) result.pulled_in = readings.of(Reading::length);
+  if (readings.has(Reading::length)) result.pulled_in = of_file_rows(readings.of(Reading::length), table);
   require_finite(every, table);
-  std::optional<std::size_t> until;  // the last row
-  if (const auto& place = input.record->until) until = rows_to(*place, "record.until", input, every, result.file).up_to;
-  std::size_t first = 0;
+  StatedRows stated;
+  if (const auto& place = input.record->until)
+    stated.until = rows_to(*place, "record.until", input, every, table).up_to;
   if (const auto& place = input.record->first)
-    first = rows_to(*place, "record.first", input, every, result.file).before;
+    stated.first = rows_to(*place, "record.first", input, every, table).before;
+  const std::size_t first = stated.first > 0 ? table.file_row(stated.first - 1) + 1 : 0;  // of the file
+  std::optional<std::size_t> until;                                                       // likewise, the last
+  if (stated.until) until = *stated.until > 0 ? table.file_row(*stated.until - 1) + 1 : 0;
   if (until && first >= *until)
     throw wrong_value(input, "record.first", fmt::format("a place before the end of the record, row {}", *until),
                       fmt::format("row {}", first + 1));
   if (first > 0)
     steps.add("first", true, fmt::format("the record begins with row {}, as stated", first + 1),
               KeyChange{"record", "first", "1"}, {}, RowRange{1, first});
-  CountedRows counted = rows_that_count(std::move(every), readings.displacement(), {first, until}, stiffness, steps);
+  CountedRows counted = rows_that_count(std::move(every), table, readings.displacement(), stated, stiffness, steps);
   every = std::move(counted.record);
   result.sampling = std::move(counted.sampling);
   if (counted.ends_in_overload) result.end = MeasurementEnd::overload;

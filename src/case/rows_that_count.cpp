@@ -53,16 +53,26 @@ Sampling sampling_between(std::size_t first, std::size_t until, std::span<const 
 }
 
 // The record up to where the load cell is at its end.
-Record before_overload(Record every, std::size_t first, Preparation& steps) {
+Record before_overload(Record every, const Table& table, std::size_t first, Preparation& steps) {
   const std::size_t rows = first + points_before_overload(points_between(every, first, every.force.size()));
   if (rows == every.force.size()) return every;
+  const std::size_t row = table.file_row(rows - 1) + 1, last = table.rows_of_file();
   steps.add(
       "overload", true,
       fmt::format(
           "the force stays at its greatest value, the end of the load cell, from row {} on: later rows are left out",
-          rows),
-      KeyChange{"record", "until", fmt::format("{}", every.force.size())}, {}, RowRange{rows + 1, every.force.size()});
+          row),
+      KeyChange{"record", "until", fmt::format("{}", last)}, {}, RowRange{row + 1, last});
   return first_points(every, rows);
+}
+
+// Rows of a table as those of its file.
+void count_as_file(const Table& table, Sampling& sampling) {
+  if (table.missing_rows.empty()) return;
+  for (auto* each : {&sampling.rows, &sampling.halts})
+    for (std::size_t& row : *each) row = table.file_row(row);
+  sampling.last_at_rest = table.file_row(sampling.last_at_rest);
+  sampling.end = sampling.end < table.rows() ? table.file_row(sampling.end) : table.rows_of_file();
 }
 
 // Takes points out of a record and of its sampling.
@@ -143,16 +153,17 @@ std::size_t rows_of_points(const Sampling& sampling, std::size_t points) {
   return points < sampling.rows.size() ? sampling.rows[points] : sampling.end;
 }
 
-CountedRows rows_that_count(Record every, std::span<const double> displacement, const StatedRows& stated,
-                            double stiffness, Preparation& steps) {
+CountedRows rows_that_count(Record every, const Table& table, std::span<const double> displacement,
+                            const StatedRows& stated, double stiffness, Preparation& steps) {
   const std::size_t rows = every.force.size();
-  if (!stated.until) every = before_overload(std::move(every), stated.first, steps);
+  if (!stated.until) every = before_overload(std::move(every), table, stated.first, steps);
   CountedRows counted{.record = {}, .sampling = {}, .ends_in_overload = every.force.size() < rows};
   auto& [record, sampling, ends_in_overload] = counted;
   sampling = sampling_between(stated.first, stated.until.value_or(every.force.size()), displacement, every, steps);
   record = picked(every, sampling.rows);
   std::vector<double> places;
   for (const std::size_t row : sampling.rows) places.push_back(displacement[row]);
+  count_as_file(table, sampling);
   leave_out_spikes(find_stray_positions(places), "that the displacement jumps to and comes back from at once", "stray",
                    record, sampling, steps);
   leave_out_holds(record, sampling, steps);

@@ -7,6 +7,7 @@
 
 #include "case/preparation.h"
 #include "data/record.h"
+#include "io/table.h"
 
 namespace flexslip {
 
@@ -14,7 +15,7 @@ namespace flexslip {
 inline constexpr std::size_t max_record_points = 2000;
 inline constexpr std::size_t max_cyclic_points = 10000;  // of a test that is unloaded
 
-// Rows counted from 0, as a case states them.
+// Rows of the table, counted from 0, as a case states them.
 struct StatedRows {
   std::size_t first = 0;               // those before are left out
   std::optional<std::size_t> until{};  // so many, with those before the first; what lies behind decides nothing
@@ -26,10 +27,11 @@ struct CountedRows {
   bool ends_in_overload;
 };
 
-// Of every row of a file, whose displacement is given beside it as it was read; what is left out is noted, step by step.
-// Domain:     columns of one length, first before until; stiffness > 0 [N/m] of the load train, or infinite.
-CountedRows rows_that_count(Record every, std::span<const double> displacement, const StatedRows& stated,
-                            double stiffness, Preparation& steps);
+// Of every row of a table, whose displacement is given beside it as it was read; what is left out is noted, step by step.
+// Domain:     columns as long as the table, first before until; stiffness > 0 [N/m] of the load train, or infinite.
+// Returns:    the rows that count as those of the file.
+CountedRows rows_that_count(Record every, const Table& table, std::span<const double> displacement,
+                            const StatedRows& stated, double stiffness, Preparation& steps);
 
 // The points before a row, counted from 0.
 std::size_t points_before(std::size_t row, const Sampling& sampling);

@@ -386,7 +386,6 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
   }
   Rows rows = rows_from(row, opened, header, sources, units);
-  table.missing = rows.missing.size();
   table.left_out = said_of_missing(opened, rows);
   auto& [lines, columns, statistics, missing] = rows;
   const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));
@@ -395,6 +394,10 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     table.columns.push_back(
         {header.cells[sources[i].cell].title.name, without_rows(std::move(columns[i]), left_out.rows)});
   table.lines = without_rows(std::move(lines), left_out.rows);
+  for (const MissingRow& each : missing)
+    table.missing_rows.push_back(
+        static_cast<std::size_t>(std::lower_bound(table.lines.begin(), table.lines.end(), each.line) -
+                                 table.lines.begin() + static_cast<std::ptrdiff_t>(table.missing_rows.size())));
   for (std::size_t& line : table.lines) ++line;  // counted from 1
   return table;
 }
@@ -443,6 +446,19 @@ ColumnTitle parse_column_title(std::string_view title) {
   const std::string_view unit = without_brackets(body.substr(open));
   if (!names_unit(unit)) parse_unit(unit);  // says what is wrong with it
   return {std::string(name), std::string(unit)};
+}
+
+std::size_t Table::file_row(std::size_t row) const {
+  for (const std::size_t missing : missing_rows) {
+    if (missing > row) break;
+    ++row;
+  }
+  return row;
+}
+
+std::size_t Table::rows_before(std::size_t file_row) const {
+  return file_row - static_cast<std::size_t>(std::lower_bound(missing_rows.begin(), missing_rows.end(), file_row) -
+                                             missing_rows.begin());
 }
 
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,

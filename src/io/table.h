@@ -45,10 +45,18 @@ struct Table {
   std::vector<std::size_t> lines;  // of the file, counted from 1, on which each row stands
   std::vector<std::string>
       notes{};  // what was decided about it: a unit at the end of a name; rows left out; of a workbook, the sheet
-  std::size_t missing = 0;  // of read_record: rows without a number, which are left out
-  std::string left_out{};   // likewise: what is said of them; empty if there are none
+  std::vector<std::size_t>
+      missing_rows{};      // of read_record: rows of the file without a number, which are left out; from 0, rising
+  std::string left_out{};  // likewise: what is said of them; empty if there are none
 
   std::size_t rows() const { return columns.front().values.size(); }
+
+  // Those of the file, with the missing ones.
+  std::size_t rows_of_file() const { return rows() + missing_rows.size(); }
+
+  // The row of the file that a row is, and how many rows lie before one of the file; from 0.
+  std::size_t file_row(std::size_t row) const;
+  std::size_t rows_before(std::size_t file_row) const;
 };
 
 // Reads the wanted columns of a table; other columns may hold anything. Every value is finite. Rows of statistics (statistics_rows.h) are left out.

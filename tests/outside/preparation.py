@@ -170,6 +170,22 @@ class Loading(InFolder):
             case = self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n')
             self.refused("fit", case, says=["test.csv", "the force", "write them in the reverse order"])
 
+    def test_identity_rows_without_a_number_shift_no_others(self):
+        """Rows are those of the file: said, listed and stated."""
+        rows = self.simulated()
+        gone = range(10, 18)
+        lines = [f"{stage:.9e},{'NaN' if at in gone else f'{force:.9e}'}\n" for at, (stage, force) in enumerate(rows)]
+        case = self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\nuntil = 200\n'
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(lines))
+        fit = self.json("fit", self.file("case.toml", case))
+        self.assertEqual((fit["measurement"]["rows"], fit["measurement"]["last_row"]), (len(rows), 200))
+        lines[250] = lines[250].split(",")[0] + ",OVER\n"  # the sensor is at its end in row 251
+        self.file("test.csv", "w_s [m],F [N]\n" + "".join(lines))
+        case = self.RIG + '[record]\nfile = "test.csv"\ndisplacement = "crosshead"\ndisplacement_column = "w_s"\nforce = "F"\nuntil = 250\n'
+        fit = self.json("fit", self.file("case.toml", case))
+        self.assertIn(fit["measurement"]["last_row"], (250, 251))  # up to the row before the next reading
+        self.refused("fit", self.file("case.toml", case.replace("250", "260")), says=["test.csv:252", "OVER"])
+
     def test_truth_slips_beyond_the_greatest_force_are_no_break(self):
         """Bent to two thirds of the span on a stiff rig: the force falls below its half by a slip like others."""
         made = self.file("made.toml", self.RIG.replace("90.65", "400") + '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.3\nwavelength = "25 um"\n'
