@@ -473,7 +473,7 @@ std::vector<std::string> lines_of(const Test& test, Section* part) {
       std::visit(
           [&](auto member) {
             if constexpr (!std::is_same_v<decltype(member), std::monostate>)
-              if (is_required<decltype(member)> || !(*member == *std::get<decltype(member)>(key.of(&nothing))))
+              if (is_required(member) || !(*member == *std::get<decltype(member)>(key.of(&nothing))))
                 lines.push_back(fmt::format("{} = {}", key.name, Writer{test, key}(*member)));
           },
           slot);

@@ -43,8 +43,9 @@ using Slot = std::variant<std::monostate, double*, std::optional<double>*, std::
                           std::optional<SupportKind>*, std::optional<FrictionModel>*, TraceDirection*, SnapRest*,
                           std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
                           std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
-template <class Member>
-inline constexpr bool is_required = std::is_same_v<Member, double*> || std::is_same_v<Member, std::string*>;
+inline bool is_required(const Slot& slot) {
+  return std::holds_alternative<double*>(slot) || std::holds_alternative<std::string*>(slot);
+}
 
 struct CaseKey {
   std::string_view name;

@@ -227,21 +227,18 @@ void Keys::read(const TestPart& part) const {
     if (is_there(key) || (key.section == path_ && !key.slot)) known.emplace_back(key.name);
   Faults faults;
   faults.note([&] { only(known); });
-  const auto with_each = [&](auto&& use) {
-    for (const CaseKey& key : case_keys())
-      std::visit(
-          [&](auto member) {
-            if constexpr (!std::is_same_v<decltype(member), std::monostate>) faults.note([&] { use(key, member); });
-          },
-          key.of(part));
-  };
-  with_each([&](const CaseKey& key, auto member) {
-    if (has(key.name)) Reader{*this, test_, key}(*member);
-  });
+  for (const CaseKey& key : case_keys())
+    faults.note([&] {
+      if (has(key.name))
+        std::visit(
+            [&](auto member) {
+              if constexpr (!std::is_same_v<decltype(member), std::monostate>) Reader{*this, test_, key}(*member);
+            },
+            key.of(part));
+    });
   faults.raise();
-  with_each([&](const CaseKey& key, auto member) {
-    if (is_required<decltype(member)>) need(key.name);
-  });
+  for (const CaseKey& key : case_keys())
+    if (is_required(key.of(part))) faults.note([&] { need(key.name); });
   faults.raise();
 }
 

@@ -242,24 +242,9 @@ Found not_bent(T test) {
                                        to_find_contact(test))};
 }
 
-constexpr std::size_t min_rows = 30;
-
-Found too_few_rows(T test) {
-  const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows >= min_rows || too_deep(test) || not_bent(test) ||
-      no_force(test))
-    return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The loading has {}; {} are needed.", format_count(rows, "row", "rows"), min_rows),
-      .short_form = "too few rows",
-      .remedy = "Record more rows."};
-}
-
 Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || rows < min_rows || too_deep(test) || not_bent(test) ||
-      no_force(test))
+  if (test.analysis.status != AnalysisStatus::too_few_points || too_deep(test) || not_bent(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
   return Finding{
@@ -865,7 +850,6 @@ constexpr std::array rules{
     Rule{"no_initial_slope", no_initial_slope, false},
     Rule{"too_deep", too_deep, false},
     Rule{"not_bent", not_bent, false},
-    Rule{"too_few_rows", too_few_rows, false},
     Rule{"gave_way", gave_way, false},
     Rule{"sinks", sinks, false},
     Rule{"too_few_points", too_few_points, false},

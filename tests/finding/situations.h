@@ -68,12 +68,6 @@ inline std::vector<Situation> situations() {
     test.analysis.status = AnalysisStatus::too_few_points;
     for (double& deflection : test.analysis.reduced.deflection) deflection = -0.1;
   });
-  add("too_few_rows", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
-    test.analysis.drops = {};
-    for (auto* column : {&test.analysis.record.stage, &test.analysis.record.deflection, &test.analysis.record.force})
-      column->resize(12);
-  });
   add("gave_way", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::too_few_points;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
