@@ -73,6 +73,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
+InputError::InputError(InputFault what_is_wrong) : InputError(std::move(what_is_wrong), {}) {}
+
 InputError::InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong)
     : std::runtime_error(sentence(what_is_wrong)), fault(std::move(what_is_wrong)), also(std::move(also_wrong)) {}
 

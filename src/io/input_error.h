@@ -42,7 +42,8 @@ struct InputFault {
 //   ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,
 //   case.toml:4: [rig] span is missing; add span = "1278 um"
 struct InputError : std::runtime_error {
-  explicit InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong = {});
+  explicit InputError(InputFault what_is_wrong);
+  InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong);
   InputFault fault;
   std::vector<InputFault> also;  // what was found to be wrong besides
 
