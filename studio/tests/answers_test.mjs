@@ -14,7 +14,7 @@ const soft = { ...RIG, modulus: "29.6 GPa" };
 /** [what, data, rig, status, verdict]: of the program, which each row asks natively too; a status of null is a sentence in place of an answer. */
 const ANSWERS = [
   ["drops that slips explain", csv(sample), RIG, "ok", "slip"],
-  ["a span in the wrong unit", csv(sample), { ...RIG, span: "1278 mm" }, "too_few_points", "no_answer"],
+  ["a span in the wrong unit", csv(sample), { ...RIG, span: "1278 mm" }, "too_few_points", "check_input"],
   ["a load train that was not that stiff", csv(sample), { ...RIG, "load train": "5 kN/m" }, "ok", "check_input"],
   ["a load train that is stated rigid", csv(sample), { ...RIG, "load train": "inf" }, "ok", "check_input"],
   ["a load train that would have given way", csv(sample), { ...RIG, "load train": "0.001 N/m" }, null, ""],
