@@ -629,7 +629,7 @@ step = "0.02 mm"
             self.assertEqual(found["chord_in_toe"], settles > 0)
             self.assertAlmostEqual(found["modulus_less_supports"]["value"] / 2.5e9, 1, delta=0.06)
             text = " ".join(self.succeeds("modulus", path, *flags).split())
-            told = f"of the {'straight part' if settles else 'chord'}, without the "
+            told = "the same less " if settles else "that of the chord less "
             self.assertIn(told, text)
 
     def test_limit_no_straight_part(self):
