@@ -76,8 +76,8 @@ Fields<DropOf> drop_fields() {
       .number("significance", "fall of the force beyond that of the smooth curve, in standard deviations of the noise",
               [](D drop) { return drop.slip.drop.significance; })
       .words("slip",
-             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
-             "moves_out",
+             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative, "
+             "moves_out or too_deep",
              [](D drop) { return name_of(drop.slip.verdict); })
       .yes_no("can_be_crack",
               "whether the force stays lower until the next drop, as after a crack at constant friction",
@@ -588,9 +588,9 @@ Fields<FittedTest> judgement_fields() {
               .number("friction", "mean friction then", &FrictionIfLost::friction),
           [](T test) { return test.judgement->if_lost; })
       .number("stiffness_lost", "share of the stiffness lost, as the last comparable reload shows",
-              [](T test) { return test.judgement->loss; })
+              [](T test) { return test.judgement->reload.loss; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",
-              [](T test) { return test.judgement->loss_error; })
+              [](T test) { return test.judgement->reload.loss_error; })
       .number(
           "stiffness_loss_needed",
           "share of the stiffness that cracks alone would have to take away to make the drops; null without a reload",
@@ -716,7 +716,7 @@ Fields<Provenance> provenance_fields() {
 Fields<FittedTest> every_fit_field() {
   const auto analysis = [](auto part) { return [part](T test) { return test.analysis.*part; }; };
   return Fields<FittedTest>()
-      .words("status", "ok, or why there is no answer: too_few_points, not_explained, no_initial_slope",
+      .words("status", "ok, or why there is no answer: too_few_points (bent too little), not_explained",
              [](T test) { return status_of(test); })
       .words("name", "name of the test", &FittedTest::name)
       .group("units", "units of plain numbers", units_of_numbers<FittedTest>())

@@ -195,6 +195,9 @@ void read_supports(const Keys& keys, Test& test) {
   throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
 }
 
+// An export of a testing machine says the span and the section itself.
+bool reads_export(const Test& test) { return test.record && test.record->is_export(); }
+
 void check_specimen(const Test& test) {
   const SpecimenInput& specimen = *test.specimen;
   const bool is_tube = specimen.inner_diameter || specimen.wall;
@@ -214,6 +217,7 @@ void check_specimen(const Test& test) {
     if (!(specimen.cracks[i].loss < 1))
       refuse(test, fmt::format("specimen.cracks[{}].loss", i + 1),
              "less than 100 % of the bending stiffness that is left", fmt::format("{}", specimen.cracks[i].loss));
+  if (!specimen.bending_stiffness && !section_of(test) && !reads_export(test)) throw missing(test, "specimen.diameter");
   if (!test.reduced) return;
   if (specimen.strength)
     refuse(test, "specimen.strength", "no strength in a reduced case", "", "give strain_at_break instead");
@@ -227,6 +231,7 @@ void check_specimen(const Test& test) {
 
 void check_rig(const Test& test) {
   const RigInput& rig = *test.rig;
+  if (!rig.span && !reads_export(test)) throw missing(test, "rig.span");
   const auto written = [&](double length) {
     return test.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(test, length));
   };
@@ -313,23 +318,27 @@ void check_record(const Test& test) {
 
 // What no key alone can tell.
 void check(const Test& test) {
+  Faults faults;
   const auto refuse_if = [&](const Clash& rule, bool is_beside, const char* found) {
     for (const std::string_view section : {rule.section, rule.section == "friction" ? "friction.other" : rule.section})
       if (says(test, section, rule.key) && says_one(test, section, rule.others) == is_beside)
-        refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.expected), found,
-               std::string(rule.remedy));
+        faults.note([&] {
+          refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.expected), found,
+                 std::string(rule.remedy));
+        });
   };
   for (const Clash& clash : clashes) refuse_if(clash, true, "both");
   for (const Clash& need : needs) refuse_if(need, false, "none");
-  if (test.specimen) check_specimen(test);
-  if (test.rig) check_rig(test);
-  if (test.stage) check_stage(test);
-  if (test.record) check_record(test);
-  const bool is_export = test.record && test.record->is_export();
+  faults.raise();
+  const auto check_section = [&](const auto& part, auto check) {
+    if (part) faults.note([&] { check(test); });
+  };
+  check_section(test.specimen, check_specimen);
+  check_section(test.rig, check_rig);
+  check_section(test.stage, check_stage);
+  check_section(test.record, check_record);
+  faults.raise();
   const auto section = section_of(test);
-  if (test.specimen && !test.specimen->bending_stiffness && !section && !is_export)
-    throw missing(test, "specimen.diameter");
-  if (test.rig && !test.rig->span && !is_export) throw missing(test, "rig.span");
   if (!section || !test.rig || !test.rig->span || depth(*section) < *test.rig->span) return;
   throw wrong_value(test, depth_key(*section),
                     "a specimen thinner than the span of " + readable_length(test, *test.rig->span),

@@ -66,8 +66,6 @@ HeldSurface held_against(const ImpliedSurface& implied, double span, const Trace
   return held;
 }
 
-constexpr std::size_t min_fitted_points = 30;  // fewer do not tell the noise, and so no drops
-
 InputFile input_file(const std::string& name) {
   if (name == "-" || name == "standard input") return {"standard input", ""};  // the latter is what read_case calls it
   const auto digest = digest_of(*open_to_read(name));
@@ -116,7 +114,7 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
 }
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
-// it. What is only doubtful is fitted, and said to be (Doubt::wrong_stiffness).
+// it. What is only doubtful is fitted, and said to be (the finding wrong_stiffness).
 void require_same_world(const Test& input, const Record& record, double bending_stiffness) {
   constexpr double farthest = 1e15;  // a span in another unit makes it 1e9
   const StiffnessFromSlope slope = stiffness_from_slope(record, span_of(input));
@@ -183,40 +181,29 @@ namespace {
 FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
   Stages stages;
   const Test input = measurement.test;  // completed with what the file says
-  StiffnessSource source = StiffnessSource::initial_slope;
+  const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
+  StiffnessSource source = stiffness.source;
   TestDescription description{.span = span_of(input),
                               .load_train_stiffness = rig_stiffness_of(input),
-                              .bending_stiffness = {},
-                              .bending_stiffness_error = {},
+                              .bending_stiffness = stiffness.value,
+                              .bending_stiffness_error = stiffness.relative_error,
                               .contact_error = measurement.contact_error,
                               .fibre = fibre_of(input, Scales(span_of(input), 1)),
                               .rig_errors = rig_errors_of(measurement)};
+  const Scales scales = scales_of(input, stiffness);  // refuses what is no slender beam
   if (states_stiffness(input)) {
-    const auto stiffness = bending_stiffness_of(input);
-    static_cast<void>(scales_of(input, stiffness));  // refuses what is no slender beam
     require_same_world(input, measurement.record, stiffness.value);
-    source = stiffness.source;
-    description.bending_stiffness = stiffness.value;
-    description.bending_stiffness_error = stiffness.relative_error;
-  } else {
-    const auto slope = bending_stiffness_of(input, measurement);
-    const Scales scales = scales_of(input, slope);
-    if (measurement.straight_is_initial) {
-      description.bending_stiffness = slope.value;
-      description.bending_stiffness_error = slope.relative_error;
-    }
-    if (const auto mirrored = mirrored_loops(measurement, scales, rig_of(input, scales))) {
-      // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
-      constexpr double systematic = 0.02;
-      source = StiffnessSource::mirror;
-      description.bending_stiffness = slope.value * elementary::exp(mirrored->log_stiffness.value);
-      description.bending_stiffness_error = elementary::length(mirrored->log_stiffness.standard_error, systematic);
-      if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
-        const Estimate& contact = mirrored->loops.front().contact;
-        move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
-                                                  scales.physical_length(contact.standard_error)));
-        description.contact_error = measurement.contact_error;
-      }
+  } else if (const auto mirrored = mirrored_loops(measurement, scales, rig_of(input, scales))) {
+    // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
+    constexpr double systematic = 0.02;
+    source = StiffnessSource::mirror;
+    description.bending_stiffness = stiffness.value * elementary::exp(mirrored->log_stiffness.value);
+    description.bending_stiffness_error = elementary::length(mirrored->log_stiffness.standard_error, systematic);
+    if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
+      const Estimate& contact = mirrored->loops.front().contact;
+      move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
+                                                scales.physical_length(contact.standard_error)));
+      description.contact_error = measurement.contact_error;
     }
   }
   const BeamGeometry geometry = geometry_of(input);
@@ -230,13 +217,16 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   std::optional<CyclicAnswer> cycles;
   if (measurement.cycles) {
     CyclesOptions cycles_options;
-    if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error.value();
+    if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error;
     cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
   }
   std::optional<Judgement> judgement;
   if (analysis.status == AnalysisStatus::ok)
     judgement = judge(analysis, cycles ? &*cycles : nullptr, measurement.loading.number - 1);
-  if (judgement && lost_stiffness(*judgement)) analysis.energy.friction_share = not_a_number;  // cracks took their part
+  if (judgement && lost_stiffness(*judgement)) {  // cracks took their part of the work
+    analysis.energy.friction_share = not_a_number;
+    analysis.work_by.reset();
+  }
   const std::size_t drops_elsewhere = drops_in_other_loadings(measurement);
   std::optional<ImagedLength> imaged;
   if (analysis.status == AnalysisStatus::ok && !measurement.pulled_in.empty()) {
@@ -287,9 +277,9 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  const bool states_supports = measurement.test.rig->supports || measurement.test.rig->roller_radius;
-  const auto radius =
-      states_supports || measurement.test.reduced ? std::nullopt : usual_roller_radius(geometry_of(measurement.test));
+  const auto radius = measurement.test.rig->states_supports() || measurement.test.reduced
+                          ? std::nullopt
+                          : usual_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);
   if (!is_fitted(test) || !radius) return test;
@@ -323,8 +313,7 @@ const FrictionProfile& profile_of(const FittedTest& test) {
 }
 
 std::string_view status_of(const FittedTest& test) {
-  return name_in_order<AnalysisStatus::not_explained>(test.analysis.status,
-                                                      {"ok", "no_initial_slope", "too_few_points", "not_explained"});
+  return name_in_order<AnalysisStatus::not_explained>(test.analysis.status, {"ok", "too_few_points", "not_explained"});
 }
 
 std::string_view name_of(SawtoothCategory category) {

@@ -111,7 +111,7 @@ const FrictionProfile& profile_of(const FittedTest& test);
 // Has the analysis an answer?
 inline bool is_fitted(const FittedTest& test) { return test.analysis.status == AnalysisStatus::ok; }
 
-// "ok", or why not: "too_few_points", "not_explained", "no_initial_slope".
+// "ok", or why not: "too_few_points", "not_explained".
 std::string_view status_of(const FittedTest& test);
 
 std::string_view name_of(SawtoothCategory category);

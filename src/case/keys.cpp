@@ -215,7 +215,7 @@ void Keys::only(const std::vector<std::string>& known) const {
             .fault;
     fault.kind = FaultKind::unknown;
     fault.problem = is_elsewhere ? "has no meaning here" : "is an unknown key";
-    faults.note([&] { throw InputError(std::move(fault)); });
+    faults.add(InputError(std::move(fault)));
   }
   faults.raise();
 }

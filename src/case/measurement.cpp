@@ -21,6 +21,7 @@
 #include "data/failure.h"
 #include "data/no_readings.h"
 #include "data/record.h"
+#include "inference/first_passages.h"
 #include "instruments/export.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
@@ -728,6 +729,11 @@ Loading loading_to_evaluate(const Test& input, const Table& table, const Record&
                  to_say(input, switch_to("sign", input.record->sign == SignRule::reverse ? "keep" : "reverse"))});
 }
 
+// [N] The force at the beginning of a record, whatever one reading says.
+double force_at_start(std::span<const double> force) {
+  return force.size() < 3 ? 0 : median_of({force[0], force[1], force[2]});
+}
+
 // Fails:      InputError where a loading begins under more than a fifth of its greatest force, and the force falls steadily to nearly none: an
 //             unloading, or rows that run backwards.
 void require_rise(const Test& input, const Table& table, const Record& record, const Leg& leg,
@@ -744,7 +750,7 @@ void require_rise(const Test& input, const Table& table, const Record& record, c
   }
   const auto greatest = std::max_element(mean.begin(), mean.end());
   constexpr double little = 0.2, rise = 0.05;  // of the greatest
-  const double first = std::min(mean.front(), median_of({force[0], force[1], force[2]}));
+  const double first = std::min(mean.front(), force_at_start(force));
   if (first < little * *greatest || mean.back() > little * *greatest) return;
   constexpr std::ptrdiff_t at_once = 5;  // where it gives way, it falls in less
   std::ptrdiff_t between = 0;
@@ -883,7 +889,7 @@ double force_at_beginning(const Record& record, const Contact& contact, double s
                           double noise) {
   constexpr double surely = 3, of_noise = 4, of_greatest = 0.01;
   const auto& force = record.force;
-  const double first = force.size() < 3 ? 0 : median_of({force[0], force[1], force[2]});
+  const double first = force_at_start(force);
   if (first < -std::max(of_noise * noise, of_greatest * *std::max_element(force.begin(), force.end()))) return first;
   if (contact.status != ContactStatus::found ||
       contact.offset.value > record.stage.front() - surely * contact_error)  // or its first reading is an outlier
@@ -892,12 +898,10 @@ double force_at_beginning(const Record& record, const Contact& contact, double s
   return record.force.front() > slope * way + of_noise * noise ? record.force.front() : 0;
 }
 
-// Fewer points than a fit needs are bent far enough to tell of friction.
+// Fewer readings than a fit needs are bent far enough to tell of friction.
 bool tells_no_friction(const Test& input, const Record& record) {
-  constexpr std::ptrdiff_t enough = 20;
-  const double span = *input.rig->span;
-  const double from = span * friction_told_from(fibre_of(input, Scales(span, 1)));
-  return std::count_if(record.deflection.begin(), record.deflection.end(), [=](double w) { return w > from; }) < enough;
+  const Scales scales(*input.rig->span, 1);
+  return readings_judged(to_reduced(record, scales), fibre_of(input, scales)).size() < min_readings;
 }
 
 // Do at least so many points lie behind a contact?

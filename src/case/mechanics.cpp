@@ -500,7 +500,8 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
                                             straight->slope.standard_error / straight->slope.value);
     return {beam_bending_stiffness(straight->slope.value, span), error, StiffnessSource::initial_slope};
   }
-  const auto slope = stiffness_from_slope(first_loading(measurement), span);
+  auto slope = stiffness_from_slope(first_loading(measurement), span);
+  if (!slope.found) slope = stiffness_from_slope(measurement.record, span);
   if (!slope.found)
     throw InputError({.file = measurement.file,
                       .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",

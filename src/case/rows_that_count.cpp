@@ -57,12 +57,8 @@ Record before_overload(Record every, const Table& table, std::size_t first, Prep
   const std::size_t rows = first + points_before_overload(points_between(every, first, every.force.size()));
   if (rows == every.force.size()) return every;
   const std::size_t row = table.file_row(rows - 1) + 1, last = table.rows_of_file();
-  steps.add(
-      "overload", true,
-      fmt::format(
-          "the force stays at its greatest value, the end of the load cell, from row {} on: later rows are left out",
-          row),
-      KeyChange{"record", "until", fmt::format("{}", last)}, {}, RowRange{row + 1, last});
+  steps.add("overload", true, fmt::format("the load cell is at its end from row {} on: later rows are left out", row),
+            KeyChange{"record", "until", fmt::format("{}", last)}, {}, RowRange{row + 1, last});
   return first_points(every, rows);
 }
 
@@ -164,8 +160,8 @@ CountedRows rows_that_count(Record every, const Table& table, std::span<const do
   std::vector<double> places;
   for (const std::size_t row : sampling.rows) places.push_back(displacement[row]);
   count_as_file(table, sampling);
-  leave_out_spikes(find_stray_positions(places), "that the displacement jumps to and comes back from at once", "stray",
-                   record, sampling, steps);
+  leave_out_spikes(find_stray_positions(places, record.force),
+                   "that the displacement jumps to and comes back from at once", "stray", record, sampling, steps);
   leave_out_holds(record, sampling, steps);
   leave_out_way_back(record, sampling, steps);
   leave_out_spikes(spikes_of_force(record, stiffness),

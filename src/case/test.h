@@ -79,7 +79,7 @@ struct RigInput {
   std::optional<std::string> support_material{};
   bool in_inches = false;  // the span is stated so: people are answered in inches and pounds
   bool operator==(const RigInput&) const = default;
-
+  bool states_supports() const { return supports || roller_radius; }
   // Whatever the specimen's friction, pins that hold their rollers so fast never turn.
   bool pins_turn() const { return rollers != Rollers::pinned || *pin_friction * *pin_radius < *roller_radius; }
 };

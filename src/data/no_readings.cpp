@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
 
 #include "numerics/statistics.h"
 
@@ -80,28 +81,81 @@ std::vector<std::size_t> find_spikes(const Record& record, double stiffness) {
   return Spikes(record, stiffness).found();
 }
 
-std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage) {
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < stage.size(); ++i)
-    if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
-  if (steps.empty()) return {};
-  const double usual = median_of(std::move(steps));
-  constexpr double far = 20, back = 3;  // [usual step]
-  const auto step_before = [&](std::size_t i) { return i == 0 ? 0.0 : std::abs(stage[i] - stage[i - 1]); };
-  std::vector<std::size_t> stray;
-  for (std::size_t i = 1; i + 1 < stage.size(); ++i) {
-    const double before = stage[i - 1], jump = std::abs(stage[i] - before);
-    if (!(jump > far * std::max(usual, step_before(i - 1)))) continue;
-    for (std::size_t end = i + 1; end < stage.size() && end - i <= longest; ++end) {
-      const double steps_since = static_cast<double>(end + 1 - i);
-      if (std::abs(stage[end] - before) > back * usual * steps_since) continue;
-      for (; i < end; ++i) stray.push_back(i);
-      break;
-    }
+namespace {
+
+class StrayPositions {
+ public:
+  StrayPositions(std::span<const double> stage, std::span<const double> force) : stage_(stage), force_(force) {
+    std::vector<double> steps;
+    for (std::size_t i = 1; i < stage.size(); ++i)
+      if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
+    usual_ = steps.empty() ? 0 : median_of(std::move(steps));
   }
-  constexpr std::size_t of_points = 20;
-  if (of_points * stray.size() > stage.size()) stray.clear();
-  return stray;
+
+  std::vector<std::size_t> found() const {
+    std::vector<std::size_t> stray, in_words;
+    for (std::size_t i = 1; i + 1 < stage_.size(); ++i) {
+      if (!jumps_to(i)) continue;
+      const std::size_t end = end_of_stray(i), end_of_word = end > i ? end : end_of_one_word(i);
+      for (std::size_t k = i; k < end; ++k) stray.push_back(k);
+      for (std::size_t k = end; k < end_of_word; ++k) in_words.push_back(k);
+      i = std::max(i, std::max(end_of_word, i + 1) - 1);
+    }
+    constexpr std::size_t of_points = 20, of_words = 2;
+    if (of_points * stray.size() > stage_.size()) stray.clear();
+    if (of_words * in_words.size() > stage_.size()) in_words.clear();
+    stray.insert(stray.end(), in_words.begin(), in_words.end());
+    std::sort(stray.begin(), stray.end());
+    return stray;
+  }
+
+ private:
+  double step_to(std::size_t i) const { return i == 0 ? 0.0 : std::abs(stage_[i] - stage_[i - 1]); }
+
+  bool jumps_to(std::size_t i) const {
+    constexpr double far = 20;
+    return usual_ > 0 && step_to(i) > far * std::max(usual_, step_to(i - 1));
+  }
+
+  // Is it back at a point where it was before the jump, or where its usual steps since have led it?
+  bool is_back(std::size_t jump, std::size_t point) const {
+    constexpr double slack = 3;
+    return std::abs(stage_[point] - stage_[jump - 1]) <= slack * usual_ * static_cast<double>(point + 1 - jump);
+  }
+
+  // The point at which it is back soon; the jump itself if it is not.
+  std::size_t end_of_stray(std::size_t jump) const {
+    for (std::size_t end = jump + 1; end < stage_.size() && end - jump <= longest; ++end)
+      if (is_back(jump, end)) return end;
+    return jump;
+  }
+
+  // Likewise after it said one and the same, and the force went on between what it is before and after, and a tenth of that beyond.
+  std::size_t end_of_one_word(std::size_t jump) const {
+    std::size_t end = jump;
+    while (end < stage_.size() && stage_[end] == stage_[jump]) ++end;
+    if (end == stage_.size() || !jumps_back_at(end, jump)) return jump;
+    constexpr double beyond = 0.1;
+    const auto [least, most] = std::minmax(force_[jump - 1], force_[end]);
+    const double by = beyond * std::max(std::abs(least), std::abs(most));
+    for (std::size_t i = jump; i < end; ++i)
+      if (force_[i] < least - by || force_[i] > most + by) return jump;
+    return end;
+  }
+
+  bool jumps_back_at(std::size_t end, std::size_t jump) const {
+    constexpr double far = 20;
+    return step_to(end) > far * usual_ && is_back(jump, end);
+  }
+
+  std::span<const double> stage_, force_;
+  double usual_;  // step
+};
+
+}  // namespace
+
+std::vector<std::size_t> find_stray_positions(std::span<const double> stage, std::span<const double> force) {
+  return StrayPositions(stage, force).found();
 }
 
 std::vector<std::size_t> find_halts(const std::vector<double>& stage) {
@@ -147,12 +201,22 @@ bool would_have_risen(const Record& record, const Plateau& plateau, std::size_t 
   return travel > 0 && slope * (stage[plateau.last] - stage[plateau.first]) > least;
 }
 
+// Before the force leaps from nearly its greatest to as far below zero, where no specimen pulls.
+std::size_t points_before_anew(const std::vector<double>& force) {
+  constexpr double nearly = 0.9;
+  const double far = nearly * *std::max_element(force.begin(), force.end());
+  for (std::size_t i = 1; i < force.size(); ++i)
+    if (far > 0 && force[i - 1] > far && force[i] < -far) return i;
+  return force.size();
+}
+
 }  // namespace
 
 std::size_t points_before_overload(const Record& record) {
   const std::vector<double>& force = record.force;
   const auto greatest = std::max_element(force.begin(), force.end());
   if (force.size() < least_noise_points) return force.size();
+  if (const std::size_t points = points_before_anew(force); points < force.size()) return points;
   const auto first = static_cast<std::size_t>(greatest - force.begin());
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "data/record.h"
@@ -17,10 +18,10 @@ namespace flexslip {
 std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
 
 // Points whose position is none of the stage's: it jumps there, by more than 20 of its usual steps and of those beside, and is back where it was within
-// three points.
-// Domain:     positions in any unit.
-// Fails:      none where they would be more than a twentieth of the points: such a stage goes to and fro.
-std::vector<std::size_t> find_stray_positions(const std::vector<double>& stage);
+// three points; or after however many that all say the same, while the force goes on as beside: a word of the logger for what it could not read.
+// Domain:     columns of one length, in any unit.
+// Fails:      none where they would be more than a twentieth of the points, or a half by such a word: such a stage goes to and fro.
+std::vector<std::size_t> find_stray_positions(std::span<const double> stage, std::span<const double> force);
 
 // Readings while the stage halts, but the first of each place; rising.
 // Domain:     a stage in any unit.
@@ -30,7 +31,7 @@ std::vector<std::size_t> find_halts(const std::vector<double>& stage);
 
 // How many points a load cell shows before it is at its end: where the force rises and then stays within half of its noise of its greatest value for five
 // points or more, in which it would have risen by far more than that had it gone on. What yields is as noisy as before, and a smooth top bends into its
-// flat part: they are none. All points if it never does.
+// flat part: they are none. Or where the force leaps to as far below zero: a counter that is full begins anew. All points if it never does.
 // Domain:     columns of one length.
 std::size_t points_before_overload(const Record& record);
 

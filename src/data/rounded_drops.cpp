@@ -15,9 +15,28 @@ constexpr std::size_t beside = 2;  // steps before and after a drop that are com
 
 // A drop, by what its steps fall beyond the smooth curve [N].
 struct Rounded {
-  double longer;  // after it more than before it
+  double before, after;  // in two steps each
   double fall;
+
+  double longer() const { return after - before; }
 };
+
+// What some part of the drops is of their falls, all together.
+struct Share {
+  double value, scatter;  // [1] standard error by how it differs between them
+};
+
+template <class Part>
+Share share_of(const std::vector<Rounded>& drops, Part part) {
+  double sum = 0, fall = 0, squares = 0;
+  for (const Rounded& drop : drops) {
+    sum += part(drop);
+    fall += drop.fall;
+  }
+  const double share = sum / fall, count = static_cast<double>(drops.size());
+  for (const Rounded& drop : drops) squares += (part(drop) - share * drop.fall) * (part(drop) - share * drop.fall);
+  return {share, std::sqrt(squares * count / (count - 1)) / fall};
+}
 
 std::vector<Rounded> drops_of(const Record& record) {
   constexpr std::size_t fewest = 30;  // as find_drops has it
@@ -33,9 +52,12 @@ std::vector<Rounded> drops_of(const Record& record) {
     const auto at = fall.begin() + static_cast<std::ptrdiff_t>(i);
     if (!(record.force[i + 1] < record.force[i]) || !(*at > surely * noise)) continue;
     if (*std::max_element(at - beside, at + beside + 1) > *at) continue;
-    double longer = 0;
-    for (std::size_t k = 1; k <= beside; ++k) longer += fall[i + k] - fall[i - k];
-    drops.push_back({longer, *at});
+    Rounded drop{0, 0, *at};
+    for (std::size_t k = 1; k <= beside; ++k) {
+      drop.before += fall[i - k];
+      drop.after += fall[i + k];
+    }
+    drops.push_back(drop);
   }
   return drops;
 }
@@ -60,28 +82,36 @@ double longer_by_lag(double rows) {
   return longer / all;
 }
 
+double lag_of(const std::vector<Rounded>& drops) {
+  const Share share = share_of(drops, [](const Rounded& drop) { return drop.longer(); });
+  const auto count = static_cast<double>(drops.size());
+  constexpr double of_one =
+      0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
+  const double error = elementary::length(share.scatter, of_one / std::sqrt(count));
+  constexpr double no_lag = 0.1;
+  if (!(share.value - (1.3 + 1 / count) * error > no_lag)) return 0;
+  constexpr Bracket lags{0.05, 8};
+  const auto fine = [](const Bracket& lag) { return lag.width() < 1e-3; };
+  return halved_until(fine, lags, [&](double lag) { return longer_by_lag(lag) > share.value; }).low;
+}
+
+double spread_of(const std::vector<Rounded>& drops) {
+  const Share before = share_of(drops, [](const Rounded& drop) { return drop.before; });
+  const Share after = share_of(drops, [](const Rounded& drop) { return drop.after; });
+  constexpr double surely = 2, one_row = 1.0 / 3;
+  const auto is_spread = [&](const Share& share) { return share.value - surely * share.scatter > one_row; };
+  constexpr double alike = 0.6;  // behind a low-pass at most half
+  return is_spread(before) && is_spread(after) && before.value > alike * after.value ? 1 + before.value + after.value
+                                                                                     : 0;
+}
+
 }  // namespace
 
 RoundedDrops rounded_drops(const Record& record) {
   const std::vector<Rounded> drops = drops_of(record);
-  const auto count = static_cast<double>(drops.size());
   constexpr std::size_t fewest = 3;
-  if (drops.size() < fewest) return {drops.size(), 0};
-  double longer = 0, fall = 0, squares = 0;
-  for (const Rounded& drop : drops) {
-    longer += drop.longer;
-    fall += drop.fall;
-  }
-  const double share = longer / fall;
-  for (const Rounded& drop : drops) squares += (drop.longer - share * drop.fall) * (drop.longer - share * drop.fall);
-  constexpr double of_one =
-      0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
-  const double error = elementary::length(std::sqrt(squares * count / (count - 1)) / fall, of_one / std::sqrt(count));
-  constexpr double no_lag = 0.1;
-  if (!(share - (1.3 + 1 / count) * error > no_lag)) return {drops.size(), 0};
-  constexpr Bracket lags{0.05, 8};
-  const auto fine = [](const Bracket& lag) { return lag.width() < 1e-3; };
-  return {drops.size(), halved_until(fine, lags, [&](double lag) { return longer_by_lag(lag) > share; }).low};
+  if (drops.size() < fewest) return {drops.size(), 0, 0};
+  return {drops.size(), lag_of(drops), spread_of(drops)};
 }
 
 }  // namespace flexslip

@@ -78,7 +78,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
       return {VerdictCode::check_input, {found->sentence}, found->code};
   if (!is_fitted(test)) {
     const Finding* shallow = finding_in(findings, "too_few_points");
-    if (shallow && seeks_drops(test) && !is_slender(test)) {
+    if (shallow && !is_slender(test)) {
       const Finding* broken = finding_in(findings, "gave_way");
       const auto softer = broken ? std::nullopt : verdict_on_reload(test, findings, std::string(no_friction_of_a_bar));
       return softer.value_or(verdict_without_friction(test, *shallow, broken));
@@ -180,7 +180,6 @@ std::string rows_in_words(T test) {
 std::string drops_in_words(T test) {
   const TestAnalysis& analysis = test.analysis;
   const std::string rows = rows_in_words(test);
-  if (!seeks_drops(test)) return fmt::format("not looked for in {}", rows);
   const std::size_t semicolon = std::min(rows.find(';'), rows.size());
   const std::string used = rows.substr(0, semicolon);
   const std::size_t behind = test.measurement.drops_behind;
@@ -216,7 +215,7 @@ std::string slip_or_crack_in_words(T test) {
                                 : fmt::format("{} of {} drops can be slips",
                                               possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
   std::vector<std::string> parts;
-  if (judgement.softer_reload) parts.emplace_back("a reload shows lost stiffness");
+  if (lost_stiffness(judgement.reload)) parts.emplace_back("a reload shows lost stiffness");
   if (std::isfinite(judgement.cracks_alone))
     parts.push_back(fmt::format("{}; the rises give back {} of the stiffness that the drops seem to take",
                                 cracks_in_words(test),
@@ -229,10 +228,10 @@ std::string slip_or_crack_in_words(T test) {
                        : stiffness_is_off(test.analysis)
                            ? "no probability while the record has another bending stiffness: check the load train"
                            : "no probability: such records were not simulated");
-  if (std::isfinite(judgement.loss_needed) && !lost_stiffness(judgement))
+  if (const ReloadChange& reload = judgement.reload; reload.comes_after && !lost_stiffness(judgement))
     parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
-                                format_percent(judgement.loss_needed), 100 * std::abs(judgement.loss),
-                                100 * judgement.loss_error, judgement.loss > 0 ? "softer" : "stiffer"));
+                                format_percent(judgement.loss_needed), 100 * std::abs(reload.loss),
+                                100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer"));
   if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && !has_reload(test) && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
@@ -346,7 +345,7 @@ std::string assumed_in_words(T test) {
   const Measurement& measurement = test.measurement;
   const Print print(test);
   std::vector<std::string> parts;
-  if (!measurement.test.rig->supports && !measurement.test.rig->roller_radius) parts.emplace_back("knife edges");
+  if (!measurement.test.rig->states_supports()) parts.emplace_back("knife edges");
   if (supports.half_depth == 0) parts.emplace_back("no thickness");
   parts.push_back(measurement.contact == ContactSource::first_point || measurement.contact_offset == 0
                       ? "contact at the zero of the file"
@@ -371,9 +370,8 @@ std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Sta
     rows.push_back({"friction", friction_in_words(test, findings)});
     if (tells_work(test)) rows.push_back({"work", work_in_words(test)});
   }
-  if (!is_fitted(test) && !test.analysis.most_by_slips.empty())
-    rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
-  const bool is_bent_little = test.analysis.status == AnalysisStatus::too_few_points;
+  if (tells_slips_of_a_bar(test)) rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
+  const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
     rows.push_back({"reload", reload});
   const bool tells_friction = tells && !lost_stiffness(*test.judgement);

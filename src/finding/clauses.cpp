@@ -11,7 +11,7 @@ namespace flexslip {
 
 std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.size(); }
 
-bool has_reload(const FittedTest& test) { return test.judgement && std::isfinite(test.judgement->loss_needed); }
+bool has_reload(const FittedTest& test) { return test.judgement && test.judgement->reload.comes_after; }
 
 std::string mean_friction(const FrictionFit& fit) {
   return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))

@@ -208,19 +208,9 @@ Found no_force(T test) {
                  .remedy = "Check which column is the force, and its sign."};
 }
 
-Found no_initial_slope(T test) {
-  if (test.analysis.status != AnalysisStatus::no_initial_slope || no_force(test)) return std::nullopt;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence =
-          "The force does not rise clearly enough where the record begins to read the bending stiffness off it.",
-      .short_form = "no initial slope",
-      .remedy = "State the bending stiffness, or the modulus and the section."};
-}
-
 Found too_deep(T test) {
   const double deepest = greatest_deflection(test);
-  if (test.analysis.status != AnalysisStatus::too_few_points || deepest <= max_deflection || no_force(test))
+  if (test.analysis.status != AnalysisStatus::bent_too_little || deepest <= max_deflection || no_force(test))
     return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
@@ -244,16 +234,15 @@ Found not_bent(T test) {
 
 Found too_few_points(T test) {
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::too_few_points || too_deep(test) || not_bent(test) || no_force(test))
+  if (test.analysis.status != AnalysisStatus::bent_too_little || too_deep(test) || not_bent(test) || no_force(test))
     return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("Fewer than 20 of {} lie beyond a deflection of {}, from which on friction is judged. "
-                              "The greatest deflection "
-                              "is {}, {} of the span of {}.",
-                              format_count(rows, "row", "rows"), Print(test).length(from), Print(test).length(deepest),
-                              format_relative(deepest), Print(test).length(1)),
+      .sentence = fmt::format("Fewer than {} of {} lie beyond a deflection of {}, from which on friction is judged. "
+                              "The greatest deflection is {}, {} of the span of {}.",
+                              min_readings, format_count(rows, "row", "rows"), Print(test).length(from),
+                              Print(test).length(deepest), format_relative(deepest), Print(test).length(1)),
       .short_form = "bent too little",
       .remedy =
           "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
@@ -264,7 +253,7 @@ Found too_few_points(T test) {
 // Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
 Found wrong_load_train(T test) {
   const TestAnalysis& analysis = test.analysis;
-  if (!has_judged_drops(test)) return std::nullopt;
+  if (!is_bent_enough(test)) return std::nullopt;
   if (Found found = other_train_in_drops(test)) return found;
   const double times = analysis.stiffness_over_slope;
   if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
@@ -285,9 +274,7 @@ Found wrong_load_train(T test) {
 
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
-  const bool is_judged = is_fitted(test) || analysis.status == AnalysisStatus::not_explained ||
-                         (analysis.status == AnalysisStatus::too_few_points && !too_deep(test) && !not_bent(test)) ||
-                         (seeks_drops(test) && !is_slender(test));
+  const bool is_judged = is_bent_enough(test) || (!too_deep(test) && !not_bent(test)) || !is_slender(test);
   if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
@@ -411,6 +398,12 @@ Found impossible_drops(T test) {
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
+// What lies behind a row may read otherwise than what lies before it.
+std::string to_compare_before(T test, std::size_t row) {
+  return fmt::format("Compare with the friction before it: {}.",
+                     to_say(test.measurement.test, {{"record", "until", fmt::format("{}", row)}}));
+}
+
 // Where friction repeats, so do its drops: one far deeper is something else, which friction behind it is then read with.
 Found one_drop_stands_out(T test) {
   const auto& drops = test.analysis.drops.drops;
@@ -423,15 +416,14 @@ Found one_drop_stands_out(T test) {
   for (auto drop = drops.begin(); drop != drops.end(); ++drop)
     if (drop != deepest) next = std::max(next, drop->force_fall);
   if (!(deepest->force_fall > far * next)) return std::nullopt;
-  const std::string row = fmt::format("{}", file_row(test, deepest->before));
+  const std::size_t row = file_row(test, deepest->before);
   return Finding{
       .severity = Severity::doubt,
       .sentence = fmt::format("Friction repeats, and yet the drop behind row {} is {:.1f} times the next: a crack or a "
                               "jump of the load cell reads as less friction behind it.",
                               row, deepest->force_fall / next),
       .short_form = "one drop stands out",
-      .remedy = fmt::format("Compare with the friction before it: {}.",
-                            to_say(test.measurement.test, {{"record", "until", row}})),
+      .remedy = to_compare_before(test, row),
       .numbers = {{"times_the_next", deepest->force_fall / next}}};
 }
 
@@ -582,7 +574,7 @@ std::string reload_remedy(T test) {
     return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
   if (has_reload(test))
     return fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
-                       100 * test.judgement->loss_error);
+                       100 * test.judgement->reload.loss_error);
   const auto& [loading, of] = test.measurement.loading;
   if (loading < of)
     return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
@@ -590,8 +582,68 @@ std::string reload_remedy(T test) {
   return fmt::format("{} once more; {}.", is_unloaded ? "Load" : "Unload and load", reload_bounds);
 }
 
+// A filter that looks both ways, which no load cell has.
+Found smoothed_force(T test) {
+  if (!is_bent_enough(test)) return std::nullopt;
+  const RoundedDrops drops = rounded_drops(test.analysis.record);
+  if (!(drops.spread > 0)) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("The force has been smoothed: each drop is spread over about {:.1f} rows, and "
+                                         "shallower than the real one.",
+                                         drops.spread),
+                 .short_form = "the force has been smoothed",
+                 .remedy = "Give the readings as they were recorded.",
+                 .numbers = {{"spread_in_rows", drops.spread}}};
+}
+
+// Where the stage moves much farther than usual from one row to the next, what happened in between is not seen.
+Found gap_in_stage(T test) {
+  const std::vector<double>& stage = test.analysis.record.stage;
+  if (!is_bent_enough(test)) return std::nullopt;
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stage.size(); ++i) steps.push_back(stage[i] - stage[i - 1]);
+  const auto widest = std::max_element(steps.begin(), steps.end());
+  const double step = *widest, usual = median_of(steps);
+  constexpr double far = 20, part = 0.02;  // [usual step], of all travel
+  if (!(step > far * usual && step > part * (stage.back() - stage.front()))) return std::nullopt;
+  const std::size_t row = file_row(test, static_cast<std::size_t>(widest - steps.begin()));
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("Behind row {} the stage moves by {} at once: rows are missing, or it counts "
+                                         "wrongly from there on, which reads as another friction.",
+                                         row, Print(test).own(step, kind::length)),
+                 .short_form = fmt::format("a gap behind row {}", row),
+                 .remedy = to_compare_before(test, row),
+                 .numbers = {{"step", step, kind::length}, {"row", static_cast<double>(row)}}};
+}
+
+// What relaxes or gives way while nothing moves is no friction that is overcome.
+Found sank_at_rest(T test) {
+  if (!is_bent_enough(test)) return std::nullopt;
+  const std::vector<double>& force = test.analysis.record.force;
+  const Measurement& measurement = test.measurement;
+  double most = 0;
+  std::size_t behind = 0;
+  for (const std::size_t halt :
+       measurement.sampling.halts_between(measurement.first, measurement.first + force.size())) {
+    if (halt + 1 >= force.size()) continue;
+    const double sunk = 1 - force[halt + 1] / force[halt];
+    if (sunk > most) most = sunk, behind = halt;
+  }
+  constexpr double worth_saying = 0.03;
+  if (!(most > worth_saying)) return std::nullopt;
+  const std::size_t row = file_row(test, behind);
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("While the stage rests behind row {} the force sinks by {}: if that is lost for "
+                              "good, it reads as less friction from there on.",
+                              row, format_percent(most)),
+      .short_form = fmt::format("the force sinks by {} at rest", format_percent(most)),
+      .remedy = to_compare_before(test, row),
+      .numbers = {{"sunk", most}, {"row", static_cast<double>(row)}}};
+}
+
 Found lagging_force(T test) {
-  if (!has_judged_drops(test)) return std::nullopt;
+  if (!is_bent_enough(test)) return std::nullopt;
   const RoundedDrops drops = rounded_drops(test.analysis.record);
   if (!(drops.lag > 0)) return std::nullopt;
   return Finding{.severity = Severity::doubt,
@@ -733,7 +785,7 @@ Found stiff_modulus(T test) {
 
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.supports || rig.roller_radius || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
+  if (rig.states_supports() || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
   const std::string taken = "The supports are not stated, and edges are assumed.",
                     remedy = fmt::format("State {}, or {}.",
                                          in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
@@ -847,7 +899,6 @@ struct Rule {
 
 constexpr std::array rules{
     Rule{"no_force", no_force, false},
-    Rule{"no_initial_slope", no_initial_slope, false},
     Rule{"too_deep", too_deep, false},
     Rule{"not_bent", not_bent, false},
     Rule{"gave_way", gave_way, false},
@@ -878,6 +929,9 @@ constexpr std::array rules{
     Rule{"loops_differ", loops_differ, true},
     Rule{"coarse_force", coarse_force, true},
     Rule{"lagging_force", lagging_force, false},
+    Rule{"smoothed_force", smoothed_force, false},
+    Rule{"gap_in_stage", gap_in_stage, false},
+    Rule{"sank_at_rest", sank_at_rest, false},
     Rule{"few_rows", few_rows, true},
     Rule{"below_frictionless", below_frictionless, true},
     Rule{"unexpected_stiffness", unexpected_stiffness, true},

@@ -98,7 +98,7 @@ Statement statement_of(T test, StatedQuantity quantity) {
           .error = errors.thickness};
     }
     case StatedQuantity::support_radius: {
-      const bool is_there = supports.radius > 0, is_stated = input.rig->supports || input.rig->roller_radius;
+      const bool is_there = supports.radius > 0, is_stated = input.rig->states_supports();
       return {.stated = is_there    ? print.length(supports.radius)
                         : is_stated ? "edges"
                                     : "edges, not stated",

@@ -55,7 +55,7 @@ constexpr std::size_t enough = 3;  // drops
 
 }  // namespace
 
-bool has_judged_drops(T test) { return is_fitted(test) || test.analysis.status == AnalysisStatus::not_explained; }
+bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::bent_too_little; }
 
 std::string load_train_in_words(T test) {
   const double stiffness = test.analysis.rig.stiffness;
@@ -65,7 +65,7 @@ std::string load_train_in_words(T test) {
 
 // A stage moves evenly from row to row; a deflection leaps in each drop by what the load train gives back.
 std::optional<Finding> deflection_for_stage(T test) {
-  if (!has_judged_drops(test) || !test.measurement.is_derived || std::isinf(test.analysis.rig.stiffness))
+  if (!is_bent_enough(test) || !test.measurement.is_derived || std::isinf(test.analysis.rig.stiffness))
     return std::nullopt;
   const std::vector<InDrop> drops = in_drops(test);
   if (drops.size() < enough) return std::nullopt;

@@ -9,8 +9,8 @@
 
 namespace flexslip {
 
-// Was friction sought: is there a fit, or none that explains the record?
-bool has_judged_drops(const FittedTest& test);
+// Is it bent far enough to tell friction: is there a fit, or none that explains the record?
+bool is_bent_enough(const FittedTest& test);
 
 // The stiffness stated, "90.65 N/m" or "∞".
 std::string load_train_in_words(const FittedTest& test);
@@ -19,7 +19,7 @@ std::string load_train_in_words(const FittedTest& test);
 std::optional<Finding> deflection_for_stage(const FittedTest& test);
 
 // While the force falls, the specimen bends as on another load train.
-// Domain:     a test that has_judged_drops.
+// Domain:     a test that is_bent_enough.
 std::optional<Finding> other_train_in_drops(const FittedTest& test);
 
 }  // namespace flexslip

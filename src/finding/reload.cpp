@@ -10,40 +10,44 @@
 
 namespace flexslip {
 
+namespace {
+
+constexpr std::string_view before_it_softens =
+    "Unload the next specimen earlier, before it loses stiffness, and load it once more.";
+
+}  // namespace
+
 using T = const FittedTest&;
 
 ReloadChange reload_of(T test) {
-  if (!test.judgement)
-    return test.cycles ? reload_change(test.cycles->stiffness, test.measurement.loading.number - 1) : ReloadChange{};
-  const Judgement& judgement = *test.judgement;
-  return {.loss = judgement.loss,
-          .loss_error = judgement.loss_error,
-          .comes_after = std::isfinite(judgement.loss_needed),
-          .softer = judgement.softer_reload,
-          .changed = judgement.changed_reload};
+  if (test.judgement) return test.judgement->reload;
+  return test.cycles ? reload_change(test.cycles->stiffness, test.measurement.loading.number - 1) : ReloadChange{};
 }
 
 std::optional<Finding> softer_reload(T test) {
   const ReloadChange reload = reload_of(test);
-  if (!reload.softer) return std::nullopt;
+  if (reload.change != StiffnessChange::softer) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
                  .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.1f} ± {:.1f} % softer.",
                                          100 * reload.loss, 100 * reload.loss_error),
                  .short_form = fmt::format("{:.0f} % softer when reloaded", 100 * reload.loss),
-                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
+                 .remedy = std::string(before_it_softens),
                  .numbers = {{"loss", reload.loss}, {"loss_error", reload.loss_error}}};
 }
 
 std::optional<Finding> changed_reload(T test) {
   const ReloadChange reload = reload_of(test);
-  if (!reload.changed) return std::nullopt;
-  const std::string_view how = reload.loss > 0 ? "softer" : "stiffer";
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
-                                         100 * std::abs(reload.loss), 100 * reload.loss_error, how),
-                 .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(reload.loss), how),
-                 .remedy = reload.loss > 0 ? "" : "See whether the contact or the rig has changed.",
-                 .numbers = {{"loss", reload.loss}, {"loss_error", reload.loss_error}}};
+  if (reload.change != StiffnessChange::slightly_softer && reload.change != StiffnessChange::stiffer)
+    return std::nullopt;
+  const bool is_softer = lost_stiffness(reload);
+  const std::string_view how = is_softer ? "softer" : "stiffer";
+  return Finding{
+      .severity = is_softer ? Severity::suspicion : Severity::doubt,
+      .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
+                              100 * std::abs(reload.loss), 100 * reload.loss_error, how),
+      .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(reload.loss), how),
+      .remedy = std::string(is_softer ? before_it_softens : "See whether the contact or the rig has changed."),
+      .numbers = {{"loss", reload.loss}, {"loss_error", reload.loss_error}}};
 }
 
 std::string reload_in_words(T test) {

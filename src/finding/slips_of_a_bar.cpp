@@ -27,28 +27,28 @@ const Drop& deepest_of(const std::vector<Drop>& drops) {
 
 // Drops that are deeper than any slip, of a bar without friction.
 std::size_t beyond_slips(T test) {
-  if (test.analysis.most_by_slips.empty()) return 0;
   const auto& slips = test.analysis.slips;
   return static_cast<std::size_t>(std::count_if(
-      slips.begin(), slips.end(), [](const Slip& slip) { return slip.verdict != SlipVerdict::possible; }));
+      slips.begin(), slips.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::too_deep; }));
 }
 
 // The drop that is deepest beside what a slip can do there.
-std::size_t least_like_a_slip(T test) {
-  const std::vector<Drop>& drops = test.analysis.drops.drops;
-  const std::vector<double>& most = test.analysis.most_by_slips;
-  std::size_t least_like = 0;
-  const auto beyond = [&](std::size_t i) { return test.analysis.scales.reduced_force(drops[i].force_fall) - most[i]; };
-  for (std::size_t i = 1; i < most.size(); ++i)
-    if (beyond(i) > beyond(least_like)) least_like = i;
-  return least_like;
+const Slip& least_like_a_slip(T test) {
+  const auto beyond = [&](const Slip& slip) {
+    return test.analysis.scales.reduced_force(slip.drop.force_fall) - slip.most;
+  };
+  const std::vector<Slip>& slips = test.analysis.slips;
+  return *std::max_element(slips.begin(), slips.end(),
+                           [&](const Slip& a, const Slip& b) { return beyond(a) < beyond(b); });
 }
+
+double most_by_slip(T test, const Slip& slip) { return test.analysis.scales.physical_force(std::max(slip.most, 0.0)); }
 
 // "at 3.1 mm a slip can make at most 80 mN"
 std::string most_by_slip_in_words(T test) {
-  const std::size_t drop = least_like_a_slip(test);
-  const double deflection = test.analysis.reduced.deflection[test.analysis.drops.drops[drop].before];
-  const double most = test.analysis.scales.physical_force(std::max(test.analysis.most_by_slips[drop], 0.0));
+  const Slip& slip = least_like_a_slip(test);
+  const double deflection = test.analysis.reduced.deflection[slip.drop.before];
+  const double most = most_by_slip(test, slip);
   const Print print(test);
   return fmt::format("at {} a slip can make at most {}", print.length(deflection),
                      std::string(format_roughly(most, print.as(kind::force))));
@@ -115,7 +115,10 @@ std::string drops_with_sizes(T test) {
 
 }  // namespace
 
-bool seeks_drops(T test) { return std::isfinite(test.analysis.force_noise); }
+bool tells_slips_of_a_bar(T test) {
+  const std::vector<Slip>& slips = test.analysis.slips;
+  return test.analysis.status == AnalysisStatus::bent_too_little && !slips.empty() && std::isfinite(slips.front().most);
+}
 
 std::string sizes_in_words(T test) {
   const auto& drops = test.analysis.drops.drops;
@@ -135,7 +138,7 @@ std::optional<Finding> gave_way(T test) {
   const auto& deflection = test.analysis.reduced.deflection;
   const bool is_bent = std::any_of(deflection.begin(), deflection.end(), [](double w) { return w > 0; });
   if (is_fitted(test) || beyond == 0 || !is_bent) return std::nullopt;
-  const std::size_t drop = least_like_a_slip(test);
+  const Slip& slip = least_like_a_slip(test);
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("{} than any slip: {}. The specimen gave way.", capitalised(deeper_drops(test)),
@@ -143,17 +146,15 @@ std::optional<Finding> gave_way(T test) {
       .short_form = "gave way",
       .remedy = fmt::format(
           "Use flexslip modulus for stiffness and strength; to end the record before that drop, {}.",
-          to_say(test.measurement.test,
-                 {{"record", "until", fmt::format("{}", file_row(test, test.analysis.drops.drops[drop].before))}})),
-      .numbers = {
-          {"beyond_slips", static_cast<double>(beyond)},
-          {"most_by_slip", test.analysis.scales.physical_force(test.analysis.most_by_slips[drop]), kind::force}}};
+          to_say(test.measurement.test, {{"record", "until", fmt::format("{}", file_row(test, slip.drop.before))}})),
+      .numbers = {{"beyond_slips", static_cast<double>(beyond)},
+                  {"most_by_slip", most_by_slip(test, slip), kind::force}}};
 }
 
 std::optional<Finding> sinks(T test) {
   const std::vector<double>& force = test.analysis.record.force;
   constexpr std::size_t enough = 20, at_the_end = 5;
-  if (is_fitted(test) || test.analysis.status != AnalysisStatus::too_few_points || force.size() < enough)
+  if (is_fitted(test) || test.analysis.status != AnalysisStatus::bent_too_little || force.size() < enough)
     return std::nullopt;
   const auto greatest = std::max_element(force.begin(), force.end());
   const double end = median_of(std::vector<double>(force.end() - at_the_end, force.end()));

@@ -10,8 +10,8 @@
 
 namespace flexslip {
 
-// Were drops looked for in a test?
-bool seeks_drops(const FittedTest& test);
+// Has it drops, and is it told what they are by what a slip can do, as no friction can be told?
+bool tells_slips_of_a_bar(const FittedTest& test);
 
 // "the largest 850 mN", and how many are small beside it, where that is most: "the largest 850 mN, 8 of them below a tenth of that".
 // Domain:     a test with drops.
@@ -27,7 +27,7 @@ std::optional<Finding> gave_way(const FittedTest& test);
 std::optional<Finding> sinks(const FittedTest& test);
 
 // "at 3.1 mm a slip can make at most 80 mN; 1 of 2 drops is deeper"
-// Domain:     analysis.most_by_slips is not empty.
+// Domain:     a test that tells_slips_of_a_bar.
 std::string slips_of_a_bar_in_words(const FittedTest& test);
 
 // Of a specimen that is bent too little.

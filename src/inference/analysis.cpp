@@ -240,18 +240,18 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
 // By what a slip can do, since no friction is told that would say what it did.
 void judge_drops_of_a_bar(TestAnalysis& analysis) {
   const std::vector<Drop>& drops = analysis.drops.drops;
-  analysis.most_by_slips = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
+  const std::vector<double> most = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const double fall = analysis.scales.reduced_force(drops[i].force_fall);
-    const bool is_beyond = is_beyond_slips(fall, analysis.most_by_slips[i], analysis.force_noise);
-    Slip& slip = analysis.slips[i];
-    slip = {.drop = slip.drop,
-            .verdict = is_beyond ? SlipVerdict::unexplained : SlipVerdict::possible,
-            .S_before = not_a_number,
-            .S_after = not_a_number,
-            .mu_before = not_a_number,
-            .mu_after = not_a_number,
-            .advance_error = not_a_number};
+    const bool is_beyond = is_beyond_slips(fall, most[i], analysis.force_noise);
+    analysis.slips[i] = {.drop = drops[i],
+                         .verdict = is_beyond ? SlipVerdict::too_deep : SlipVerdict::possible,
+                         .S_before = not_a_number,
+                         .S_after = not_a_number,
+                         .mu_before = not_a_number,
+                         .mu_after = not_a_number,
+                         .advance_error = not_a_number,
+                         .most = most[i]};
   }
   analysis.slip_summary = summarise(analysis.slips);
 }
@@ -262,14 +262,13 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (const auto check = check_record(record);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
+  if (record.force.size() < min_fitted_points)
+    throw std::invalid_argument("a record of " + std::to_string(record.force.size()) + " points tells no drops");
   Stages stages;
   stages.enter("contact and drops", 0.01);
   const InitialLine contact = initial_line(record);
-  const bool from_slope = !description.bending_stiffness;
-  const double L = description.span;
+  const double L = description.span, EI = description.bending_stiffness;
   const auto slope = stiffness_from_slope(record, L);
-  const double EI = description.bending_stiffness.value_or(slope.found ? slope.value : 1.0);
-  const double usual_error = from_slope && slope.found ? slope.relative_error : usual_stiffness_error;
   // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
   const double through_contact = EI / slope.value;
   const double beside = EI / beam_bending_stiffness(contact.slope.value, L);
@@ -277,28 +276,17 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
   constexpr double max_ratio =
       1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
-  const double EI_error = description.bending_stiffness_error.value_or(usual_error);
+  const double EI_error = description.bending_stiffness_error;
   const double farthest_ratio = std::max(max_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
                         .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
                         .bending_stiffness_error = EI_error,
-                        .stiffness_from_slope = from_slope,
                         .stiffness_over_slope = ratio,
                         .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
                         .record = record,
                         .reduced = to_reduced(record, scales)};
-  if (from_slope && !slope.found) {
-    analysis.status = AnalysisStatus::no_initial_slope;
-    return analysis;
-  }
-  constexpr std::size_t min_points = 30;
-  if (record.force.size() < min_points) {
-    analysis.status = AnalysisStatus::too_few_points;
-    return analysis;
-  }
-
   analysis.force_noise = scales.reduced_force(force_noise(record));
   analysis.drops = find_drops(record, options.drops);
   const MeasurementErrors errors{
@@ -323,7 +311,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
-    analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::too_few_points;
+    analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::bent_too_little;
     if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar) judge_drops_of_a_bar(analysis);
     return analysis;
   }

@@ -60,8 +60,8 @@ inline constexpr double usual_modulus_error = 0.022;
 struct TestDescription {
   double span;                  // [m]
   double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
-  std::optional<double> bending_stiffness{};        // [N m^2] EI; not given: from the initial slope of the record
-  std::optional<double> bending_stiffness_error{};  // [1] standard deviation; not given: 3 %, or what the slope says
+  double bending_stiffness;     // [N m^2] EI
+  double bending_stiffness_error = usual_stiffness_error;  // [1] standard deviation
   std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: usual_contact_error
   Fibre fibre{};                          // on its supports
   RigErrors rig_errors{};
@@ -102,10 +102,13 @@ struct FrictionRead {
   double median = not_a_number, low80 = not_a_number, high80 = not_a_number;  // [1]
 };
 
+// Fewer do not tell the noise, and so no drops.
+inline constexpr std::size_t min_fitted_points = 30;
+
 enum class AnalysisStatus {
   ok,
-  no_initial_slope,  // EI was to be found, but the record has no such beginning: nothing else is valid
-  too_few_points,    // fewer than 30 points, or 20 with a deflection above 0.05 spans: nothing from drops on is valid
+  bent_too_little,  // fewer than 20 readings lie past friction_judged_from (first_passages.h): nothing from the fit on is valid, and of the slips
+                    // only what they can be, by slip_limit.h
   not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
 };
 
@@ -114,22 +117,20 @@ struct TestAnalysis {
   Scales scales;  // nominal
   Rig rig;
   double bending_stiffness_error;  // [1] as used
-  bool stiffness_from_slope;
-  double stiffness_over_slope;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
+  double stiffness_over_slope;     // [1] bending stiffness used over that of the initial slope; NaN without a slope
+  bool stiffness_implausible;      // they differ by more than 40 % and twice its error
   // The fit misses the record by more than a tenth of its greatest force, or it may not slide (may_slide).
   bool model_implausible = false;
   OverFrictionless over_frictionless{};  // beforehand
-  bool stiffness_implausible;            // they differ by more than 40 % and twice its error
   Record record;
   ReducedRecord reduced;
   double force_noise = not_a_number;  // [EI/L^2] of one reading
   MeasurementErrors errors{};         // as fitted with
   RigErrors rig_errors{};             // likewise
   Drops drops{};
-  std::vector<double>
-      most_by_slips{};  // [EI/L^2] of each of them (slip_limit.h), of a bar bent too little to tell friction
   FrictionProfile profile{};
-  std::vector<Slip> slips{};        // judged at the bending stiffness stated, told at that of the fit
+  // Judged at the bending stiffness stated, told at that of the fit; those of a bar bent too little by slip_limit.h.
+  std::vector<Slip> slips{};
   double most_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   SlipOrCrack slip_or_crack{};
@@ -147,8 +148,8 @@ struct TestAnalysis {
   SawtoothCategory category = SawtoothCategory::none;
 };
 
-// Domain:     one loading up to the failure, counted from the contact, without faults (check_record); span and stiffness positive;
-//             std::invalid_argument otherwise.
+// Domain:     one loading up to the failure of at least min_fitted_points, counted from the contact, without faults (check_record); span and
+//             stiffness positive; std::invalid_argument otherwise.
 // Cost:       that of the fit: at most 200,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
 //             the record; on supports 60 million besides, as 20 draws and the mean are run forward through up to 10,000 lengths each.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});

@@ -178,6 +178,10 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
   }
 }
 
+double deflection_judged_from(const ReducedRecord& record, const Fibre& fibre) {
+  return friction_judged_from(*std::max_element(record.deflection.begin(), record.deflection.end()), fibre);
+}
+
 }  // namespace
 
 double friction_judged_from(double greatest_deflection, const Fibre& fibre) {
@@ -185,18 +189,10 @@ double friction_judged_from(double greatest_deflection, const Fibre& fibre) {
   return std::max(std::min(usually, 0.5 * greatest_deflection), friction_told_from(fibre));
 }
 
-Passages passages_of(const FitProblem& problem) {
-  const auto& record = problem.record;
-  const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const double from = friction_judged_from(greatest, problem.rig.fibre);
-  Passages p{};
-  p.fibre = problem.rig.fibre;
-  p.noise = noise_of_second_differences(second_differences(record.force));
-  const auto within = within_drops(record.force, p.noise);
-  p.compliance = 1 / problem.rig.stiffness;
-  p.stiffness_error = problem.errors.bending_stiffness;
+std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibre& fibre) {
+  const double from = deflection_judged_from(record, fibre);
+  const auto within = within_drops(record.force, noise_of_second_differences(second_differences(record.force)));
   std::vector<std::size_t> rows;
-  std::vector<double> w, F;
   double stage = -infinity;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     constexpr double min_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
@@ -205,10 +201,24 @@ Passages passages_of(const FitProblem& problem) {
       continue;
     stage = record.stage[i];
     rows.push_back(i);
-    w.push_back(record.deflection[i]);
-    F.push_back(record.force[i]);
   }
+  return rows;
+}
+
+Passages passages_of(const FitProblem& problem) {
+  const auto& record = problem.record;
+  Passages p{};
+  p.fibre = problem.rig.fibre;
+  p.noise = noise_of_second_differences(second_differences(record.force));
+  p.compliance = 1 / problem.rig.stiffness;
+  p.stiffness_error = problem.errors.bending_stiffness;
+  const std::vector<std::size_t> rows = readings_judged(record, p.fibre);
   p.judged = rows.size();
+  std::vector<double> w, F;
+  for (const std::size_t row : rows) {
+    w.push_back(record.deflection[row]);
+    F.push_back(record.force[row]);
+  }
   const auto states = p.fibre.tabulated_states_from_forces(w, F);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (!(states.q[k] > min_q && states.q[k] < max_q && states.S[k] > min_S && states.S[k] < max_S)) continue;
@@ -219,7 +229,7 @@ Passages passages_of(const FitProblem& problem) {
     p.q.push_back(states.q[k]);
   }
   if (p.size() == 0) return p;
-  add_errors(p, problem, from);
+  add_errors(p, problem, deflection_judged_from(record, p.fibre));
   if (p.size() == 0) return p;
   const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
   p.advance.assign(p.size(), 0);

@@ -55,8 +55,14 @@ struct Passages {
 // [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below friction_told_from.
 double friction_judged_from(double greatest_deflection, const Fibre& fibre);
 
-// Method:     Deflections from friction_judged_from to 0.8, that some friction in
-//             [-1.5, 2.2] explains, where the stage advances; those within a drop of several readings are left out.
+// The readings past friction_judged_from and up to 0.8 where the stage advances, by their rows; those within a drop of several readings are left out.
+// Domain:     forces in any unit; a record of at least 3 readings.
+std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibre& fibre);
+
+// Fewer of them tell no friction.
+inline constexpr std::size_t min_readings = 20;
+
+// Method:     Of the readings judged those that some friction in [-1.5, 2.2] explains.
 Passages passages_of(const FitProblem& problem);
 
 inline constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows

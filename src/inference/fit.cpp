@@ -189,8 +189,6 @@ NormalMixture widened(NormalMixture mixture, double by) {
   return mixture;
 }
 
-double wrapped(double angle) { return angle - 2 * pi * std::round(angle / (2 * pi)); }
-
 WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength) {
   std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle, height;
   double cosine = 0, sine = 0;
@@ -199,10 +197,10 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     sine += draw.weight * draw.sine;
   }
   const double about = -elementary::angle(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
-  const double usual = wrapped(about - pi * S_middle * elementary::exp(-log_wavelength));
+  const double usual = elementary::wrapped_angle(about - pi * S_middle * elementary::exp(-log_wavelength));
   for (const auto& draw : draws) {
     const double lambda = elementary::exp(draw.log_wavelength);
-    const double angle = about + wrapped(-elementary::angle(draw.sine, draw.cosine) - about);
+    const double angle = about + elementary::wrapped_angle(-elementary::angle(draw.sine, draw.cosine) - about);
     amplitude.push_back({elementary::length(draw.cosine, draw.sine) / std::max(draw.mean, 0.02), draw.weight});
     wavelength.push_back({lambda, draw.weight});
     // A μ is the amplitude of friction itself: a mean near zero does not matter here.
@@ -310,7 +308,6 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.model = options.model;
   const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
   fit.readings = passages.size();
-  constexpr std::size_t min_readings = 20;
   if (passages.judged < min_readings) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;

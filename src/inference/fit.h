@@ -25,6 +25,9 @@ namespace flexslip {
 
 // Ways in which friction along a fibre may explain a record, and what comes of them together.
 
+// Of the logarithm of the evidence: what one wave more must bring to be claimed.
+inline constexpr double claiming_gain = 3;
+
 // A wave of friction, (4.25).
 struct WaveEstimate {
   Estimate amplitude;        // [1] A, relative to mu0

@@ -27,8 +27,10 @@ ReloadChange between(const LoadingStiffness& before, const LoadingStiffness& aft
   const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
   ReloadChange change{.loss = 1 - ratio, .loss_error = elementary::length(scatter, systematic) / before.ratio.value};
   constexpr double worth_saying = 0.05;
-  change.softer = change.loss - one_sided_95 * change.loss_error > relevant_loss;
-  change.changed = !change.softer && std::abs(change.loss) > std::max(worth_saying, two_sided_95 * change.loss_error);
+  if (change.loss - one_sided_95 * change.loss_error > relevant_loss)
+    change.change = StiffnessChange::softer;
+  else if (std::abs(change.loss) > std::max(worth_saying, two_sided_95 * change.loss_error))
+    change.change = change.loss > 0 ? StiffnessChange::slightly_softer : StiffnessChange::stiffer;
   return change;
 }
 
@@ -106,25 +108,27 @@ double left_by_cracks(const TestAnalysis& analysis) {
 // None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
 double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
   double probability = analysis.slip_or_crack.cracks_alone;
-  if (std::isfinite(judgement.loss_needed))
-    probability = with_reload(probability, {judgement.loss_needed, judgement.loss, judgement.loss_error});
+  if (const ReloadChange& reload = judgement.reload; reload.comes_after)
+    probability = with_reload(probability, {judgement.loss_needed, reload.loss, reload.loss_error});
   const bool outside =
       most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
   return outside && verdict_of(probability) != CrackVerdict::cracks ? not_a_number : probability;
 }
 
+// [1] Of stiffness, at 95 %.
+double most_lost(const ReloadChange& reload) { return reload.loss + one_sided_95 * reload.loss_error; }
+
 CrackVerdict verdict_on(const Judgement& judgement) {
-  if (judgement.softer_reload) return CrackVerdict::cracks;
+  if (judgement.reload.change == StiffnessChange::softer) return CrackVerdict::cracks;
   if (std::isfinite(judgement.cracks_alone)) return verdict_of(judgement.cracks_alone);
-  return judgement.impossible == 0 && judgement.loss_needed > judgement.loss + one_sided_95 * judgement.loss_error
+  return judgement.impossible == 0 && judgement.loss_needed > most_lost(judgement.reload)
              ? CrackVerdict::not_by_cracks_alone
              : CrackVerdict::cannot_be_told;
 }
 
 std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const Judgement& judgement) {
   std::vector<double> losses{0.1, 0.2};
-  if (std::isfinite(judgement.loss_needed))
-    losses = {std::clamp(judgement.loss + one_sided_95 * judgement.loss_error, 0.0, losses.back())};
+  if (judgement.reload.comes_after) losses = {std::clamp(most_lost(judgement.reload), 0.0, losses.back())};
   const Estimate& told = analysis.fit.mu0;
   std::vector<FrictionIfLost> all;
   for (const double loss : losses) {
@@ -150,7 +154,9 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
   return drops >= enough && 2 * impossible >= drops;
 }
 
-bool lost_stiffness(const ReloadChange& reload) { return reload.softer || (reload.changed && reload.loss > 0); }
+bool lost_stiffness(const ReloadChange& reload) {
+  return reload.change == StiffnessChange::softer || reload.change == StiffnessChange::slightly_softer;
+}
 
 ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
   if (evaluated >= loadings.size() || loadings[evaluated].status != LoadingStatus::ok) return {};
@@ -165,27 +171,24 @@ ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::s
 }
 
 bool lost_stiffness(const Judgement& judgement) {
-  return judgement.softer_reload || judgement.drops_are_cracks || (judgement.changed_reload && judgement.loss > 0);
+  return lost_stiffness(judgement.reload) || judgement.drops_are_cracks;
 }
 
 Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  const ReloadChange reload = cycles ? reload_change(cycles->stiffness, evaluated) : ReloadChange{};
   const bool has_drops = !analysis.drops.drops.empty();
   const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
                       .impossible = impossible_drops(analysis),
+                      .reload = cycles ? reload_change(cycles->stiffness, evaluated) : ReloadChange{},
                       .friction_falls = friction_falls(fit),
                       .few_rows = has_few_rows(analysis),
                       .jumped = has_drops ? jumped_part(analysis) : 0};
-  if (reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
-  judgement.loss = reload.loss;
-  judgement.loss_error = reload.loss_error;
-  judgement.softer_reload = reload.softer;
-  judgement.changed_reload = reload.changed;
+  if (judgement.reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
   judgement.cracks_alone = cracks_alone(analysis, judgement);
   judgement.drops = verdict_on(judgement);
-  judgement.drops_are_cracks = has_drops && !judgement.softer_reload && judgement.drops == CrackVerdict::cracks;
+  judgement.drops_are_cracks =
+      has_drops && judgement.reload.change != StiffnessChange::softer && judgement.drops == CrackVerdict::cracks;
   if (!lost_stiffness(judgement)) judgement.if_lost = friction_if_lost(analysis, judgement);
   constexpr double max_jumped = 0.5;
   if (judgement.jumped > max_jumped) {

@@ -29,6 +29,21 @@ struct FrictionIfLost {
   double loss, friction;  // [1]
 };
 
+// How the stiffness of a specimen changed from one loading to another.
+enum class StiffnessChange {
+  none,             // by less than its error or than a twentieth; or no two loadings can be compared
+  softer,           // by more than relevant_loss, surely
+  slightly_softer,  // by more than its error, and by a twentieth
+  stiffer,          // likewise
+};
+
+// What a comparable loading says of the stiffness: of the last one after a loading against that; where there is none, of that loading against the first.
+struct ReloadChange {
+  double loss = not_a_number, loss_error = not_a_number;  // [1] of stiffness; NaN where no two can be compared
+  bool comes_after = false;                               // what the loading itself lost is in it
+  StiffnessChange change = StiffnessChange::none;
+};
+
 // What the drops and a reload say of the specimen, all weighed together.
 struct Judgement {
   CrackVerdict drops;  // by the rises, and by the reload where there is one
@@ -36,10 +51,7 @@ struct Judgement {
       not_a_number;               // [1] probability that they alone made the drops, likewise; NaN where nothing tells
   bool drops_are_cracks = false;  // there are some, and they are
   std::size_t impossible = 0;     // drops that cannot be slips
-  bool softer_reload = false;     // the last comparable one has lost stiffness
-  bool changed_reload = false;    // it is softer or stiffer by more than its error, and by a twentieth
-  // [1] Of stiffness, from the loading analysed to the last comparable one after it; where there is none, from the first to that analysed. NaN without.
-  double loss = not_a_number, loss_error = not_a_number;
+  ReloadChange reload{};
   double loss_needed =
       not_a_number;  // [1] of stiffness, by cracks alone to make the drops; NaN where no loading comes after that analysed
   bool friction_falls =
@@ -50,14 +62,6 @@ struct Judgement {
   double stiffness_for_all = not_a_number;
   // For losses of a tenth and a fifth, or for what the reload leaves open; none of a specimen that lost stiffness.
   std::vector<FrictionIfLost> if_lost{};
-};
-
-// What a comparable loading says of the stiffness: of the last one after a loading against that; where there is none, of that loading against the first.
-struct ReloadChange {
-  double loss = not_a_number, loss_error = not_a_number;  // [1] of stiffness; NaN where no two can be compared
-  bool comes_after = false;                               // what the loading itself lost is in it
-  bool softer = false;                                    // it has lost stiffness, by more than the relevant_loss
-  bool changed = false;  // else: it is softer or stiffer by more than its error, and by a twentieth
 };
 
 // evaluated: which of the loadings, counted from 0.

@@ -27,7 +27,7 @@ static_assert(of_friction_and_stiffness + most_rig_errors + 2 * max_waves <= max
 }  // namespace
 
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
-  if (passages_.size() < 20) throw std::invalid_argument("fewer than 20 readings tell of friction");
+  if (passages_.size() < min_readings) throw std::invalid_argument("too few readings tell of friction");
   const double range = passages_.range;
   prior_ = {0.5 * 0.5, 0.2 * 0.2};  // of the mean and the drift
   Index next = 2;
@@ -685,11 +685,6 @@ class Search {
     return angles;
   }
 
-  static double turned_by(double angle) {
-    constexpr double turn = 2 * std::numbers::pi;
-    return angle - turn * std::round(angle / turn);
-  }
-
   // The likeliest waves to where their lengths and the errors of the rig are likeliest together, which no polish of one at a time gets to soon: a rig that
   // is off stretches all waves alike. How far the lengths may be off is taken for that of all other modes with so many waves.
   void move_along_valley(std::vector<Component>& components) const {
@@ -711,8 +706,9 @@ class Search {
     const auto angles = angles_of(component.mode), of_longer = angles_of(longer), of_shorter = angles_of(shorter);
     std::array<double, max_waves> turn{};
     for (std::size_t wave = 0; wave < waves; ++wave)
-      turn[wave] =
-          (turned_by(of_longer[wave] - angles[wave]) + turned_by(angles[wave] - of_shorter[wave])) / (2 * step);
+      turn[wave] = (elementary::wrapped_angle(of_longer[wave] - angles[wave]) +
+                    elementary::wrapped_angle(angles[wave] - of_shorter[wave])) /
+                   (2 * step);
     constexpr double widest = 5;  // beyond, a parabola tells nothing
     const double told = std::max(curvature, 1 / (widest * widest * linearised * linearised));
     for (Component& each : components) {

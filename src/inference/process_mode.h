@@ -124,9 +124,6 @@ class FrictionProcess {
 //
 // Every mode found is a component of a mixture, weighed by its evidence (Laplace). Nothing is chosen but what the weights say.
 
-// Of the logarithm of the evidence: what one wave more must bring to be claimed.
-inline constexpr double claiming_gain = 3;
-
 struct SearchOptions {
   std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
   std::optional<std::size_t>

@@ -169,8 +169,8 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
 }
 
 std::string_view name_of(SlipVerdict verdict) {
-  return name_in_order<SlipVerdict::too_short>(
-      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short"});
+  return name_in_order<SlipVerdict::too_deep>(
+      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short", "too_deep"});
 }
 
 std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,

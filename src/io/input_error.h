@@ -56,6 +56,8 @@ class Faults {
  public:
   bool empty() const { return faults_.empty(); }
 
+  void add(const InputError& error);
+
   // Takes a step, and notes the InputError in which it ends.
   template <class Step>
   void note(Step step) {
@@ -70,8 +72,6 @@ class Faults {
   void raise() const;
 
  private:
-  void add(const InputError& error);
-
   std::vector<InputFault> faults_;
 };
 

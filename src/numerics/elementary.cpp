@@ -70,6 +70,11 @@ SineAndCosine sine_and_cosine(double x) {
 
 double length(double a, double b) { return std::sqrt(a * a + b * b); }
 
+double wrapped_angle(double angle) {
+  constexpr double turn = 2 * std::numbers::pi;
+  return angle - turn * std::round(angle / turn);
+}
+
 double angle(double y, double x) {
   const double a = std::abs(x), b = std::abs(y);
   if (a == 0 && b == 0) return 0;

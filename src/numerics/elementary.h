@@ -64,6 +64,9 @@ double length(double a, double b);
 // Max error:  4 ulp of π.
 double angle(double y, double x);
 
+// The same direction, from -π to π.
+double wrapped_angle(double angle);
+
 // The standard Gaussian where a bound cuts it: ln P(z' < z), and the density at z over that probability.
 struct GaussianBelow {
   double log_probability;

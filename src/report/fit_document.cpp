@@ -10,7 +10,7 @@
 #include "finding/answer.h"
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
-#include "inference/process_mode.h"
+#include "inference/fit.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
 #include "report/answer_documents.h"

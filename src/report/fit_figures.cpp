@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "inference/analysis.h"
-#include "inference/process_mode.h"
+#include "inference/fit.h"
 #include "numerics/statistics.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"

@@ -137,7 +137,7 @@ std::string friction_in_words(const StandardTest& test, const FrictionGain& gain
   std::string words =
       least == most ? fmt::format("Friction of {:g}", least) : fmt::format("Friction of {:g} to {:g}", least, most);
   const auto& rig = test.measurement.test.rig;
-  const bool are_edges_assumed = !rig->supports && !rig->roller_radius;
+  const bool are_edges_assumed = !rig->states_supports();
   words += fmt::format(" at these supports{} ", are_edges_assumed ? " (knife edges, as none are stated)" : "");
   const bool adds = gain.modulus.least >= 0 && gain.strength.least >= 0;
   words += fmt::format(fmt::runtime(adds ? "adds {} to the modulus and {} to the strength"

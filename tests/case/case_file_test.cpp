@@ -458,6 +458,32 @@ file = "test.csv"
   for (std::size_t i = 0; i < lines.size(); ++i) CHECK(lines[i].starts_with(expected[i]));
 }
 
+TEST_CASE("bad input: what does not belong together is said of every section at once") {
+  constexpr std::string_view wrong = R"([specimen]
+width = "1 mm"
+[rig]
+stiffness = "90 N/m"
+[record]
+file = "test.csv"
+stage = "w_s"
+deflection = "w"
+force = "F"
+)";
+  std::vector<std::string> lines;
+  try {
+    read_case(wrong, "case.toml");
+  } catch (const InputError& error) {
+    lines = error.lines();
+  }
+  const std::vector<std::string> expected{"case.toml:1: [specimen] height", "case.toml:3: [rig] span",
+                                          "case.toml:7: [record] stage: expected two of the columns"};
+  REQUIRE(lines.size() == expected.size());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    CAPTURE(lines[i]);
+    CHECK(lines[i].starts_with(expected[i]));
+  }
+}
+
 TEST_CASE("table: what is missing is asked for with an example") {
   CHECK(complaint_with("span      = \"1278 um\"\n", "") ==
         "data/case.toml:4: [rig] span is missing; add span = \"1278 um\"");

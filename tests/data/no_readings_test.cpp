@@ -55,23 +55,42 @@ TEST_CASE("stray positions: what the stage jumps to and comes back from is found
     for (const std::size_t length : {1u, 2u, 3u}) {
       CAPTURE(to);
       CAPTURE(length);
-      std::vector<double> stage = curve(0, 1).stage;
+      auto [stage, deflection, force] = curve(0, 1);
       std::vector<std::size_t> made;
       for (const std::size_t at : {60u, 130u, 250u})
         for (std::size_t k = 0; k < length; ++k) {
           stage[at + k] = to;
           made.push_back(at + k);
         }
-      CHECK(find_stray_positions(stage) == made);
+      CHECK(find_stray_positions(stage, force) == made);
     }
   std::vector<double> to_and_fro, in_steps;
   for (int i = 0; i < 300; ++i) {
     to_and_fro.push_back(step * (i % 100 < 50 ? i % 100 : 0));  // back at once, and from there again
     in_steps.push_back(step * (i / 10) * 30);
   }
-  CHECK(find_stray_positions(to_and_fro).empty());
-  CHECK(find_stray_positions(in_steps).empty());
-  CHECK(find_stray_positions(std::vector<double>(20, 1.0)).empty());
+  CHECK(find_stray_positions(to_and_fro, curve(0, 1).force).empty());
+  CHECK(find_stray_positions(in_steps, curve(0, 1).force).empty());
+  CHECK(find_stray_positions(std::vector<double>(20, 1.0), std::vector<double>(20, 1.0)).empty());
+}
+
+TEST_CASE(
+    "stray positions: a word for what could not be read is found, however long it stays; a stage that goes there is "
+    "none") {
+  for (const double to : {99e-3, -99e-3, -1e-3})
+    for (const std::size_t length : {5u, 30u, 100u}) {
+      CAPTURE(to);
+      CAPTURE(length);
+      auto [stage, deflection, force] = curve(0, 1);
+      std::vector<std::size_t> made;
+      for (std::size_t k = 0; k < length; ++k) {
+        stage[120 + k] = to;
+        made.push_back(120 + k);
+      }
+      CHECK(find_stray_positions(stage, force) == made);
+      for (std::size_t k = 0; k < length; ++k) force[120 + k] = to < 0 ? 0 : 2 * force.back();  // the specimen feels it
+      CHECK(find_stray_positions(stage, force).empty());
+    }
 }
 
 TEST_CASE("spikes: slips are none, however deep (limit)") {
@@ -105,6 +124,18 @@ TEST_CASE("holds: what is read while the stage halts is found, several readings 
   CHECK(find_halts(staircase).empty());
   CHECK(find_halts({}).empty());
   CHECK(find_halts({1, 1, 1, 1, 1, 1}).empty());  // it never moves
+}
+
+TEST_CASE(
+    "overload: a counter that is full begins anew far below zero, a specimen that breaks does not (truth known)") {
+  Record record = curve(0, 1);
+  const double full = record.force[200];
+  for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] -= 2 * full;
+  CHECK(points_before_overload(record) == 201);
+  for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] = -0.999 * full;
+  CHECK(points_before_overload(record) == 201);
+  for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] = -0.1 * full;
+  CHECK(points_before_overload(record) == record.force.size());
 }
 
 TEST_CASE("overload: a force that stays at its greatest value is the end of the load cell, a flat top is not") {

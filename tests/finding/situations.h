@@ -55,27 +55,24 @@ inline std::vector<Situation> situations() {
     all.push_back({code, severity, changed(change)});
   };
   add("no_force", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     for (double& force : test.analysis.record.force) force = -1;
   });
-  add("no_initial_slope", Severity::refusal,
-      [](FittedTest& test) { test.analysis.status = AnalysisStatus::no_initial_slope; });
   add("too_deep", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.reduced.deflection.back() = 3.9;
   });
   add("not_bent", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     for (double& deflection : test.analysis.reduced.deflection) deflection = -0.1;
   });
   add("gave_way", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
-    test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 0.001);
-    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::unexplained;
+    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::too_deep, slip.most = 0.001;
   });
   add("sinks", Severity::doubt, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
     test.analysis.drops = {};
     test.analysis.slips.clear();
@@ -85,10 +82,9 @@ inline std::vector<Situation> situations() {
                                  2.0 * static_cast<double>(force.size()) - 2.0 * static_cast<double>(i));
   });
   add("too_few_points", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::too_few_points;
+    test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
-    test.analysis.most_by_slips.assign(test.analysis.drops.drops.size(), 100);
-    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::possible;
+    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::possible, slip.most = 100;
   });
   add("deflection_for_stage", Severity::refusal, [](FittedTest& test) {
     Record& record = test.analysis.record;
@@ -116,11 +112,11 @@ inline std::vector<Situation> situations() {
   });
   add("not_explained", Severity::refusal,
       [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
-  add("softer_reload", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->softer_reload = true;
-    test.judgement->loss = 0.2;
-    test.judgement->loss_error = 0.01;
-  });
+  const auto reloaded = [](double loss, StiffnessChange change) {
+    return [=](FittedTest& test) { test.judgement->reload = {loss, 0.01, true, change}; };
+  };
+  add("softer_reload", Severity::suspicion, reloaded(0.2, StiffnessChange::softer));
+  add("changed_reload", Severity::suspicion, reloaded(0.07, StiffnessChange::slightly_softer));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
     test.judgement->drops_are_cracks = true;
     test.judgement->drops = CrackVerdict::cracks;
@@ -144,11 +140,7 @@ inline std::vector<Situation> situations() {
         {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
   });
   add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
-  add("changed_reload", Severity::doubt, [](FittedTest& test) {
-    test.judgement->changed_reload = true;
-    test.judgement->loss = -0.2;
-    test.judgement->loss_error = 0.01;
-  });
+  add("changed_reload", Severity::doubt, reloaded(-0.2, StiffnessChange::stiffer));
   add("loops_differ", Severity::doubt, [](FittedTest& test) {
     static const FittedTest cyclic = example("cyclic");
     test.cycles = cyclic.cycles;  // of a friction of 0.5
@@ -164,6 +156,27 @@ inline std::vector<Situation> situations() {
       record.force[i] = follows += 0.5 * (record.force[i] - follows);
       record.deflection[i] = record.stage[i] - record.force[i] / train;
     }
+  });
+  add("smoothed_force", Severity::doubt, [](FittedTest& test) {
+    Record& record = test.analysis.record;
+    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
+    const std::vector<double> force = record.force;
+    for (std::size_t i = 2; i + 2 < force.size(); ++i) {
+      record.force[i] = (force[i - 2] + 2 * force[i - 1] + 3 * force[i] + 2 * force[i + 1] + force[i + 2]) / 9;
+      record.deflection[i] = record.stage[i] - record.force[i] / train;
+    }
+  });
+  add("gap_in_stage", Severity::doubt, [](FittedTest& test) {
+    std::vector<double>& stage = test.analysis.record.stage;
+    const double gap = 60 * (stage[1] - stage[0]);
+    for (std::size_t i = stage.size() / 2; i < stage.size(); ++i) stage[i] += gap;
+  });
+  add("sank_at_rest", Severity::doubt, [](FittedTest& test) {
+    constexpr std::size_t at = 100;
+    Sampling& sampling = test.measurement.sampling;
+    sampling.halts = {sampling.rows[test.measurement.first + at]};
+    std::vector<double>& force = test.analysis.record.force;
+    for (std::size_t i = at + 1; i < force.size(); ++i) force[i] *= 0.9;
   });
   add("undecided_drops", Severity::condition, [](FittedTest& test) {
     test.judgement->drops = CrackVerdict::cannot_be_told;

@@ -169,7 +169,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
   CHECK(of_cracked.work_of_fracture == summary.work_of_fracture);
 
   auto without = analysis;
-  without.status = AnalysisStatus::too_few_points;
+  without.status = AnalysisStatus::bent_too_little;
   CHECK(message_of([&] { summary_of("simulated", without, {}, Standing::sound); }) ==
         "a test without a fit has no summary");
 }

@@ -59,20 +59,21 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
   auto analysis = slipping();
   const auto softer = reloaded(0.74, 0.02);
   const auto judgement = judge(analysis, &softer);
-  CHECK(judgement.softer_reload);
+  CHECK(judgement.reload.change == StiffnessChange::softer);
   CHECK(lost_stiffness(judgement));
   CHECK(judgement.drops == CrackVerdict::cracks);
-  CHECK(judgement.loss == doctest::Approx(0.26));
+  CHECK(judgement.reload.loss == doctest::Approx(0.26));
 
   const auto slightly = reloaded(0.93, 0.01), stiffer = reloaded(1.5, 0.02), noisy = reloaded(0.93, 0.05);
-  CHECK(judge(analysis, &slightly).changed_reload);
-  CHECK(judge(analysis, &stiffer).changed_reload);
+  CHECK(judge(analysis, &slightly).reload.change == StiffnessChange::slightly_softer);
+  CHECK(lost_stiffness(judge(analysis, &slightly)));
+  CHECK(judge(analysis, &stiffer).reload.change == StiffnessChange::stiffer);
   CHECK(!lost_stiffness(judge(analysis, &stiffer)));
-  CHECK(!judge(analysis, &noisy).changed_reload);
+  CHECK(judge(analysis, &noisy).reload.change == StiffnessChange::none);
 
   // Slopes alone tell it, of what has no answer, too: after the loading evaluated, or since the first.
   CHECK(reload_change(softer.stiffness, 0).comes_after);
-  CHECK(reload_change(softer.stiffness, 0).softer);
+  CHECK(reload_change(softer.stiffness, 0).change == StiffnessChange::softer);
   CHECK(!reload_change(softer.stiffness, 1).comes_after);
   CHECK(lost_stiffness(reload_change(softer.stiffness, 1)));
   CHECK(!lost_stiffness(reload_change(stiffer.stiffness, 0)));

@@ -4,6 +4,7 @@
 
 #include "inference/analysis.h"
 #include "tests/approximately.h"
+#include "tests/inference/simulated_test.h"
 
 namespace flexslip {
 namespace {
@@ -33,6 +34,17 @@ TEST_CASE("stiffness_from_slope: a straight record gives its stiffness back (ide
 TEST_CASE("stiffness_from_slope: none where the force does not rise") {
   CHECK(!stiffness_from_slope(straight(2.1e-12, 1.278e-3, -1), 1.278e-3).found);
   CHECK(!stiffness_from_slope(straight(0, 1.278e-3), 1.278e-3).found);
+}
+
+TEST_CASE(
+    "stiffness_from_slope: of a simulated sawtooth its error covers the truth, and one that is mostly noise tells "
+    "none") {
+  SimulatedTruth truth{.friction = Friction::sinusoid(0.6, 0.3, 14.0 / 1278, 1.0), .stiffness = 90, .noise = 0.01};
+  const StiffnessFromSlope found = stiffness_from_slope(to_physical(simulated_record(truth), scales), scales.span());
+  REQUIRE(found.found);
+  CHECK(std::abs(scales.bending_stiffness() / found.value - 1) < 1.96 * found.relative_error);
+  truth.noise = 1.5;
+  CHECK(!stiffness_from_slope(to_physical(simulated_record(truth), scales), scales.span()).found);
 }
 
 }  // namespace flexslip

@@ -53,6 +53,15 @@ TEST_CASE("identity: the logarithm of a product is the sum of the logarithms, fa
   CHECK(elementary::LogProduct{}.value() == 0);
 }
 
+TEST_CASE("a wrapped angle points where it did, from -pi to pi") {
+  for (double angle = -30; angle < 30; angle += 0.37) {
+    const double wrapped = elementary::wrapped_angle(angle);
+    CHECK(std::abs(wrapped) <= std::numbers::pi);
+    CHECK(std::cos(wrapped) == doctest::Approx(std::cos(angle)).epsilon(1e-12));
+    CHECK(std::sin(wrapped) == doctest::Approx(std::sin(angle)).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("oracle: angles against 50 digits, in every quadrant") {
   for (int i = 0; i < 720; ++i) {
     const double x = std::cos(0.0087 * i), y = 3.1 * std::sin(0.0087 * i);
