@@ -663,7 +663,8 @@ Fields<FittedTest> measurement_fields() {
              "later one reaches again",
              of([](M m) { return m.loading.number; }))
       .count("loadings", "how many there are", of([](M m) { return m.loading.of; }))
-      .count("drops_elsewhere", "drops of the force in the other loadings", [](T test) { return test.drops_elsewhere; })
+      .count("drops_elsewhere", "drops of the force in the other loadings",
+             [](T test) { return test.drops_elsewhere.drops; })
       .count("drops_behind",
              "drops of the force of the evaluated loading behind its failure, or where it is stated to end",
              of([](M m) { return m.drops_behind; }))

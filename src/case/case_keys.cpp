@@ -292,9 +292,11 @@ constexpr std::array keys{
     at_most(max_uncertainty, "calibrate the load cell",
             share(at<&RecordInput::gain_error>, "gain_error", Range::non_negative, R"("1 %")",
                   "standard deviation of the gain of the load cell; 1 % unless given")),
-    quantity(at<&RecordInput::preload_error>, "preload_error", kind::length, Range::non_negative, R"("0 um")", "0",
-             "standard deviation of the deflection that was there before displacement and force were set to zero; "
-             "0.5 % of the span unless given, none where the record begins before the contact"),
+    quantity(
+        at<&RecordInput::preload_error>, "preload_error", kind::length, Range::non_negative, R"("0 um")", "0",
+        "standard deviation of the deflection that was there before displacement and force were set to zero, or of "
+        "the bow of a specimen, which reads like it; 0.5 % of the span unless given, 0.3 % where the record begins "
+        "before the contact"),
     flagged(word(at<&RecordInput::failure>, "failure", "find|none", R"("none")",
                  "whether to find where the specimen fails and end the record there; find unless given")),
     flagged(word(at<&RecordInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file")),

@@ -72,18 +72,23 @@ InputFile input_file(const std::string& name) {
   return {name, digest.sha256};
 }
 
-// Drops of the force in all loadings but that evaluated.
-std::size_t drops_in_other_loadings(const Measurement& measurement) {
-  if (!measurement.cycles) return 0;
-  std::size_t drops = 0, loading = 0;
+DropsElsewhere drops_in_other_loadings(const Measurement& measurement) {
+  if (!measurement.cycles) return {};
+  DropsElsewhere all;
+  std::size_t loading = 0, most = 0;
   for (const Leg& leg : find_legs(measurement.cycles->stage)) {
     if (leg.direction != Direction::loading || ++loading == measurement.loading.number) continue;
     if (leg.last - leg.first < min_fitted_points) continue;
     Record record = points_between(*measurement.cycles, leg.first, leg.last);
     record.stage = advancing(record.stage);
-    drops += find_drops(record, {.halts = measurement.sampling.halts_between(leg.first, leg.last)}).drops.size();
+    const DropOptions options{.halts = measurement.sampling.halts_between(leg.first, leg.last)};
+    const std::size_t drops = find_drops(record, options).drops.size();
+    all.drops += drops;
+    if (drops <= most) continue;
+    most = drops;
+    all.rows_of_most = {cyclic_file_row(measurement, leg.first), cyclic_file_row(measurement, leg.last - 1)};
   }
-  return drops;
+  return all;
 }
 
 // The friction of the loops, where they tell the bending stiffness.
@@ -227,7 +232,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
     analysis.energy.friction_share = not_a_number;
     analysis.work_by.reset();
   }
-  const std::size_t drops_elsewhere = drops_in_other_loadings(measurement);
+  const DropsElsewhere drops_elsewhere = drops_in_other_loadings(measurement);
   std::optional<ImagedLength> imaged;
   if (analysis.status == AnalysisStatus::ok && !measurement.pulled_in.empty()) {
     std::vector<double> pulled_in;

@@ -61,6 +61,12 @@ struct Provenance {
   AnalysisOptions options;
 };
 
+// Drops of the force in all loadings but that evaluated.
+struct DropsElsewhere {
+  std::size_t drops = 0;
+  RowRange rows_of_most{};  // of the file: the loading that has most of them
+};
+
 struct FittedTest {
   std::string name;  // of the case or data file
   bool reduced;      // all numbers are in the model's scaled variables
@@ -72,9 +78,9 @@ struct FittedTest {
   SmallDeflection small_deflection;      // of the loading evaluated, as the bending standards have it
   TestAnalysis analysis;                 // of the loading evaluated
   std::optional<CyclicAnswer> cycles;    // if it was unloaded; in the scales of the analysis
-  std::size_t drops_elsewhere;           // of the force, in its other loadings
-  std::optional<ImagedLength> imaged;    // if the record has lengths that were imaged, and the analysis an answer
-  std::optional<Judgement> judgement;    // if the analysis has an answer
+  DropsElsewhere drops_elsewhere;
+  std::optional<ImagedLength> imaged;  // if the record has lengths that were imaged, and the analysis an answer
+  std::optional<Judgement> judgement;  // if the analysis has an answer
   std::optional<SurfaceStrain>
       surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
   std::optional<double> strain_at_break;  // [1] as the case states it, or its strength

@@ -489,9 +489,10 @@ void find_sign(SignRule rule, std::size_t first, std::size_t last, Readings& rea
   Signs signs{1, 1};
   if (rule == SignRule::reverse) signs = {-1, -1};
   if (rule == SignRule::find) {
-    const std::vector<double> force = force_or_difference(readings);
-    signs = find_signs(std::span(readings.displacement()).subspan(first, last - first),
-                       std::span(force).subspan(first, last - first));
+    const std::vector<double> all = force_or_difference(readings);
+    const auto force = std::span(all).subspan(first, last - first);
+    const std::size_t rows = points_before_wrap(force);
+    signs = find_signs(std::span(readings.displacement()).subspan(first, rows), force.first(rows));
     // Without a force column its sign is that of the displacements it is the difference of.
     if (!readings.has(Reading::force) && signs.force != signs.displacement) signs = {1, 1};
   }

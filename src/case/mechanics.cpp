@@ -550,7 +550,7 @@ Rig rig_of(const Test& test, const Scales& scales) {
 RigErrors rig_errors_of(const Measurement& measurement) {
   const Test& test = measurement.test;
   RigErrors errors;
-  if (measurement.begins_free) errors.preload = 0;
+  if (measurement.begins_free) errors.preload = usual_bow;
   const auto take = [](double& error, const std::optional<Known>& known, double times = 1) {
     if (known) error = times * known->relative_uncertainty().value_or(error);
   };

@@ -201,22 +201,22 @@ bool would_have_risen(const Record& record, const Plateau& plateau, std::size_t 
   return travel > 0 && slope * (stage[plateau.last] - stage[plateau.first]) > least;
 }
 
-// Before the force leaps from nearly its greatest to as far below zero, where no specimen pulls.
-std::size_t points_before_anew(const std::vector<double>& force) {
+}  // namespace
+
+std::size_t points_before_wrap(std::span<const double> force) {
   constexpr double nearly = 0.9;
-  const double far = nearly * *std::max_element(force.begin(), force.end());
+  double far = 0;
+  for (const double each : force) far = std::max(far, nearly * std::abs(each));
   for (std::size_t i = 1; i < force.size(); ++i)
-    if (far > 0 && force[i - 1] > far && force[i] < -far) return i;
+    if (std::min(std::abs(force[i - 1]), std::abs(force[i])) > far && force[i - 1] * force[i] < 0) return i;
   return force.size();
 }
-
-}  // namespace
 
 std::size_t points_before_overload(const Record& record) {
   const std::vector<double>& force = record.force;
   const auto greatest = std::max_element(force.begin(), force.end());
   if (force.size() < least_noise_points) return force.size();
-  if (const std::size_t points = points_before_anew(force); points < force.size()) return points;
+  if (const std::size_t points = points_before_wrap(force); points < force.size()) return points;
   const auto first = static_cast<std::size_t>(greatest - force.begin());
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)

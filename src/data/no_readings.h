@@ -29,9 +29,13 @@ std::vector<std::size_t> find_stray_positions(std::span<const double> stage, std
 //             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
 std::vector<std::size_t> find_halts(const std::vector<double>& stage);
 
+// How many points lie before a force leaps from nearly its greatest magnitude to as much of the other sign, as no specimen pulls: a counter that is full
+// begins anew. All points if it never does.
+std::size_t points_before_wrap(std::span<const double> force);
+
 // How many points a load cell shows before it is at its end: where the force rises and then stays within half of its noise of its greatest value for five
 // points or more, in which it would have risen by far more than that had it gone on. What yields is as noisy as before, and a smooth top bends into its
-// flat part: they are none. Or where the force leaps to as far below zero: a counter that is full begins anew. All points if it never does.
+// flat part: they are none. Or where its counter wraps (points_before_wrap). All points if it never does.
 // Domain:     columns of one length.
 std::size_t points_before_overload(const Record& record);
 

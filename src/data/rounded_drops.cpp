@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "numerics/elementary.h"
@@ -15,10 +16,13 @@ constexpr std::size_t beside = 2;  // steps before and after a drop that are com
 
 // A drop, by what its steps fall beyond the smooth curve [N].
 struct Rounded {
-  double before, after;  // in two steps each
+  std::array<double, beside> before, after;  // the nearest step first
   double fall;
 
-  double longer() const { return after - before; }
+  double longer() const { return sum(after) - sum(before); }
+  static double sum(const std::array<double, beside>& steps) {
+    return std::accumulate(steps.begin(), steps.end(), 0.0);
+  }
 };
 
 // What some part of the drops is of their falls, all together.
@@ -52,10 +56,10 @@ std::vector<Rounded> drops_of(const Record& record) {
     const auto at = fall.begin() + static_cast<std::ptrdiff_t>(i);
     if (!(record.force[i + 1] < record.force[i]) || !(*at > surely * noise)) continue;
     if (*std::max_element(at - beside, at + beside + 1) > *at) continue;
-    Rounded drop{0, 0, *at};
-    for (std::size_t k = 1; k <= beside; ++k) {
-      drop.before += fall[i - k];
-      drop.after += fall[i + k];
+    Rounded drop{{}, {}, *at};
+    for (std::size_t k = 0; k < beside; ++k) {
+      drop.before[k] = fall[i - k - 1];
+      drop.after[k] = fall[i + k + 1];
     }
     drops.push_back(drop);
   }
@@ -95,14 +99,24 @@ double lag_of(const std::vector<Rounded>& drops) {
   return halved_until(fine, lags, [&](double lag) { return longer_by_lag(lag) > share.value; }).low;
 }
 
+// In the steps next to it a drop falls on by a third of its own or more, and by about as much on either side: behind a low-pass less is before it.
 double spread_of(const std::vector<Rounded>& drops) {
-  const Share before = share_of(drops, [](const Rounded& drop) { return drop.before; });
-  const Share after = share_of(drops, [](const Rounded& drop) { return drop.after; });
-  constexpr double surely = 2, one_row = 1.0 / 3;
+  const Share before = share_of(drops, [](const Rounded& drop) { return drop.before.front(); });
+  const Share after = share_of(drops, [](const Rounded& drop) { return drop.after.front(); });
+  constexpr double surely = 2, one_row = 1.0 / 3, alike = 0.8;
   const auto is_spread = [&](const Share& share) { return share.value - surely * share.scatter > one_row; };
-  constexpr double alike = 0.6;  // behind a low-pass at most half
-  return is_spread(before) && is_spread(after) && before.value > alike * after.value ? 1 + before.value + after.value
-                                                                                     : 0;
+  if (!is_spread(before) || !is_spread(after) || before.value < alike * after.value) return 0;
+  const Share all =
+      share_of(drops, [](const Rounded& drop) { return Rounded::sum(drop.before) + Rounded::sum(drop.after); });
+  return 1 + std::max(all.value, before.value + after.value);
+}
+
+// Does the force differ less from one row to the next than white noise would, beside what it differs over three?
+bool is_smooth_from_row_to_row(const Record& record) {
+  const std::vector<double> smooth = smooth_steps(record);
+  const StepNoise noise(record, smooth);
+  constexpr double of_white = 1.4;  // 1 without a filter, 1.7 behind the mildest
+  return noise.over(3) > of_white * noise.over(1);
 }
 
 }  // namespace
@@ -111,7 +125,7 @@ RoundedDrops rounded_drops(const Record& record) {
   const std::vector<Rounded> drops = drops_of(record);
   constexpr std::size_t fewest = 3;
   if (drops.size() < fewest) return {drops.size(), 0, 0};
-  return {drops.size(), lag_of(drops), spread_of(drops)};
+  return {drops.size(), lag_of(drops), is_smooth_from_row_to_row(record) ? spread_of(drops) : 0};
 }
 
 }  // namespace flexslip

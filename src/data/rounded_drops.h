@@ -20,8 +20,9 @@ struct RoundedDrops {
 //             more than five standard deviations below the smooth curve, the deepest of its neighbours each: how much more the two after it fall
 //             than the two before, over its own fall, all of them together. Rounded, if that is above a tenth by 1.3 + 1/drops of its error, of
 //             three drops or more. The lag is that of which a snap at any time between two rows gives as much.
-//             Behind a filter that looks both ways it falls on before and after it: spread, if that is above a third of its own fall on either side, by
-//             twice its error, and about as much on both. A record as read never falls on after a snap, and friction alone hardly before.
+//             Behind a filter that looks both ways it falls on before and after it: spread, if that is above a third of its own fall in the step to
+//             either side, by twice its error, and about as much on both. Friction that decreases slowly can make a fall as gentle,
+//             but leaves the noise white: the force must also differ less from row to row, beside what it does over three.
 // Accuracy:   of 30 simulated records each at a lag of 0, 1 and 2 rows at most 1, at least 10 and at least 20 are told, their mean lag to 40 %
 //             (tests/data). The bounds are empirical.
 RoundedDrops rounded_drops(const Record& record);

@@ -44,7 +44,7 @@ std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
   if (!(share > worth_saying)) return "";
-  return fmt::format("{}{} of the work was friction, not toughness", has_reload(test) ? "" : "at least ",
+  return fmt::format("{}{} of the work was friction, not toughness", may_have_lost_stiffness(test) ? "at least " : "",
                      format_percent(share));
 }
 
@@ -67,7 +67,6 @@ std::string drops_by_kind(T test) {
 std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
   if (!lost_stiffness(reload_of(test))) return std::nullopt;
   const Finding* softer = finding_in(findings, "softer_reload");
-  if (!softer) softer = finding_in(findings, "changed_reload");
   return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
 }
 
@@ -113,10 +112,16 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     if (tells) verdict.parts.push_back(cracks_in_words(test));
     return verdict;
   }
+  if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
+    return {VerdictCode::undecided,
+            {friction + (has_reload(test) ? "" : " if no stiffness was lost"), elsewhere->short_form},
+            elsewhere->code};
   Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
-                  {friction + (has_reload(test) ? "" : " if no stiffness was lost")}};
+                  {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
   if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
   if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
+  if (judgement.reload.change == StiffnessChange::slightly_softer)
+    verdict.parts.push_back(finding_in(findings, "changed_reload")->short_form);
   return verdict;
 }
 
@@ -188,7 +193,7 @@ std::string drops_in_words(T test) {
       (behind > 0 ? fmt::format("; {} behind {}", format_count(behind, "more drop", "more drops"),
                                 test.measurement.end == MeasurementEnd::failure ? "the break" : "that row")
                   : "") +
-      (test.drops_elsewhere > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere) : "");
+      (test.drops_elsewhere.drops > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere.drops) : "");
   if (drops_of(test) == 0)
     return fmt::format("none in {}; one of {} would have been seen{}", used,
                        Print(test).own(analysis.drops.smallest_fall, kind::force), end);
@@ -232,7 +237,7 @@ std::string slip_or_crack_in_words(T test) {
     parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
                                 format_percent(judgement.loss_needed), 100 * std::abs(reload.loss),
                                 100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer"));
-  if (const double lost = lost_by_rises(rises); lost_stiffness(judgement) && !has_reload(test) && lost > 0)
+  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && !has_reload(test) && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -243,13 +248,13 @@ std::string if_lost_in_words(T test) {
   std::vector<std::string> parts;
   for (const auto& [loss, friction] : test.judgement->if_lost) {
     constexpr double tenth = 0.1, worth_saying = 0.005;
-    if (!has_reload(test))
+    if (may_have_lost_stiffness(test))
       parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
-    else if (loss > worth_saying)
+    else if (has_reload(test) && loss > worth_saying)
       parts.push_back(
           fmt::format("{:.2f} with the loss of {} that the reload leaves open", friction, format_percent(loss)));
   }
-  return fmt::format("{}{}", has_reload(test) ? "" : ", if no stiffness was lost",
+  return fmt::format("{}{}", may_have_lost_stiffness(test) ? ", if no stiffness was lost" : "",
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
 }
 
@@ -287,7 +292,7 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
 std::string work_in_words(T test) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
-  return fmt::format("{}{} of {} ({}) went into friction{}", has_reload(test) ? "" : "at least ",
+  return fmt::format("{}{} of {} ({}) went into friction{}", may_have_lost_stiffness(test) ? "at least " : "",
                      print.energy(energy.account.friction + energy.account.snaps),
                      print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
                      may_be_cracks(test) ? " if the drops are slips" : "");

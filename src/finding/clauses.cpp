@@ -13,6 +13,12 @@ std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.
 
 bool has_reload(const FittedTest& test) { return test.judgement && test.judgement->reload.comes_after; }
 
+bool may_have_lost_stiffness(const FittedTest& test) {
+  if (!test.judgement || has_reload(test)) return false;
+  const bool is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
+  return drops_of(test) > 0 || test.drops_elsewhere.drops > 0 || !is_smooth;
+}
+
 std::string mean_friction(const FrictionFit& fit) {
   return fit.mu0_is_bound ? fmt::format("at most {}", format_significant(fit.mu0.high, 2))
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);

@@ -33,7 +33,7 @@ std::string_view name_of(StatedQuantity quantity) {
 
 std::string_view title_of(StatedQuantity quantity) {
   return name_in_order<StatedQuantity::support_radius>(
-      quantity, {"EI", "contact", "preload", "load train", "span", "gain", "thickness", "support radius"});
+      quantity, {"EI", "contact", "preload or bow", "load train", "span", "gain", "thickness", "support radius"});
 }
 
 // A quantity as the case has it, and what it may be off by.
@@ -83,8 +83,8 @@ Statement statement_of(T test, StatedQuantity quantity) {
               .error = test.measurement.contact_error};
     }
     case StatedQuantity::preload:
-      return {.stated = test.measurement.begins_free ? "none: rows before the contact" : "none",
-              .states_error = test.measurement.begins_free || input.record->preload_error,
+      return {.stated = test.measurement.begins_free ? "straight; no preload: rows before the contact" : "none",
+              .states_error = input.record->preload_error.has_value(),
               .error = scales.physical_length(errors.preload)};
     case StatedQuantity::thickness: {
       const bool is_there = supports.half_depth > 0, at_axis = input.rig->friction_at == FrictionAt::axis;

@@ -26,7 +26,7 @@ ReloadChange reload_of(T test) {
 
 std::optional<Finding> softer_reload(T test) {
   const ReloadChange reload = reload_of(test);
-  if (reload.change != StiffnessChange::softer) return std::nullopt;
+  if (!lost_stiffness(reload)) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
                  .sentence = fmt::format("The specimen lost stiffness: loaded again, it is {:.1f} ± {:.1f} % softer.",
                                          100 * reload.loss, 100 * reload.loss_error),
@@ -39,10 +39,10 @@ std::optional<Finding> changed_reload(T test) {
   const ReloadChange reload = reload_of(test);
   if (reload.change != StiffnessChange::slightly_softer && reload.change != StiffnessChange::stiffer)
     return std::nullopt;
-  const bool is_softer = lost_stiffness(reload);
+  const bool is_softer = reload.change == StiffnessChange::slightly_softer;
   const std::string_view how = is_softer ? "softer" : "stiffer";
   return Finding{
-      .severity = is_softer ? Severity::suspicion : Severity::doubt,
+      .severity = Severity::doubt,
       .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % {} than at first.",
                               100 * std::abs(reload.loss), 100 * reload.loss_error, how),
       .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(reload.loss), how),

@@ -65,13 +65,17 @@ struct ProfileBand {
 
 // What is fitted: a record, the rig it was taken on, and what limits its accuracy.
 
+// [L] Sagitta of a specimen that is called straight. It reads as a preload: the specimen lies as one bent so far, and bears nothing.
+inline constexpr double usual_bow = 0.003;
+
 // By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
 // by, unless the case states better (theory.md, "What the answer hangs on").
 struct RigErrors {
   double load_train = 0.01, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
-  double preload = 0.005;      // [L] of deflection that was there before displacement and force were set to zero
+  double preload =
+      0.005;  // [L] of deflection that was there before displacement and force were set to zero, or of a bow
   double slow_force = 0.0065;  // of the greatest force: bow, relaxation, drift of the cell
 };
 

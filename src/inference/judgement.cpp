@@ -119,7 +119,7 @@ double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
 double most_lost(const ReloadChange& reload) { return reload.loss + one_sided_95 * reload.loss_error; }
 
 CrackVerdict verdict_on(const Judgement& judgement) {
-  if (judgement.reload.change == StiffnessChange::softer) return CrackVerdict::cracks;
+  if (lost_stiffness(judgement.reload)) return CrackVerdict::cracks;
   if (std::isfinite(judgement.cracks_alone)) return verdict_of(judgement.cracks_alone);
   return judgement.impossible == 0 && judgement.loss_needed > most_lost(judgement.reload)
              ? CrackVerdict::not_by_cracks_alone
@@ -154,9 +154,7 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
   return drops >= enough && 2 * impossible >= drops;
 }
 
-bool lost_stiffness(const ReloadChange& reload) {
-  return reload.change == StiffnessChange::softer || reload.change == StiffnessChange::slightly_softer;
-}
+bool lost_stiffness(const ReloadChange& reload) { return reload.change == StiffnessChange::softer; }
 
 ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
   if (evaluated >= loadings.size() || loadings[evaluated].status != LoadingStatus::ok) return {};
@@ -188,7 +186,7 @@ Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::s
   judgement.cracks_alone = cracks_alone(analysis, judgement);
   judgement.drops = verdict_on(judgement);
   judgement.drops_are_cracks =
-      has_drops && judgement.reload.change != StiffnessChange::softer && judgement.drops == CrackVerdict::cracks;
+      has_drops && !lost_stiffness(judgement.reload) && judgement.drops == CrackVerdict::cracks;
   if (!lost_stiffness(judgement)) judgement.if_lost = friction_if_lost(analysis, judgement);
   constexpr double max_jumped = 0.5;
   if (judgement.jumped > max_jumped) {

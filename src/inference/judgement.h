@@ -32,8 +32,8 @@ struct FrictionIfLost {
 // How the stiffness of a specimen changed from one loading to another.
 enum class StiffnessChange {
   none,             // by less than its error or than a twentieth; or no two loadings can be compared
-  softer,           // by more than relevant_loss, surely
-  slightly_softer,  // by more than its error, and by a twentieth
+  softer,           // by more than relevant_loss, surely: it lost stiffness
+  slightly_softer,  // by more than its error, and by a twentieth, as friction that runs in makes it, too
   stiffer,          // likewise
 };
 
@@ -67,7 +67,7 @@ struct Judgement {
 // evaluated: which of the loadings, counted from 0.
 ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated);
 
-// Does it show that stiffness was lost?
+// Does it show that so much stiffness was lost that no friction can be read off?
 bool lost_stiffness(const ReloadChange& reload);
 
 // Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted (checks.h, stiffness_errors)? A load train

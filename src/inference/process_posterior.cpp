@@ -399,7 +399,8 @@ class Posterior {
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
   }
 
-  // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode.
+  // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode, times how likely its bending stiffness and rig were beforehand: what is
+  // explained by a rig that is far off is not explained better.
   double log_likelihood_of(const Mode& mode) const {
     Observations observations = process_for(mode).observations_of(mode);
     observations.pull = {};
@@ -408,7 +409,8 @@ class Posterior {
     // p(y) = p(y | β) p(β)/p(β | y), at the mean of β.
     for (std::size_t j = 0; j < observations.prior.size(); ++j) {
       const double beta = chain.mean()[static_cast<Index>(j)];
-      value += 0.5 * (beta * beta / observations.prior[j] + elementary::log(observations.prior[j]));
+      if (!process_.columns().is_of_rig(static_cast<Index>(j))) value += 0.5 * beta * beta / observations.prior[j];
+      value += 0.5 * elementary::log(observations.prior[j]);
     }
     const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
     const CoefficientMatrix L = factor.matrixL();

@@ -69,7 +69,7 @@ TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual 
   CHECK(usual.force_gain == RigErrors{}.force_gain);
   CHECK(usual.preload == RigErrors{}.preload);
   measurement.begins_free = true;
-  CHECK(rig_errors_of(measurement).preload == 0);
+  CHECK(rig_errors_of(measurement).preload == usual_bow);
   measurement.test = read_case(
       "[specimen]\ndiameter = '30 um ± 2 %'\nmodulus = '30 GPa'\n[rig]\nspan = '1 mm ± 2 um'\n"
       "stiffness = '90 N/m ± 0.4 %'\nsupport_stiffness = '45 N/m'\nroller_radius = '0.1 mm ± 3 %'\n"

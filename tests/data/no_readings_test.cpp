@@ -134,6 +134,9 @@ TEST_CASE(
   CHECK(points_before_overload(record) == 201);
   for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] = -0.999 * full;
   CHECK(points_before_overload(record) == 201);
+  for (double& force : record.force) force = -force;  // compression is negative
+  CHECK(points_before_wrap(record.force) == 201);
+  for (double& force : record.force) force = -force;
   for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] = -0.1 * full;
   CHECK(points_before_overload(record) == record.force.size());
 }

@@ -67,15 +67,17 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
     const Severity severity = each.severity;
     const FittedTest& test = each.test;
     INFO(code);
-    const VerdictCode expected =
-        code == "not_bent" || code == "deflection_for_stage" || code == "wrong_load_train" ||
-                code == "wrong_stiffness" || code == "impossible_modulus" || code == "most_drops_impossible"
-            ? VerdictCode::check_input
-        : code == "gave_way" || softened(test)                                                ? VerdictCode::crack
-        : code == "sinks"                                                                     ? VerdictCode::no_drops
-        : code == "undecided_drops" || code == "impossible_drops" || code == "too_few_points" ? VerdictCode::undecided
-        : severity == Severity::refusal                                                       ? VerdictCode::no_answer
-                                                                                              : VerdictCode::slip;
+    const VerdictCode expected = code == "not_bent" || code == "deflection_for_stage" || code == "wrong_load_train" ||
+                                         code == "wrong_stiffness" || code == "impossible_modulus" ||
+                                         code == "most_drops_impossible"
+                                     ? VerdictCode::check_input
+                                 : code == "gave_way" || softened(test) ? VerdictCode::crack
+                                 : code == "sinks"                      ? VerdictCode::no_drops
+                                 : code == "undecided_drops" || code == "impossible_drops" ||
+                                         code == "too_few_points" || code == "drops_elsewhere"
+                                     ? VerdictCode::undecided
+                                 : severity == Severity::refusal ? VerdictCode::no_answer
+                                                                 : VerdictCode::slip;
     CHECK(verdict(test) == expected);
   }
   CHECK(verdict(changed([](FittedTest& test) {  // bent too little to tell friction, without a drop

@@ -116,7 +116,6 @@ inline std::vector<Situation> situations() {
     return [=](FittedTest& test) { test.judgement->reload = {loss, 0.01, true, change}; };
   };
   add("softer_reload", Severity::suspicion, reloaded(0.2, StiffnessChange::softer));
-  add("changed_reload", Severity::suspicion, reloaded(0.07, StiffnessChange::slightly_softer));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
     test.judgement->drops_are_cracks = true;
     test.judgement->drops = CrackVerdict::cracks;
@@ -141,6 +140,12 @@ inline std::vector<Situation> situations() {
   });
   add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
   add("changed_reload", Severity::doubt, reloaded(-0.2, StiffnessChange::stiffer));
+  add("changed_reload", Severity::doubt, reloaded(0.07, StiffnessChange::slightly_softer));
+  add("drops_elsewhere", Severity::doubt, [](FittedTest& test) {
+    test.analysis.drops.drops.clear();
+    test.analysis.slips.clear();
+    test.drops_elsewhere = {6, {10, 120}};
+  });
   add("loops_differ", Severity::doubt, [](FittedTest& test) {
     static const FittedTest cyclic = example("cyclic");
     test.cycles = cyclic.cycles;  // of a friction of 0.5

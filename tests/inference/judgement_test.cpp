@@ -66,7 +66,7 @@ TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stif
 
   const auto slightly = reloaded(0.93, 0.01), stiffer = reloaded(1.5, 0.02), noisy = reloaded(0.93, 0.05);
   CHECK(judge(analysis, &slightly).reload.change == StiffnessChange::slightly_softer);
-  CHECK(lost_stiffness(judge(analysis, &slightly)));
+  CHECK(!lost_stiffness(judge(analysis, &slightly)));  // as friction that ran in makes it, too
   CHECK(judge(analysis, &stiffer).reload.change == StiffnessChange::stiffer);
   CHECK(!lost_stiffness(judge(analysis, &stiffer)));
   CHECK(judge(analysis, &noisy).reload.change == StiffnessChange::none);
