@@ -320,7 +320,9 @@ void check_record(const Test& test) {
 void check(const Test& test) {
   Faults faults;
   const auto refuse_if = [&](const Clash& rule, bool is_beside, const char* found) {
-    for (const std::string_view section : {rule.section, rule.section == "friction" ? "friction.other" : rule.section})
+    std::vector<std::string_view> sections{rule.section};
+    if (rule.section == "friction") sections.emplace_back("friction.other");
+    for (const std::string_view section : sections)
       if (says(test, section, rule.key) && says_one(test, section, rule.others) == is_beside)
         faults.note([&] {
           refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.expected), found,

@@ -63,10 +63,13 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
-// Of a specimen that is softer when loaded again; none of one that is not.
+// Of a specimen that is softer when loaded again; none of one that is not. A slight loss counts where it is bent too little for friction that ran in to look
+// like one.
 std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
-  if (!lost_stiffness(reload_of(test))) return std::nullopt;
-  const Finding* softer = finding_in(findings, "softer_reload");
+  const ReloadChange reload = reload_of(test);
+  const bool is_slightly = !test.judgement && reload.change == StiffnessChange::slightly_softer;
+  if (!lost_stiffness(reload) && !is_slightly) return std::nullopt;
+  const Finding* softer = finding_in(findings, is_slightly ? "changed_reload" : "softer_reload");
   return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
 }
 

@@ -69,6 +69,13 @@ std::string_view unquoted(std::string_view cell) {
   return is_formula ? trimmed(words.substr(2, words.size() - 3)) : words;
 }
 
+// What a spreadsheet writes where it could not compute, in whatever language: "#N/A", "#NV", "#WERT!", "#NAME?".
+bool is_error_of_spreadsheet(std::string_view cell) {
+  return cell == "#N/A" || cell == "#NV" ||
+         (cell.size() > 2 && cell.front() == '#' && (cell.back() == '!' || cell.back() == '?') &&
+          cell.find(' ') == std::string_view::npos);
+}
+
 bool is_comment_or_blank(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
   return first == std::string_view::npos || line[first] == '#';
@@ -176,7 +183,8 @@ std::string_view Sheet::text(std::size_t line) const {
 
 bool Sheet::is_comment(std::size_t line) const {
   const std::size_t first = first_cells_[line];
-  return first < end_of(line) && raw(first).starts_with('#') && kind(line, 0) != CellKind::error;
+  if (first >= end_of(line) || !raw(first).starts_with('#') || kind(line, 0) == CellKind::error) return false;
+  return end_of(line) - first < 2 || !is_error_of_spreadsheet(raw(first));
 }
 
 bool Sheet::is_blank(std::size_t line) const {

@@ -56,6 +56,17 @@ TEST_CASE("sheet: a quote without its partner makes all quotes of its line ordin
   CHECK(blanks.at(2, 1) == "3");
 }
 
+TEST_CASE("sheet: a line that begins with what a spreadsheet could not compute is none of words (table)") {
+  for (const char* line : {"#N/A,1", "#NV,1", "#DIV/0!,1", "#WERT!,1", "#NAME?,1", " #N/A , 1"}) {
+    CAPTURE(line);
+    CHECK(!Sheet(line, ',').is_comment(0));
+  }
+  for (const char* line : {"# N/A,1", "#TIME,FORCE", "#N/A", "# stop!", "#1,2", "# what?, which?"}) {
+    CAPTURE(line);
+    CHECK(Sheet(line, ',').is_comment(0));
+  }
+}
+
 TEST_CASE("sheet: more cells than memory should be filled with are refused with their line") {
   CHECK(Sheet("1,2\n3\n", ',', 3).size() == 2);
   CHECK(message_of([] { Sheet("1,2\n3,4\n", ',', 3); }) ==
