@@ -1046,7 +1046,9 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   every = std::move(counted.record);
   result.sampling = std::move(counted.sampling);
   if (counted.ends_in_overload) result.end = MeasurementEnd::overload;
-  const Record rise = first_rise(until ? first_points(every, points_before(*until, result.sampling)) : every);
+  const Record asked_for = until ? first_points(every, points_before(*until, result.sampling)) : every;
+  require_points(table, asked_for, min_points);  // where rows do not count, none may be left
+  const Record rise = first_rise(asked_for);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);
   result.baseline_is_off = input.record->zero == ForceZeroRule{ZeroWord::slope} && result.baseline.points > 0;

@@ -175,6 +175,15 @@ TEST_CASE("measurement: a tare that is stated, or taken off before, is the one f
   CHECK(step_of(none, "zero")->value.has_value());
 }
 
+TEST_CASE("bad input: an `until` before the first row that counts") {
+  const Folder folder;
+  Columns columns = columns_of(Machine{});
+  for (std::size_t i = 0; i < 60; ++i) columns.stage[i] = columns.stage[60], columns.force[i] = columns.force[60];
+  CHECK(complaint([&] {
+          folder.measured(columns, "first = 5\nuntil = 40\n");
+        }).find("rows of readings before failure") != std::string::npos);
+}
+
 TEST_CASE("measurement: every step can be switched (table)") {
   const Folder folder;
   const Machine machine{.tare = 2.5, .displacement_sign = -1, .force_sign = -1};
