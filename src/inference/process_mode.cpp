@@ -608,6 +608,7 @@ class Search {
       mend(mode);
       components[i] = component_of(process_, mode);
     }
+    go_on_from_likeliest(components);
     const auto rank = [&] {
       std::stable_sort(components.begin(), components.end(),
                        [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
@@ -659,6 +660,25 @@ class Search {
       if (!(past_folds && better_from(projected(process_, run_, mode))) &&
           !better_from(run_forward(process_, run_, mode)))
         return;
+    }
+  }
+
+  // One kernel may have been led astray where the likeliest was not: it goes on from there as well.
+  void go_on_from_likeliest(std::vector<Component>& components) const {
+    constexpr double far_below = 5;
+    const auto is_rough = [](const Component& each) {
+      return each.mode.theta.waves == 0 && each.mode.kernel != Kernel::none;
+    };
+    const Component* likeliest = nullptr;
+    for (const Component& each : components)
+      if (is_rough(each) && (!likeliest || each.log_evidence > likeliest->log_evidence)) likeliest = &each;
+    if (!likeliest) return;
+    const Component from = *likeliest;
+    for (Component& each : components) {
+      if (!is_rough(each) || each.mode.kernel == from.mode.kernel || each.log_evidence < from.log_evidence - far_below)
+        continue;
+      const Component other = component_of(process_, continued(from.mode, each.mode.kernel));
+      if (other.log_evidence > each.log_evidence) each = other;
     }
   }
 
