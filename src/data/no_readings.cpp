@@ -207,8 +207,13 @@ std::size_t points_before_wrap(std::span<const double> force) {
   constexpr double nearly = 0.9;
   double far = 0;
   for (const double each : force) far = std::max(far, nearly * std::abs(each));
-  for (std::size_t i = 1; i < force.size(); ++i)
-    if (std::min(std::abs(force[i - 1]), std::abs(force[i])) > far && force[i - 1] * force[i] < 0) return i;
+  constexpr std::size_t before = 3;  // points that lead there: a glitch comes from nowhere
+  for (std::size_t i = before; i < force.size(); ++i) {
+    if (!(std::min(std::abs(force[i - 1]), std::abs(force[i])) > far && force[i - 1] * force[i] < 0)) continue;
+    const auto lead = force.subspan(i - before, before);
+    if (std::all_of(lead.begin(), lead.end(), [&](double each) { return each * force[i] < -0.5 * far * far; }))
+      return i;
+  }
   return force.size();
 }
 

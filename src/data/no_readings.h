@@ -30,7 +30,7 @@ std::vector<std::size_t> find_stray_positions(std::span<const double> stage, std
 std::vector<std::size_t> find_halts(const std::vector<double>& stage);
 
 // How many points lie before a force leaps from nearly its greatest magnitude to as much of the other sign, as no specimen pulls: a counter that is full
-// begins anew. All points if it never does.
+// begins anew. Three points lead there; a glitch to and fro comes from nowhere. All points if it never does.
 std::size_t points_before_wrap(std::span<const double> force);
 
 // How many points a load cell shows before it is at its end: where the force rises and then stays within half of its noise of its greatest value for five

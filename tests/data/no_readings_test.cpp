@@ -137,6 +137,9 @@ TEST_CASE(
   for (double& force : record.force) force = -force;  // compression is negative
   CHECK(points_before_wrap(record.force) == 201);
   for (double& force : record.force) force = -force;
+  Record glitch = curve(0, 1);
+  glitch.force[100] = 1, glitch.force[101] = -1;
+  CHECK(points_before_wrap(glitch.force) == glitch.force.size());
   for (std::size_t i = 201; i < record.force.size(); ++i) record.force[i] = -0.1 * full;
   CHECK(points_before_overload(record) == record.force.size());
 }
