@@ -110,12 +110,11 @@ class StrayPositions {
   }
 
  private:
+  static constexpr double far_ = 20;  // [usual step]
+
   double step_to(std::size_t i) const { return i == 0 ? 0.0 : std::abs(stage_[i] - stage_[i - 1]); }
 
-  bool jumps_to(std::size_t i) const {
-    constexpr double far = 20;
-    return usual_ > 0 && step_to(i) > far * std::max(usual_, step_to(i - 1));
-  }
+  bool jumps_to(std::size_t i) const { return usual_ > 0 && step_to(i) > far_ * std::max(usual_, step_to(i - 1)); }
 
   // Is it back at a point where it was before the jump, or where its usual steps since have led it?
   bool is_back(std::size_t jump, std::size_t point) const {
@@ -144,8 +143,7 @@ class StrayPositions {
   }
 
   bool jumps_back_at(std::size_t end, std::size_t jump) const {
-    constexpr double far = 20;
-    return step_to(end) > far * usual_ && is_back(jump, end);
+    return step_to(end) > far_ * usual_ && is_back(jump, end);
   }
 
   std::span<const double> stage_, force_;

@@ -125,7 +125,8 @@ RoundedDrops rounded_drops(const Record& record) {
   const std::vector<Rounded> drops = drops_of(record);
   constexpr std::size_t fewest = 3;
   if (drops.size() < fewest) return {drops.size(), 0, 0};
-  return {drops.size(), lag_of(drops), is_smooth_from_row_to_row(record) ? spread_of(drops) : 0};
+  const double spread = spread_of(drops);
+  return {drops.size(), lag_of(drops), spread > 0 && is_smooth_from_row_to_row(record) ? spread : 0};
 }
 
 }  // namespace flexslip

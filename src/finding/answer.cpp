@@ -117,7 +117,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   }
   if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
     return {VerdictCode::undecided,
-            {friction + (has_reload(test) ? "" : " if no stiffness was lost"), elsewhere->short_form},
+            {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : ""), elsewhere->short_form},
             elsewhere->code};
   Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
                   {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};

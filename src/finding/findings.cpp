@@ -577,8 +577,8 @@ std::string reload_remedy(T test) {
   if (const ReloadChange reload = reload_of(test); has_reload(test))
     return reload.loss_error < well_known
                ? fmt::format(
-                     "The reload bounds the loss to {:.1f} ± {:.1f} %; drops of the next specimen tell more if "
-                     "it is unloaded and loaded again after each few.",
+                     "Unload and load the next specimen again after every few drops: this reload bounds the loss of "
+                     "all to {:.1f} ± {:.1f} %.",
                      100 * reload.loss, 100 * reload.loss_error)
                : fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
                              100 * reload.loss_error);
@@ -628,11 +628,12 @@ Found sank_at_rest(T test) {
   if (!is_bent_enough(test)) return std::nullopt;
   const std::vector<double>& force = test.analysis.record.force;
   const Measurement& measurement = test.measurement;
+  const double little = 0.1 * *std::max_element(force.begin(), force.end());  // of which a share says nothing
   double most = 0;
   std::size_t behind = 0;
   for (const std::size_t halt :
        measurement.sampling.halts_between(measurement.first, measurement.first + force.size())) {
-    if (halt + 1 >= force.size()) continue;
+    if (halt + 1 >= force.size() || !(force[halt] > little)) continue;
     const double sunk = 1 - force[halt + 1] / force[halt];
     if (sunk > most) most = sunk, behind = halt;
   }

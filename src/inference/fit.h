@@ -48,7 +48,7 @@ struct Explanation {
   Kernel kernel;
   std::vector<double> wavelengths;  // [L] of its waves
   double log_evidence;
-  double log_likelihood;  // where its posterior is greatest
+  double log_likelihood;  // of its waves where its posterior is greatest, integrated over all else
   double weight;          // [1] of all; they add up to 1
 };
 

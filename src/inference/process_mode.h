@@ -35,8 +35,6 @@ struct Profile {
 struct ColumnPlaces {
   Eigen::Index mean = 0, drift = 1, stiffness = -1, rig = -1,
                waves = -1;  // -1: not there; those of the rig up to the waves
-
-  bool is_of_rig(Eigen::Index column) const { return column == stiffness || (column >= rig && column < waves); }
 };
 
 // The process of one record, whose readings it holds.

@@ -399,23 +399,26 @@ class Posterior {
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
   }
 
-  // ln p(readings, gaps) at the hyperparameters and the coefficients of a mode, times how likely its bending stiffness and rig were beforehand: what is
-  // explained by a rig that is far off is not explained better.
+  // ln p(readings, gaps) at the hyperparameters and the waves of a mode, integrated over all else: so a rough kernel holds what smooth friction explains,
+  // and more waves what fewer do.
   double log_likelihood_of(const Mode& mode) const {
+    const double value = process_.evidence(mode) + mode.at.log_jacobian;
+    const auto waves = 2 * static_cast<Index>(mode.theta.waves);
+    if (waves == 0) return value;
     Observations observations = process_for(mode).observations_of(mode);
     observations.pull = {};
     const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
-    double value = process_.evidence(mode) + mode.at.log_jacobian;
-    // p(y) = p(y | β) p(β)/p(β | y), at the mean of β.
-    for (std::size_t j = 0; j < observations.prior.size(); ++j) {
-      const double beta = chain.mean()[static_cast<Index>(j)];
-      if (!process_.columns().is_of_rig(static_cast<Index>(j))) value += 0.5 * beta * beta / observations.prior[j];
-      value += 0.5 * elementary::log(observations.prior[j]);
+    const Index first = process_.columns().waves;
+    // p(y | β) = p(y) p(β | y)/p(β), at the mean of β.
+    double of_waves = 0;
+    for (Index j = first; j < first + waves; ++j) {
+      const double beta = chain.mean()[j], prior = observations.prior[static_cast<std::size_t>(j)];
+      of_waves += 0.5 * (beta * beta / prior + elementary::log(prior));
     }
-    const Eigen::LLT<CoefficientMatrix> factor(chain.covariance());
+    const Eigen::LLT<CoefficientMatrix> factor(chain.covariance().block(first, first, waves, waves));
     const CoefficientMatrix L = factor.matrixL();
-    for (Index j = 0; j < L.rows(); ++j) value -= elementary::log(L(j, j));
-    return value;
+    for (Index j = 0; j < waves; ++j) of_waves -= elementary::log(L(j, j));
+    return value + of_waves;
   }
 
   void list_innovations() {

@@ -429,6 +429,16 @@ TEST_CASE("table: an unknown key or section is refused with the nearest known") 
   CHECK(has(complaint("rig = 5"), "data/case.toml:1: [rig]: expected a section [rig], found the number 5"));
 }
 
+std::vector<std::string> all_said_of(std::string_view text) {
+  try {
+    read_case(text, "case.toml");
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()) == error.lines().front());
+    return error.lines();
+  }
+  return {};
+}
+
 TEST_CASE("bad input: all that is wrong with a case is said at once, in the order of its lines") {
   constexpr std::string_view wrong = R"([rig]
 spann = "1278 um"
@@ -440,13 +450,7 @@ modulus = "30 GP"
 [recrod]
 file = "test.csv"
 )";
-  std::vector<std::string> lines;
-  try {
-    read_case(wrong, "case.toml");
-  } catch (const InputError& error) {
-    lines = error.lines();
-    CHECK(std::string(error.what()) == lines.front());
-  }
+  const std::vector<std::string> lines = all_said_of(wrong);
   const std::vector<std::string> expected{
       "case.toml:2: [rig] spann is an unknown key; did you mean 'span'?",
       "case.toml:3: [rig] stiffness: expected a stiffness, found a length '90 um'",
@@ -469,12 +473,7 @@ stage = "w_s"
 deflection = "w"
 force = "F"
 )";
-  std::vector<std::string> lines;
-  try {
-    read_case(wrong, "case.toml");
-  } catch (const InputError& error) {
-    lines = error.lines();
-  }
+  const std::vector<std::string> lines = all_said_of(wrong);
   const std::vector<std::string> expected{"case.toml:1: [specimen] height", "case.toml:3: [rig] span",
                                           "case.toml:7: [record] stage: expected two of the columns"};
   REQUIRE(lines.size() == expected.size());

@@ -69,6 +69,22 @@ class OddButLegal(InFolder):
         self.assertIn(run("fit", CASE, "--set", 'rig.stiffness="40 N/m"').returncode, (0, 1))
         self.fitted(self.record("smooth.csv", self.smooth()), "2960 GPa")
 
+    def test_friction_that_varies_slowly_is_explained_no_better_by_one_that_does_not(self):
+        case = """[specimen]
+bending_stiffness = "1.5e-9 N m^2"
+[rig]
+span = "1278 um"
+stiffness = "90 N/m"
+supports = "edges"
+"""
+        for phase in (0, 3, 5):
+            friction = f'[friction]\nmodel = "sinusoid"\nmu0 = 0.48\namplitude = 0.08\nwavelength = "200 um"\nphase = {phase}\n'
+            made = self.file("made.toml", case + friction + '[stage]\nprogram = ["0 um", "450 um"]\nstep = "0.25 um"\n')
+            record = self.file("slow.csv", self.succeeds("simulate", made, "--noise", "8 uN", "--seed", phase))
+            fit = self.json("fit", self.file("slow.toml", f'{case}[record]\nfile = "{record}"\nstage = "w_s [m]"\nforce = "F [N]"\n'))
+            nesting = next(each for each in fit["findings"] if each["code"] == "simpler_fits_better")
+            self.assertEqual(nesting["severity"], "passed", nesting)
+
     def test_a_span_so_much_too_short_that_tests_drawn_from_the_fit_slip_through(self):
         for span in "180 um", "300 um", "500 um":
             answer = run("fit", CASE, "--set", f'rig.span="{span}"', "--set", 'rig.stiffness="inf"', "--json")
