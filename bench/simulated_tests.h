@@ -69,8 +69,8 @@ inline std::vector<double> matern_bumps(double rms, double length, Random& rando
     observations.columns.emplace_back(Coefficients::Zero(0));
   }
   NormalSource normal(static_cast<std::uint64_t>(random.uniform() * 1e15));
-  return draw_from_prior(observations, kernel,
-                         {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span}, normal)
+  return PriorDraws(observations, kernel,
+                    {.noise = 1, .correlation = 0, .roughness = rms, .length = length / span})(normal)
       .f;
 }
 

@@ -123,6 +123,11 @@ double stiffening_of(const TestAnalysis& analysis) {
   return analysis.status == AnalysisStatus::ok ? analysis.fit.bending_stiffness.value : 1;
 }
 
+// [L] Twice the stage position read: a correction by more is none.
+double farthest_run(const TestAnalysis& analysis) {
+  return 2 * *std::max_element(analysis.reduced.stage.begin(), analysis.reduced.stage.end());
+}
+
 // A point of a run at the fit as this rig would read it, in units of the nominal bending stiffness.
 void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
   point.F *= stiffening_of(analysis);
@@ -341,9 +346,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  // On a load train that gives as much as all of the stage, what the force is off by may leave no way.
+  // On a load train that gives as much as all of the stage, what the force is off by may leave no way, or one without an end.
   const std::vector<double> positions = advancing(fitted.record.stage);
-  if (positions.back() > 0) analysis.model = path_in_steps({friction, rig}, positions);
+  if (positions.back() > 0 && positions.back() < farthest_run(analysis))
+    analysis.model = path_in_steps({friction, rig}, positions);
   for (PathPoint& point : analysis.model.path) read_by_rig(point, analysis);
   for (Snap& snap : analysis.model.snaps) {
     read_by_rig(snap.before, analysis);
@@ -400,7 +406,8 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
 TestPath mean_run_forward(const TestAnalysis& analysis) {
   constexpr int points = 1000;  // on each stretch: a figure thins them out
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
-  const double farthest = *std::max_element(stage.begin(), stage.end()), stiffening = stiffening_of(analysis);
+  const double farthest = std::min(*std::max_element(stage.begin(), stage.end()), farthest_run(analysis));
+  const double stiffening = stiffening_of(analysis);
   TestPath forward = path_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
                                        {&farthest, 1}, points);
   for (auto& point : forward.path) read_by_rig(point, analysis);

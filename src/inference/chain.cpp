@@ -8,6 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -330,33 +331,108 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;
 }
 
+namespace {
+
+// A further series in the filter: what it adds at each observation, over its deviation, and what was expected of g there.
+template <int M>
+void filter_one(const Observations& observations, const chain::Steps<M>& steps, std::span<const double> series,
+                std::span<double> white, std::span<double> expected) {
+  constexpr std::size_t G = M - 1;
+  Few<M> m{};
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const auto& step = steps.steps[k];
+    if (k > 0) {
+      Few<M> next{};
+      for (std::size_t i = 0; i < G; ++i)
+        for (std::size_t j = 0; j < G; ++j) next[i] += step.transition[i * M + j] * m[j];
+      next[G] = step.transition[G * M + G] * m[G];
+      m = next;
+    }
+    const double g = G > 0 ? m[0] : 0;
+    if (!expected.empty()) expected[k] = g;
+    if (!is_seen(observations.all[k])) {
+      white[k] = 0;
+      continue;
+    }
+    const double v = series[k] - g - observations.all[k].noise_gain * m[G];
+    for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
+    white[k] = v / std::sqrt(step.innovation);
+  }
+}
+
+}  // namespace
+
 void Chain::whiten(std::span<const double> series, std::span<double> out) const {
   effort_spent += series.size();
+  std::visit([&](const auto& steps) { filter_one(observations_, steps, series, out, {}); }, steps_);
+}
+
+void Chain::whiten(std::span<const Eight> series, std::span<Eight> out) const {
+  constexpr std::size_t lanes = std::tuple_size_v<Eight>;
+  effort_spent += lanes * series.size();
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
-        constexpr int G = M - 1;
-        std::array<double, M> m{};
+        constexpr std::size_t G = M - 1;
+        std::array<Eight, M> m{}, next;
         for (std::size_t k = 0; k < series.size(); ++k) {
           const auto& step = steps.steps[k];
           if (k > 0) {
-            std::array<double, M> next{};
-            for (int i = 0; i < G; ++i)
-              for (int j = 0; j < G; ++j)
-                next[static_cast<std::size_t>(i)] +=
-                    step.transition[Square<M>::place(i, j)] * m[static_cast<std::size_t>(j)];
-            next[G] = step.transition[Square<M>::place(G, G)] * m[G];
+            next = {};
+            for (std::size_t i = 0; i < M; ++i)
+              for (std::size_t j = i < G ? 0 : G; j < (i < G ? G : M); ++j)  // g and e do not mix
+                for (std::size_t l = 0; l < lanes; ++l) next[i][l] += step.transition[i * M + j] * m[j][l];
             m = next;
           }
           if (!is_seen(observations_.all[k])) {
-            out[k] = 0;
+            out[k] = {};
             continue;
           }
-          const double v = series[k] - (G > 0 ? m[0] : 0) - observations_.all[k].noise_gain * m[G];
-          for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
-          out[k] = v / std::sqrt(step.innovation);
+          const double gain_of_noise = observations_.all[k].noise_gain, scale = 1 / std::sqrt(step.innovation);
+          Eight v = series[k];
+          for (std::size_t l = 0; l < lanes; ++l) v[l] -= (G > 0 ? m[0][l] : 0) + gain_of_noise * m[G][l];
+          for (std::size_t i = 0; i < M; ++i)
+            for (std::size_t l = 0; l < lanes; ++l) m[i][l] += step.gain[i] * v[l];
+          for (std::size_t l = 0; l < lanes; ++l) out[k][l] = v[l] * scale;
         }
       },
       steps_);
+}
+
+Chain::Means Chain::means_of(std::span<const double> values) const {
+  const std::size_t n = values.size();
+  effort_spent += 3 * n;
+  Means means{.f = std::vector<double>(n), .beta = {}};
+  std::vector<double> rest(values.begin(), values.end()), white(n), expected(n);
+  std::visit(
+      [&]<int M>(const chain::Steps<M>& steps) {
+        constexpr std::size_t G = M - 1;
+        filter_one(observations_, steps, rest, white, {});
+        const Eigen::Map<const Eigen::VectorXd> whitened(white.data(), static_cast<Index>(n));
+        Coefficients told = (white_ * whitened).tail(static_cast<Index>(observations_.prior.size()));
+        if (observations_.pull.size() > 0) told += observations_.pull;
+        means.beta = covariance_ * told;
+        for (std::size_t k = 0; k < n; ++k) {
+          means.f[k] = observations_.columns[k].dot(means.beta);
+          rest[k] -= means.f[k];
+        }
+        if constexpr (G == 0) return;
+        filter_one(observations_, steps, rest, white, expected);
+        Few<M> r{};  // as in smoothed()
+        for (std::size_t k = n; k-- > 0;) {
+          const auto& step = steps.steps[k];
+          if (is_seen(observations_.all[k])) {
+            double sum = white[k] / std::sqrt(step.innovation);
+            for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
+            r[0] += sum;
+            r[G] += observations_.all[k].noise_gain * sum;
+          }
+          means.f[k] += expected[k];
+          for (std::size_t j = 0; j < M; ++j) means.f[k] += step.predicted[j] * r[j];
+          if (k > 0) r = product(transposed(Square<M>{step.transition}), r);
+        }
+      },
+      steps_);
+  return means;
 }
 
 Chain::Functional Chain::functional(const Coefficients& a, std::span<const double> covariance, double variance) const {
@@ -605,58 +681,22 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
 
 namespace {
 
-// The process drawn beforehand, at given β: g and e at each observation.
-template <int M>
-void draw_states(const Observations& observations, const Parameters& p, NormalSource& normal, Drawn& drawn) {
-  constexpr int G = M - 1;
-  constexpr int size = G > 0 ? G : 1;
-  using Matrix = Square<size>;
-  const Square<M> of_all = limit_of<M>(p);
-  Matrix limit{};
-  for (int i = 0; i < G; ++i)
-    for (int j = 0; j < G; ++j) limit(i, j) = of_all(i, j);
-  const auto some = [&](const Matrix& covariance) {
-    Few<size> z, out{};
-    for (double& value : z) value = normal();
-    Matrix L = covariance;  // whose lower triangle Cholesky's becomes
-    for (int i = 0; i < size; ++i) L(i, i) += 1e-14 * p.roughness * p.roughness;  // rounding makes no variance negative
-    for (int k = 0; k < size; ++k) {
-      double squares = 0;
-      for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);
-      if (!(L(k, k) - squares > 0)) return Few<size>{};
-      L(k, k) = std::sqrt(L(k, k) - squares);
-      for (int i = k + 1; i < size; ++i) {
-        double products = 0;
-        for (int j = 0; j < k; ++j) products += L(i, j) * L(k, j);
-        L(i, k) = (L(i, k) - products) / L(k, k);
-      }
+// L, of which L L' is a covariance; none where rounding leaves it none.
+template <int G>
+Square<G> root_of(Square<G> L, double roughness) {
+  for (int i = 0; i < G; ++i) L(i, i) += 1e-14 * roughness * roughness;  // rounding makes no variance negative
+  for (int k = 0; k < G; ++k) {
+    double squares = 0;
+    for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);
+    if (!(L(k, k) - squares > 0)) return {};
+    L(k, k) = std::sqrt(L(k, k) - squares);
+    for (int i = k + 1; i < G; ++i) {
+      double products = 0;
+      for (int j = 0; j < k; ++j) products += L(i, j) * L(k, j);
+      L(i, k) = (L(i, k) - products) / L(k, k);
     }
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j <= i; ++j) out[static_cast<std::size_t>(i)] += L(i, j) * z[static_cast<std::size_t>(j)];
-    return out;
-  };
-  Few<size> g = G > 0 ? some(limit) : Few<size>{};
-  double e = p.noise * normal();
-  for (std::size_t k = 0; k < observations.all.size(); ++k) {
-    const Observation& observation = observations.all[k];
-    if (k > 0) {
-      if constexpr (G > 0) {
-        const Matrix A = matern::transition_over<G>(p.rate * (observation.place - observations.all[k - 1].place));
-        Matrix added = product(product(A, limit), transposed(A));
-        for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
-        g = product(A, g);
-        const auto more = some(added);
-        for (std::size_t i = 0; i < size; ++i) g[i] += more[i];
-      }
-      if (observation.rows > 0) {
-        const double kept = p.correlation > 0 ? elementary::exp(observation.rows * elementary::log(p.correlation)) : 0;
-        e = kept * e + std::sqrt(1 - kept * kept) * p.noise * normal();
-      }
-    }
-    drawn.f[k] += g[0];
-    drawn.values[k] = drawn.f[k] + observation.noise_gain * e +
-                      (is_seen(observation) ? std::sqrt(observation.variance) * normal() : 0);
   }
+  return L;
 }
 
 }  // namespace
@@ -667,18 +707,69 @@ double NormalSource::operator()() {
   return radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
 }
 
-Drawn draw_from_prior(const Observations& observations, Kernel kernel, const Hyperparameters& at,
-                      NormalSource& normal) {
+PriorDraws::PriorDraws(const Observations& observations, Kernel kernel, const Hyperparameters& at)
+    : observations_(observations), kernel_(kernel), at_(at) {
   require_domain(observations, kernel, at);
-  const std::size_t n = observations.all.size();
-  Drawn drawn{.beta = Coefficients(static_cast<Index>(observations.prior.size())),
+  with_state_of<void>(kernel, [&](auto size) {
+    constexpr int M = decltype(size)::value, G = M - 1;
+    const Parameters p = parameters_of(kernel, at);
+    if constexpr (G > 0) {
+      const Square<M> of_all = limit_of<M>(p);
+      Square<G> limit{};
+      for (int i = 0; i < G; ++i)
+        for (int j = 0; j < G; ++j) limit(i, j) = of_all(i, j);
+      const auto add = [&](const Square<G>& transition, const Square<G>& added) {
+        const Square<G> root = root_of(added, p.roughness);
+        steps_.insert(steps_.end(), transition.at_.begin(), transition.at_.end());
+        steps_.insert(steps_.end(), root.at_.begin(), root.at_.end());
+      };
+      for (std::size_t k = 0; k < observations.all.size(); ++k) {
+        if (k == 0) {
+          add({}, limit);
+          continue;
+        }
+        const auto A = matern::transition_over<G>(p.rate * (observations.all[k].place - observations.all[k - 1].place));
+        Square<G> added = product(product(A, limit), transposed(A));
+        for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
+        add(A, added);
+      }
+    }
+  });
+}
+
+Drawn PriorDraws::operator()(NormalSource& normal) const {
+  const std::size_t n = observations_.all.size();
+  Drawn drawn{.beta = Coefficients(static_cast<Index>(observations_.prior.size())),
               .f = std::vector<double>(n),
               .values = std::vector<double>(n)};
-  for (std::size_t j = 0; j < observations.prior.size(); ++j)
-    drawn.beta[static_cast<Index>(j)] = std::sqrt(observations.prior[j]) * normal();
-  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = observations.columns[k].dot(drawn.beta);
-  with_state_of<void>(
-      kernel, [&](auto M) { draw_states<decltype(M)::value>(observations, parameters_of(kernel, at), normal, drawn); });
+  for (std::size_t j = 0; j < observations_.prior.size(); ++j)
+    drawn.beta[static_cast<Index>(j)] = std::sqrt(observations_.prior[j]) * normal();
+  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = observations_.columns[k].dot(drawn.beta);
+  const auto G = static_cast<std::size_t>(matern::order_of(kernel_));
+  std::array<double, 5> g{}, next{}, z{};
+  double e = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    const Observation& observation = observations_.all[k];
+    const double* const transition = steps_.data() + k * 2 * G * G;
+    const double* const root = transition + G * G;
+    for (std::size_t i = 0; i < G; ++i) z[i] = normal();
+    for (std::size_t i = 0; i < G; ++i) {
+      next[i] = 0;
+      for (std::size_t j = 0; j < G; ++j) next[i] += transition[i * G + j] * g[j];
+      for (std::size_t j = 0; j <= i; ++j) next[i] += root[i * G + j] * z[j];
+    }
+    g = next;
+    if (k == 0) {
+      e = at_.noise * normal();
+    } else if (observation.rows > 0) {
+      const double kept =
+          at_.correlation > 0 ? elementary::exp(observation.rows * elementary::log(at_.correlation)) : 0;
+      e = kept * e + std::sqrt(1 - kept * kept) * at_.noise * normal();
+    }
+    drawn.f[k] += g[0];
+    drawn.values[k] = drawn.f[k] + observation.noise_gain * e +
+                      (is_seen(observation) ? std::sqrt(observation.variance) * normal() : 0);
+  }
   return drawn;
 }
 

@@ -115,6 +115,17 @@ class Chain {
   // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.
   void whiten(std::span<const double> series, std::span<double> out) const;
 
+  // The same of eight series, a row of numbers for each observation; in a third of the time.
+  using Eight = std::array<double, 8>;
+  void whiten(std::span<const Eight> series, std::span<Eight> out) const;
+
+  // The means of f at each observation, and of β, were these values seen there.
+  struct Means {
+    std::vector<double> f;  // [1]
+    Coefficients beta;
+  };
+  Means means_of(std::span<const double> values) const;
+
   // A linear functional a'β + b(g) given all observations, b being known by its covariance with g at each of them and its variance.
   struct Functional {
     double mean, variance;
@@ -163,6 +174,21 @@ struct Drawn {
   std::vector<double> f;       // h'β + g at each observation
   std::vector<double> values;  // y
 };
-Drawn draw_from_prior(const Observations& observations, Kernel kernel, const Hyperparameters& at, NormalSource& normal);
+
+// As many of them as are asked for.
+class PriorDraws {
+ public:
+  // Domain:     as require_domain. The observations outlive this.
+  PriorDraws(const Observations& observations, Kernel kernel, const Hyperparameters& at);
+
+  Drawn operator()(NormalSource& normal) const;
+
+ private:
+  const Observations& observations_;
+  Kernel kernel_;
+  Hyperparameters at_;
+  std::vector<double>
+      steps_;  // for each observation: how g goes on to it, and the root of the covariance that it gains
+};
 
 }  // namespace flexslip

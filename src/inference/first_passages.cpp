@@ -37,9 +37,8 @@ struct InverseSlopes {
   std::vector<double> F, S_w, S_F, q_w, q_F;
 };
 
-InverseSlopes inverse_slopes(const Fibre& fibre, std::span<const double> S, std::span<const double> q) {
-  const auto s = fibre.states_slopes_under_force({S, q});
-  const std::size_t n = S.size();
+InverseSlopes inverse_slopes(const SlopeArrays& s) {
+  const std::size_t n = s.F.size();
   InverseSlopes slopes{s.F, std::vector<double>(n), std::vector<double>(n), std::vector<double>(n),
                        std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
@@ -91,7 +90,8 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     passages.row.clear();
     return;
   }
-  const auto slopes = inverse_slopes(passages.fibre, S, std::vector<double>(S.size(), friction));
+  const auto slopes =
+      inverse_slopes(passages.fibre.states_slopes_under_force({S, std::vector<double>(S.size(), friction)}));
 
   // Along that curve, a column each: the quantities, ln EI first, then the deviations.
   using Eigen::Index;
@@ -243,6 +243,56 @@ Passages passages_of(const FitProblem& problem) {
   return p;
 }
 
+namespace {
+
+// Friction levels (levels_of), and the states there.
+struct Levels {
+  std::vector<double> mu;
+  SlopeArrays states;
+};
+
+// From frictions `mu` that are near, between two bounds; compliance: [L^3] over the EI fitted.
+Levels levels_between(double least, double most, std::span<const double> S, std::span<const double> stage,
+                      std::vector<double> mu, const Fibre& fibre, double compliance) {
+  const std::size_t n = S.size();
+  std::vector<double> moves(n);
+  constexpr int iterations = 12;
+  for (int iteration = 1;; ++iteration) {
+    SlopeArrays s = fibre.states_slopes_under_force({S, mu});
+    double moved = 0;
+    for (std::size_t j = 0; j < n; ++j) {
+      const double miss = s.w[j] + s.F[j] * compliance - stage[j];
+      double next = mu[j] - miss / (s.w_q[j] + s.F_q[j] * compliance);
+      // Beyond the end of the branch there is no state: more friction has one.
+      if (!std::isfinite(next)) next = mu[j] + 0.25;
+      next = std::clamp(next, least, most);
+      moves[j] = next - mu[j];
+      moved = std::max(moved, std::abs(moves[j]));
+      mu[j] = next;
+    }
+    constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
+    if (moved >= negligible && iteration < iterations) continue;
+    for (std::size_t j = 0; j < n; ++j) s.F[j] += s.F_q[j] * moves[j];  // of the last step, which is that small
+    return {std::move(mu), std::move(s)};
+  }
+}
+
+// Where μ is when lengths, stage positions and EI have moved on from those at which it was found.
+std::vector<double> levels_ahead(const Linearisation& at, double compliance) {
+  std::vector<double> mu = at.mu;
+  for (std::size_t i = 0; i < at.found.size(); ++i) {
+    const LevelFound& found = at.found[i];
+    const double ahead =
+        (at.stage[i] - found.stage - found.stage_S * (at.S[i] - found.S) - found.F * (compliance - found.compliance)) /
+        found.stage_mu;
+    if (std::isfinite(ahead)) mu[i] += ahead;
+  }
+  for (double& value : mu) value = std::clamp(value, min_mu, max_mu);
+  return mu;
+}
+
+}  // namespace
+
 void complete(Linearisation& at, const Passages& passages) {
   const std::size_t n = passages.size();
   at.rig.resize(passages.rig_errors.size(), 0.0);
@@ -261,11 +311,20 @@ void complete(Linearisation& at, const Passages& passages) {
   const double low = std::max(*least - beyond, min_S), high = std::min(*greatest + beyond, max_S);
   for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
-  for (double& mu : at.mu) mu = std::clamp(mu, min_mu, max_mu);
   // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
-  const auto levels = levels_of(at.S, at.stage, at.mu, passages.fibre, passages.compliance, at.eta);
-  for (std::size_t i = 0; i < n; ++i) at.mu[i] = std::clamp(levels[i], min_mu, max_mu);
-  const auto slopes = inverse_slopes(passages.fibre, at.S, at.mu);
+  const double compliance = passages.compliance * elementary::exp(at.eta);
+  auto [mu, states] =
+      levels_between(min_mu, max_mu, at.S, at.stage, levels_ahead(at, compliance), passages.fibre, compliance);
+  at.mu = std::move(mu);
+  at.found.clear();
+  for (std::size_t i = 0; i < n; ++i)
+    at.found.push_back({.S = at.S[i],
+                        .stage = at.stage[i],
+                        .compliance = compliance,
+                        .F = states.F[i],
+                        .stage_S = states.w_S[i] + states.F_S[i] * compliance,
+                        .stage_mu = states.w_q[i] + states.F_q[i] * compliance});
+  const auto slopes = inverse_slopes(states);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
   for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y}) column->resize(n);
   elementary::LogProduct gains;
@@ -286,25 +345,8 @@ void complete(Linearisation& at, const Passages& passages) {
 
 std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
                               const Fibre& fibre, double compliance, double eta) {
-  const std::size_t n = S.size();
-  const double stiffer = compliance * elementary::exp(eta);
-  std::vector<double> q(near.begin(), near.end());
-  for (int iteration = 0; iteration < 12; ++iteration) {
-    const auto s = fibre.states_slopes_under_force({S, q});
-    double moved = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      const double miss = s.w[j] + s.F[j] * stiffer - stage[j];
-      double next = q[j] - miss / (s.w_q[j] + s.F_q[j] * stiffer);
-      // Beyond the end of the branch there is no state: more friction has one.
-      if (!std::isfinite(next)) next = q[j] + 0.25;
-      next = std::clamp(next, min_q, max_q);
-      moved = std::max(moved, std::abs(next - q[j]));
-      q[j] = next;
-    }
-    constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
-    if (moved < negligible) break;
-  }
-  return q;
+  return levels_between(min_q, max_q, S, stage, {near.begin(), near.end()}, fibre, compliance * elementary::exp(eta))
+      .mu;
 }
 
 Linearisation rises_of(const Passages& passages) {

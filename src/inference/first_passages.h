@@ -67,6 +67,13 @@ Passages passages_of(const FitProblem& problem);
 
 inline constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
 
+// Where the friction of a reading was found, and how the stage position goes on from there.
+struct LevelFound {
+  double S, stage, compliance;  // [L], [L], [L^3] over the EI fitted: where a friction was found
+  double F;                     // [EI/L^2]
+  double stage_S, stage_mu;     // [1], [L] of the stage position
+};
+
 // The readings linearised: y_i = μ(x_i) + h_E (η - η0) + Σ h_r (ε_r - ε_r0) + D e_i, e_i being the error of the force, η = ln EI/nominal, ε_r
 // the errors of the rig, each over its standard deviation, h the friction that each reads larger by (Passages).
 struct Linearisation {
@@ -76,6 +83,7 @@ struct Linearisation {
   std::vector<double> S, slope;        // the fitted states: [L] not falling, [1/L] dμ/dS
   std::vector<double> wave_slope;      // [1/L] of its waves; empty: 0
   std::vector<double> mu;              // [1] the friction at which the fibre passes S at the stage position read
+  std::vector<LevelFound> found;       // of mu; empty: mu is only near
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
   std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.05

@@ -200,18 +200,35 @@ void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes
   }
 }
 
+namespace {
+
+double value_of(const Chain& chain, const Mode& mode, const Theta& theta, const ThetaPrior& prior) {
+  return chain.log_likelihood() + mode.at.log_jacobian + prior.log_density(mode.kernel, theta);
+}
+
+}  // namespace
+
+void FrictionProcess::set_waves(const Theta& theta, Observations& observations) const {
+  if (theta.waves == 0) return;
+  for (std::size_t k = 0; k < observations.all.size(); ++k)
+    set_waves(theta, observations.all[k].place, observations.columns[k]);
+}
+
+double FrictionProcess::objective_alone(const Mode& mode, Observations& observations, const Theta& theta) const {
+  set_waves(theta, observations);
+  return value_of(Chain(observations, mode.kernel, hyperparameters_of(theta)), mode, theta, prior_of_theta_);
+}
+
 FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Observations& observations,
                                                       const Theta& theta) const {
-  if (theta.waves > 0)
-    for (std::size_t k = 0; k < observations.all.size(); ++k)
-      set_waves(theta, observations.all[k].place, observations.columns[k]);
+  set_waves(theta, observations);
   std::array<double, max_waves> wavelengths{};
   for (std::size_t wave = 0; wave < theta.waves; ++wave)
     wavelengths[wave] = elementary::exp(theta.log_wavelength(wave));
   const auto p = hyperparameters_of(theta);
-  const auto likelihood = Chain(observations, mode.kernel, p).gradient(std::span(wavelengths).first(theta.waves));
-  Objective result{.value = likelihood.value + mode.at.log_jacobian + prior_of_theta_.log_density(mode.kernel, theta),
-                   .gradient = {}};
+  const Chain chain(observations, mode.kernel, p);
+  const auto likelihood = chain.gradient(std::span(wavelengths).first(theta.waves));
+  Objective result{.value = value_of(chain, mode, theta, prior_of_theta_), .gradient = {}};
   for (std::size_t i = 0; i < Theta::first_wave; ++i) {
     if (mode.kernel == Kernel::none && i >= Theta::log_roughness) continue;
     const double of_value = i == Theta::logit_correlation ? p.correlation * (1 - p.correlation / max_correlation) : 1;
@@ -370,12 +387,28 @@ void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   settle(mode);
 }
 
-// Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range.
-void FrictionProcess::maximise(Mode& mode, int iterations) const {
+// [1] Of ln λ: a tenth of a period over the range.
+double FrictionProcess::longest_step(double log_wavelength) const {
+  return 0.3 * elementary::exp(log_wavelength - elementary::log(passages_.range));
+}
+
+// Minus the inverse curvature of the merit in θ, roughly.
+FrictionProcess::ThetaMatrix FrictionProcess::usual_spread(const Theta& theta) const {
+  const auto n = static_cast<Index>(theta.size());
+  ThetaMatrix spread = 0.05 * ThetaMatrix::Identity(n, n);
+  for (std::size_t wave = 0; wave < theta.waves; ++wave) {
+    const auto at = static_cast<Index>(Theta::first_wave + wave);
+    const double longest = longest_step(theta.log_wavelength(wave));
+    spread(at, at) = 0.01 * longest * longest;
+  }
+  return spread;
+}
+
+// Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range. The spread is learned.
+void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) const {
   const auto n = static_cast<Index>(mode.theta.size());
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Theta::first_wave + max_waves, 1>;
-  Box<Vector> box{.low = Vector(n), .high = Vector(n), .longest_step = Vector::Constant(n, 1.0)};
-  Vector start(n), variances = Vector::Constant(n, 0.05);
+  Box<ThetaVector> box{.low = ThetaVector(n), .high = ThetaVector(n), .longest_step = ThetaVector::Constant(n, 1.0)};
+  ThetaVector start(n);
   for (Index i = 0; i < n; ++i) start[i] = mode.theta.values[static_cast<std::size_t>(i)];
   constexpr auto first_wave = static_cast<Index>(Theta::first_wave);
   for (Index i = 0; i < first_wave; ++i) {
@@ -383,37 +416,36 @@ void FrictionProcess::maximise(Mode& mode, int iterations) const {
     box.high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
   }
   for (Index i = first_wave; i < n; ++i) {
-    const double longest = 0.3 * elementary::exp(start[i] - elementary::log(passages_.range));
-    box.longest_step[i] = longest;
+    box.longest_step[i] = longest_step(start[i]);
     box.low[i] = std::max(start[i] - 0.15, elementary::log(0.5 * min_wavelength_));
     box.high[i] = std::min(start[i] + 0.15, elementary::log(1.2 * max_wavelength()));
-    variances[i] = 0.01 * longest * longest;
   }
-  const auto theta_at = [&](const Vector& x) {
+  const auto theta_at = [&](const ThetaVector& x) {
     Theta theta = mode.theta;
     for (Index i = 0; i < n; ++i) theta.values[static_cast<std::size_t>(i)] = x[i];
     return theta;
   };
   struct Merit {
     double value;
-    Vector gradient;
+    ThetaVector gradient;
   };
   Observations observations = observations_of(mode);
-  const auto merit_at = [&](const Vector& x) {
+  const auto merit_at = [&](const ThetaVector& x) {
     const Objective at = objective(mode, observations, theta_at(x));
-    return Merit{at.value, Vector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
+    return Merit{at.value, ThetaVector(Eigen::Map<const Eigen::VectorXd>(at.gradient.data(), n))};
   };
   constexpr double negligible = 0.003;  // of the merit
-  mode.theta = theta_at(maximised_in_box(merit_at, start, box, variances, iterations, negligible));
+  mode.theta = theta_at(maximised_in_box(merit_at, start, box, spread, iterations, negligible));
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
   settle(mode);
   double before = mode.merit;
   Mode best = mode;  // of states that have followed their hyperparameters: the merit of others means nothing
+  ThetaMatrix spread = usual_spread(mode.theta);
   for (int round = 0; round < rounds; ++round) {
     constexpr int iterations = 8;
-    maximise(mode, iterations);
+    maximise(mode, spread, iterations);
     burst(mode, steps, fraction);
     const double gain = mode.merit - before;
     if (round == 0 || gain > 0) {
@@ -443,41 +475,56 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
   const double range = process.passages().range;
   const double least = 1 / process.max_wavelength(), most = 1 / process.min_wavelength(), step = 1 / (8 * range);
   const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
-  // cos and sin of 2π f x for rising f, by turning.
-  std::vector<double> cosine(n), sine(n), turn_cosine(n), turn_sine(n), white_cosine(n), white_sine(n);
+  // cos and sin of 2π f x for four f at once, then for the next four by turning.
+  constexpr std::size_t at_once = 4;
+  std::vector<Chain::Eight> waves(n), whitened(n);
+  std::vector<elementary::SineAndCosine> turn(n);
   for (std::size_t k = 0; k < n; ++k) {
     const double x = 2 * std::numbers::pi * observations.all[k].place;
-    const auto begin = elementary::sine_and_cosine(least * x), turn = elementary::sine_and_cosine(step * x);
-    cosine[k] = begin.cosine;
-    sine[k] = begin.sine;
-    turn_cosine[k] = turn.cosine;
-    turn_sine[k] = turn.sine;
+    turn[k] = elementary::sine_and_cosine(at_once * step * x);
+    for (std::size_t l = 0; l < at_once; ++l) {
+      const auto begin = elementary::sine_and_cosine((least + static_cast<double>(l) * step) * x);
+      waves[k][l] = begin.cosine;
+      waves[k][at_once + l] = begin.sine;
+    }
   }
-  const auto vector = [n](std::vector<double>& v) {
-    return Eigen::Map<Eigen::VectorXd>(v.data(), static_cast<Index>(n));
-  };
   std::vector<ScannedWavelength> scan;
   constexpr double prior = 1 / (FrictionProcess::wave_deviation * FrictionProcess::wave_deviation);
-  for (std::size_t i = 0; i < count; ++i) {
-    chain.whiten(cosine, white_cosine);
-    chain.whiten(sine, white_sine);
-    // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
-    const Eigen::VectorXd with_cosine = white * vector(white_cosine), with_sine = white * vector(white_sine);
-    const Coefficients c = with_cosine.tail(p), s = with_sine.tail(p);
-    const Coefficients cc = chain.covariance() * c, cs = chain.covariance() * s;
-    const double a = vector(white_cosine).squaredNorm() - c.dot(cc) + prior;
-    const double b = vector(white_sine).squaredNorm() - s.dot(cs) + prior;
-    const double ab = vector(white_cosine).dot(vector(white_sine)) - c.dot(cs);
-    const double y = with_cosine[0] - c.dot(chain.mean()), z = with_sine[0] - s.dot(chain.mean());
-    const double determinant = a * b - ab * ab;
-    const double gain = 0.5 * (b * y * y - 2 * ab * y * z + a * z * z) / determinant -
-                        0.5 * elementary::log(determinant / (prior * prior));
-    scan.push_back({1 / (least + static_cast<double>(i) * step), gain});
+  for (std::size_t i = 0; i < count; i += at_once) {
+    chain.whiten(waves, whitened);
+    std::array<Chain::Eight, max_columns + 1> with{};  // y and the columns
+    Chain::Eight squares{};
+    std::array<double, at_once> products{};
     for (std::size_t k = 0; k < n; ++k) {
-      const double next = cosine[k] * turn_cosine[k] - sine[k] * turn_sine[k];
-      sine[k] = sine[k] * turn_cosine[k] + cosine[k] * turn_sine[k];
-      cosine[k] = next;
+      const double* const series = white.col(static_cast<Index>(k)).data();
+      const Chain::Eight& w = whitened[k];
+      for (std::size_t c = 0; c <= static_cast<std::size_t>(p); ++c)
+        for (std::size_t l = 0; l < 2 * at_once; ++l) with[c][l] += series[c] * w[l];
+      for (std::size_t l = 0; l < 2 * at_once; ++l) squares[l] += w[l] * w[l];
+      for (std::size_t l = 0; l < at_once; ++l) products[l] += w[l] * w[at_once + l];
     }
+    for (std::size_t l = 0; l < at_once && i + l < count; ++l) {
+      // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
+      Coefficients c(p), s(p);
+      for (Index j = 0; j < p; ++j) {
+        c[j] = with[static_cast<std::size_t>(j + 1)][l];
+        s[j] = with[static_cast<std::size_t>(j + 1)][at_once + l];
+      }
+      const Coefficients cc = chain.covariance() * c, cs = chain.covariance() * s;
+      const double a = squares[l] - c.dot(cc) + prior, b = squares[at_once + l] - s.dot(cs) + prior;
+      const double ab = products[l] - c.dot(cs);
+      const double y = with[0][l] - c.dot(chain.mean()), z = with[0][at_once + l] - s.dot(chain.mean());
+      const double determinant = a * b - ab * ab;
+      const double gain = 0.5 * (b * y * y - 2 * ab * y * z + a * z * z) / determinant -
+                          0.5 * elementary::log(determinant / (prior * prior));
+      scan.push_back({1 / (least + static_cast<double>(i + l) * step), gain});
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t l = 0; l < at_once; ++l) {
+        const double cosine = waves[k][l], sine = waves[k][at_once + l];
+        waves[k][l] = cosine * turn[k].cosine - sine * turn[k].sine;
+        waves[k][at_once + l] = sine * turn[k].cosine + cosine * turn[k].sine;
+      }
   }
   std::reverse(scan.begin(), scan.end());
   return scan;
@@ -498,7 +545,7 @@ double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Obser
   const auto at = [&](double step) {
     Theta theta = mode.theta;
     theta.values[hyperparameter] += step;
-    return process.objective(mode, observations, theta).value;
+    return process.objective_alone(mode, observations, theta);
   };
   const double top = at(0);
   constexpr double first = 2e-4, last = 0.1;
@@ -605,8 +652,7 @@ class Search {
     for (std::size_t i = with_first; i < components.size(); ++i) {
       Mode mode = components[i].mode;
       if (mode.theta.waves > 0 || components[i].log_evidence < best - far_below) continue;
-      mend(mode);
-      components[i] = component_of(process_, mode);
+      if (mend(mode)) components[i] = component_of(process_, mode);
     }
     go_on_from_likeliest(components);
     const auto rank = [&] {
@@ -642,9 +688,9 @@ class Search {
     return options_.kernels.front();
   }
 
-  // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better.
-  void mend(Mode& mode) const {
-    if (!std::isfinite(mode.merit)) return;
+  // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better. Is it?
+  bool mend(Mode& mode) const {
+    if (!std::isfinite(mode.merit)) return false;
     // Where noise blurs the places of readings, a polish makes up for more.
     const double hopeless = mode.theta.waves > 0 && is_blurred(mode) ? 3 : 0;
     const auto better_from = [&](Mode other) {
@@ -655,12 +701,15 @@ class Search {
       mode = std::move(other);
       return true;
     };
+    bool is_better = false;
     for (int attempt = 0; attempt < 2; ++attempt) {
       const bool past_folds = is_past_a_fold(mode);
       if (!(past_folds && better_from(projected(process_, run_, mode))) &&
           !better_from(run_forward(process_, run_, mode)))
-        return;
+        break;
+      is_better = true;
     }
+    return is_better;
   }
 
   // One kernel may have been led astray where the likeliest was not: it goes on from there as well.
@@ -677,7 +726,9 @@ class Search {
     for (Component& each : components) {
       if (!is_rough(each) || each.mode.kernel == from.mode.kernel || each.log_evidence < from.log_evidence - far_below)
         continue;
-      const Component other = component_of(process_, continued(from.mode, each.mode.kernel));
+      const Mode mode = continued(from.mode, each.mode.kernel);
+      if (!better(mode, each.mode)) continue;
+      const Component other = component_of(process_, mode);
       if (other.log_evidence > each.log_evidence) each = other;
     }
   }
@@ -744,15 +795,15 @@ class Search {
   }
 
   // A mode settled, and moved by a burst where that is much better.
-  Mode settled(Mode mode, int rounds) const {
+  Mode settled(Mode mode, int steps, double fraction) const {
     process_.settle(mode);
     Mode moved = mode;
-    process_.burst(moved, rounds, 0.3);
+    process_.burst(moved, steps, fraction);
     return moved.merit > mode.merit + 5 ? moved : mode;
   }
 
   Mode without_wave(Kernel kernel) const {
-    Mode mode = settled(process_.start(kernel, process_.prior_of_theta().usual(), rises_), 8);
+    Mode mode = settled(process_.start(kernel, process_.prior_of_theta().usual(), rises_), 8, 0.3);
     process_.polish(mode, 3, 4, 0.3);
     process_.burst(mode, 4, 0.3);
     return mode;
@@ -795,8 +846,8 @@ class Search {
     theta.add_wave(log_wavelength);
     Mode mode = process_.start(from.kernel, theta, from.at);
     mode.sites = from.sites;
-    mode = settled(std::move(mode), 12);
-    process_.polish(mode, 1, 4, 0.3);
+    mode = settled(std::move(mode), 7, 0.5);
+    process_.polish(mode, 1, 3, 0.5);
     return mode;
   }
 

@@ -15,6 +15,7 @@
 #include "inference/chain.h"
 #include "inference/first_passages.h"
 #include "inference/theta.h"
+#include "numerics/minimum.h"
 
 namespace flexslip {
 
@@ -78,6 +79,7 @@ class FrictionProcess {
     std::array<double, Theta::first_wave + max_waves> gradient;
   };
   Objective objective(const Mode& mode, Observations& observations, const Theta& theta) const;
+  double objective_alone(const Mode& mode, Observations& observations, const Theta& theta) const;  // its value
 
   // Sites that agree with the observations; the merit.
   void settle(Mode& mode) const;
@@ -101,6 +103,7 @@ class FrictionProcess {
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
   void set_waves(const Theta& theta, double place, Coefficients& h) const;
+  void set_waves(const Theta& theta, Observations& observations) const;
   double by_moving_rig(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;
   void update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
@@ -110,7 +113,11 @@ class FrictionProcess {
   };
   std::vector<Slope> slopes_of(const Mode& mode, const Observations& observations, const Chain& chain,
                                const std::vector<SmoothedObservation>& smoothed) const;
-  void maximise(Mode& mode, int iterations) const;
+  using ThetaVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, Theta::first_wave + max_waves, 1>;
+  using ThetaMatrix = SquareOf<ThetaVector>;
+  double longest_step(double log_wavelength) const;
+  ThetaMatrix usual_spread(const Theta& theta) const;
+  void maximise(Mode& mode, ThetaMatrix& spread, int iterations) const;
 
   Passages passages_;
   ColumnPlaces columns_;

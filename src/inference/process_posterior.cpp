@@ -33,13 +33,24 @@ struct MeanPath {
 MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
   std::vector<double> places;
   for (const double S : run.lengths()) places.push_back(process.passages().place(S));
-  const auto [observations, at] = process.profile_of(mode, places);
-  const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
-  const auto smoothed = chain.smoothed();
+  const Observations seen = process.observations_of(mode);
+  const auto p = hyperparameters_of(mode.theta);
+  const Coefficients beta = Chain(seen, mode.kernel, p).mean();
+  // Where β is taken for known, g alone is left to be found between the readings.
+  auto [observations, at] = process.profile_of(mode, places);
+  std::vector<double> by_columns(observations.all.size());
+  for (std::size_t k = 0; k < by_columns.size(); ++k) {
+    by_columns[k] = observations.columns[k].dot(beta);
+    observations.values[k] -= by_columns[k];
+    observations.columns[k].resize(0);
+  }
+  observations.prior.clear();
+  observations.pull.resize(0);
+  const auto g = Chain(observations, mode.kernel, p).means_of(observations.values).f;
   MeanPath path;
-  for (const std::size_t i : at) path.mu.push_back(FrictionProcess::mean_friction + smoothed[i].f);
+  for (const std::size_t i : at) path.mu.push_back(FrictionProcess::mean_friction + by_columns[i] + g[i]);
   const Index stiffness = process.columns().stiffness;
-  path.eta = stiffness >= 0 ? std::clamp(chain.mean()[stiffness], -0.2, 0.2) : 0;
+  path.eta = stiffness >= 0 ? std::clamp(beta[stiffness], -0.2, 0.2) : 0;
   return path;
 }
 
@@ -49,6 +60,7 @@ Mode linearised_at(const FrictionProcess& process, const Mode& mode, ForwardStat
   other.at.S = std::move(states.S);
   other.at.mu = std::move(states.mu);
   other.at.slope = std::move(states.slope);
+  other.at.found.clear();
   complete(other.at, process.passages());
   other.sites.clear();
   return other;
@@ -114,6 +126,7 @@ Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode
       other.at.mu[i] = visited.mu[i];
       other.at.slope[i] = visited.slope[i];
     }
+  other.at.found.clear();
   complete(other.at, process.passages());
   return other;
 }
@@ -673,7 +686,8 @@ class Posterior {
         squares[i] += weight * (mu * mu + at.variance);
       }
       const double until = passed + weight * profiles_drawn;
-      while (static_cast<double>(result_.draws.size()) + 0.5 < until) draw_profile(mode, profile);
+      const PriorDraws beforehand(profile.observations, mode.kernel, p);
+      while (static_cast<double>(result_.draws.size()) + 0.5 < until) draw_profile(beforehand, profile, chain);
       passed = until;
     }
     for (std::size_t i = 0; i < profile_points; ++i)
@@ -706,18 +720,16 @@ class Posterior {
   }
 
   // A draw from beforehand, moved by what it would have to be moved by to see what was seen.
-  void draw_profile(const Mode& mode, const Profile& profile) {
-    const auto p = hyperparameters_of(mode.theta);
-    const Drawn drawn = draw_from_prior(profile.observations, mode.kernel, p, normal_);
-    Observations rest = profile.observations;
-    for (std::size_t k = 0; k < rest.values.size(); ++k) rest.values[k] -= drawn.values[k];
-    const Chain chain(rest, mode.kernel, p);
-    const auto smoothed = chain.smoothed();
+  void draw_profile(const PriorDraws& beforehand, const Profile& profile, const Chain& chain) {
+    const Drawn drawn = beforehand(normal_);
+    std::vector<double> rest = profile.observations.values;
+    for (std::size_t k = 0; k < rest.size(); ++k) rest[k] -= drawn.values[k];
+    const auto moved = chain.means_of(rest);
     std::vector<double> mu;
-    for (const std::size_t k : profile.at) mu.push_back(FrictionProcess::mean_friction + drawn.f[k] + smoothed[k].f);
+    for (const std::size_t k : profile.at) mu.push_back(FrictionProcess::mean_friction + drawn.f[k] + moved.f[k]);
     result_.draws.push_back(table_of(mu));
     const Index stiffness = process_.columns().stiffness;
-    const double eta = stiffness >= 0 ? drawn.beta[stiffness] + chain.mean()[stiffness] : 0;
+    const double eta = stiffness >= 0 ? drawn.beta[stiffness] + moved.beta[stiffness] : 0;
     result_.draw_stiffness.push_back(elementary::exp(eta));
   }
 

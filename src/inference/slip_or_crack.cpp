@@ -1,8 +1,10 @@
 #include "inference/slip_or_crack.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "data/names.h"
@@ -45,6 +47,65 @@ struct Series {
   }
 };
 
+// One such function for each row, of which compilers make vectors: the same sums as those of each alone.
+class SeriesOfRows {
+ public:
+  void add(const Series& series) {
+    const std::size_t lane = size_++ % lanes;
+    if (lane == 0) blocks_.emplace_back();
+    Block& block = blocks_.back();
+    block.least[lane] = series.least;
+    block.greatest[lane] = series.greatest;
+    for (std::size_t k = 0; k < terms; ++k) block.coefficients[k][lane] = series.coefficients[k];
+    for (std::size_t more = lane + 1; more < lanes; ++more) block.greatest[more] = 1;  // of no row
+  }
+
+  Series of(std::size_t row) const {
+    const Block& block = blocks_[row / lanes];
+    const std::size_t lane = row % lanes;
+    Series series{block.least[lane], block.greatest[lane], {}};
+    for (std::size_t k = 0; k < terms; ++k) series.coefficients[k] = block.coefficients[k][lane];
+    return series;
+  }
+
+  // At a number for each row. Domain: x, values and slopes as long as padded(rows).
+  void at(const std::vector<double>& x, std::vector<double>& values, std::vector<double>& slopes) const {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const Block& block = blocks_[b];
+      Lanes inside, half_width, t, b1{}, b2{}, d1{}, d2{};
+      for (std::size_t i = 0; i < lanes; ++i) {
+        inside[i] = std::clamp(x[b * lanes + i], block.least[i], block.greatest[i]);
+        half_width[i] = 0.5 * (block.greatest[i] - block.least[i]);
+        t[i] = (inside[i] - 0.5 * (block.least[i] + block.greatest[i])) / half_width[i];
+      }
+      for (std::size_t k = terms - 1; k > 0; --k)
+        for (std::size_t i = 0; i < lanes; ++i) {
+          const double c = block.coefficients[k][i];
+          d2[i] = std::exchange(d1[i], static_cast<double>(k) * c + 2 * t[i] * d1[i] - d2[i]);
+          b2[i] = std::exchange(b1[i], c + 2 * t[i] * b1[i] - b2[i]);
+        }
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const double slope = d1[i] / half_width[i];
+        slopes[b * lanes + i] = slope;
+        values[b * lanes + i] =
+            block.coefficients[0][i] + t[i] * b1[i] - b2[i] + slope * (x[b * lanes + i] - inside[i]);
+      }
+    }
+  }
+
+  static std::size_t padded(std::size_t rows) { return (rows + lanes - 1) / lanes * lanes; }
+
+ private:
+  static constexpr std::size_t lanes = 8;
+  using Lanes = std::array<double, lanes>;
+  struct Block {
+    Lanes least{}, greatest{};
+    std::array<Lanes, terms> coefficients{};
+  };
+  std::vector<Block> blocks_;
+  std::size_t size_ = 0;
+};
+
 Nodes nodes_between(double least, double greatest) {
   Nodes nodes{};
   for (std::size_t j = 0; j < terms; ++j) nodes[j] = std::lerp(least, greatest, 0.5 + 0.5 * Polynomial::node(j));
@@ -54,9 +115,6 @@ Nodes nodes_between(double least, double greatest) {
 // A fibre at the deflection of a row.
 struct Row {
   double w, F;      // [L], [EI/L^2]
-  Series force;     // [EI/L^2] by friction
-  Series friction;  // [1] by force
-  Series length;    // [L] by force
   double q;         // [1] friction that gives the force
   double along;     // from -1 to 1 over all rows, as the length at usual friction
   double to_stage;  // [1] what an error of the force at given deflection is at given stage position
@@ -64,8 +122,15 @@ struct Row {
   double drops_before;
 };
 
-// Ψ at the deflection of each row: by friction from min_q to max_q, where the branch reaches max_w, and by force.
-void expand(std::vector<Row>& rows, const Fibre& fibre) {
+// Ψ at the deflection of each row.
+struct Expanded {
+  SeriesOfRows force;     // [EI/L^2] by friction
+  SeriesOfRows friction;  // [1] by force
+  SeriesOfRows length;    // [L] by force
+};
+
+// By friction from min_q to max_q, where the branch reaches max_w, and by force.
+Expanded expand(const std::vector<Row>& rows, const Fibre& fibre) {
   constexpr double min_q = -0.2, max_q = 2;
   const Nodes nodes = nodes_between(min_q, max_q);
   std::vector<double> S, q;
@@ -76,31 +141,36 @@ void expand(std::vector<Row>& rows, const Fibre& fibre) {
     }
   for (int iteration = 0; iteration < 8; ++iteration) {
     const auto at = fibre.tabulated_states_slopes({S, q});
+    double farthest = 0;
     for (std::size_t i = 0; i < S.size(); ++i) {  // Newton in w², which is nearly straight in S
       const double w = rows[i / terms].w;
-      const double step = (w * w - at.w[i] * at.w[i]) / (2 * at.w[i] * at.w_S[i]);
-      S[i] += std::clamp(step, -0.5 * (S[i] - 1), 0.1);
+      const double step = std::clamp((w * w - at.w[i] * at.w[i]) / (2 * at.w[i] * at.w_S[i]), -0.5 * (S[i] - 1), 0.1);
+      S[i] += step;
+      farthest = std::max(farthest, std::abs(step));
     }
+    constexpr double negligible = 1e-9;  // [L]: the step after is its square
+    if (farthest < negligible) break;
   }
   const auto states = fibre.tabulated_states({S, q});
+  Expanded expanded;
   for (std::size_t r = 0; r < rows.size(); ++r) {
-    Row& row = rows[r];
     const auto by_friction = [&](const std::vector<double>& values) {
       Nodes of_row{};
       std::copy_n(values.begin() + static_cast<std::ptrdiff_t>(r * terms), terms, of_row.begin());
       return Series{min_q, max_q, Polynomial::chebyshev(of_row)};
     };
-    row.force = by_friction(states.F);
-    const Series length = by_friction(S);
-    const double least = row.force.at(min_q).value, most = row.force.at(max_q).value;
+    const Series force = by_friction(states.F), length = by_friction(S);
+    const double least = force.at(min_q).value, most = force.at(max_q).value;
     Nodes friction = nodes_between(least, most), lengths{};
     for (std::size_t k = 0; k < terms; ++k) {
-      friction[k] = row.force.where(friction[k]);
+      friction[k] = force.where(friction[k]);
       lengths[k] = length.at(friction[k]).value;
     }
-    row.friction = {least, most, Polynomial::chebyshev(friction)};
-    row.length = {least, most, Polynomial::chebyshev(lengths)};
+    expanded.force.add(force);
+    expanded.friction.add({least, most, Polynomial::chebyshev(friction)});
+    expanded.length.add({least, most, Polynomial::chebyshev(lengths)});
   }
+  return expanded;
 }
 
 // So many rows are taken as one, their mean: with more than some hundred, what friction does within a rise, which neither slips nor cracks
@@ -139,20 +209,17 @@ std::vector<Row> rows_of(const ReducedRecord& record, std::span<const Drop> drop
   return rows;
 }
 
-// Σ c_k P_k(x) of Legendre's polynomials.
-double legendre_series(std::span<const double> c, double x) {
-  double before = 0, P = 1, sum = 0;
-  for (std::size_t k = 0; k < c.size(); ++k) {
-    sum += c[k] * P;
-    const auto degree = static_cast<double>(k);
-    const double next = ((2 * degree + 1) * x * P - degree * before) / (degree + 1);
-    before = P;
-    P = next;
-  }
-  return sum;
-}
-
 constexpr std::size_t slow_terms = 5;  // of the friction of cracks that varies slowly
+
+// Legendre's polynomials P_k(x).
+std::array<double, slow_terms> legendre_polynomials(double x) {
+  std::array<double, slow_terms> P{1, x};
+  for (std::size_t k = 1; k + 1 < slow_terms; ++k) {
+    const auto degree = static_cast<double>(k);
+    P[k + 1] = ((2 * degree + 1) * x * P[k] - degree * P[k - 1]) / (degree + 1);
+  }
+  return P;
+}
 
 using Starts = std::vector<std::vector<double>>;
 
@@ -165,15 +232,17 @@ class Rises {
  public:
   Rises(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) : rows_(rows_of(record, drops)) {
     if (rows_.empty()) return;
-    expand(rows_, rig.fibre);
+    psi_ = expand(rows_, rig.fibre);
     n_ = rows_.size();
     for (std::size_t i = 0; i < n_; ++i)
       if (i == 0 || rows_[i].rise != rows_[i - 1].rise) begin_.push_back(i);
     std::vector<double> S, q;
-    for (Row& row : rows_) {
+    for (std::size_t i = 0; i < n_; ++i) {
+      Row& row = rows_[i];
       constexpr double usual = 0.5;
-      const auto length_at = [&](double mu) { return row.length.at(row.force.at(mu).value).value; };
-      row.q = row.friction.at(row.F).value;
+      const Series force = psi_.force.of(i), length = psi_.length.of(i);
+      const auto length_at = [&](double mu) { return length.at(force.at(mu).value).value; };
+      row.q = psi_.friction.of(i).at(row.F).value;
       row.along = length_at(usual);
       q.push_back(std::clamp(row.q, 0.0, 1.2));
       S.push_back(length_at(q.back()));
@@ -185,7 +254,9 @@ class Rises {
       const double tangent = slopes.F_S[i] / slopes.w_S[i];  // dF/dw at constant friction
       rows_[i].to_stage = 1 / (1 + std::max(tangent, -0.5 * rig.stiffness) / rig.stiffness);
     }
-    x_.resize(n_), y_.resize(n_), z_.resize(n_);
+    legendre_.reserve(n_);
+    for (const Row& row : rows_) legendre_.push_back(legendre_polynomials(row.along));
+    for (auto* series : {&x_, &y_, &z_, &by_row_, &at_row_, &slope_}) series->resize(SeriesOfRows::padded(n_));
   }
 
   std::size_t size() const { return begin_.size(); }
@@ -287,13 +358,19 @@ class Rises {
   // The force of a fibre whose friction is such a series in the length, what it is measured against, and whether friction is possible.
   bool forces(std::span<const double> friction, double rho) {
     constexpr double greatest = 1.3;
+    if (!(rho >= 0 && rho < 0.99)) return false;
     for (std::size_t i = 0; i < n_; ++i) {
-      const double q = legendre_series(friction, rows_[i].along);
+      double q = 0;
+      for (std::size_t k = 0; k < friction.size(); ++k) q += friction[k] * legendre_[i][k];
       if (!(q >= 0 && q <= greatest)) return false;
-      x_[i] = rows_[i].force.at(q).value * rows_[i].to_stage;
+      by_row_[i] = q;
+    }
+    psi_.force.at(by_row_, at_row_, slope_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      x_[i] = at_row_[i] * rows_[i].to_stage;
       z_[i] = rows_[i].F * rows_[i].to_stage;
     }
-    return rho >= 0 && rho < 0.99;
+    return true;
   }
 
   // Levels of the rises that never rise, of least squares, and what is left.
@@ -302,11 +379,13 @@ class Rises {
       double product, square;
       std::size_t rises;
     };
-    std::vector<Block> blocks;
+    std::vector<Block> blocks, rises;
+    blocks.reserve(size()), rises.reserve(size());
     double left_over = 0;
     for (std::size_t j = 0; j < size(); ++j) {
       left_over += sum(z_, z_, j);
       Block block{sum(x_, z_, j), sum(x_, x_, j), 1};
+      rises.push_back(block);
       if (j == 0) {
         const double known = variance_ / (stiffness_error * stiffness_error);
         block.product += known;
@@ -326,7 +405,7 @@ class Rises {
     squares_ = left_over;
     for (const Block& block : blocks) {
       const double e = block.product / block.square;
-      for (std::size_t k = 0; k < block.rises; ++k, ++j) squares_ += e * (e * sum(x_, x_, j) - 2 * sum(x_, z_, j));
+      for (std::size_t k = 0; k < block.rises; ++k, ++j) squares_ += e * (e * rises[j].square - 2 * rises[j].product);
     }
     const double away = (first - 1) / stiffness_error;
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + more);
@@ -390,13 +469,16 @@ class Rises {
       const Row& row = rows_[i];
       if (i == 0 || row.drops_before != rows_[i - 1].drops_before)
         e = e0 * elementary::exp(row.drops_before * elementary::log(1 - loss));
-      const auto [q, q_force] = row.friction.at(row.F / e);
-      if (loss > 0 && q > std::max(greatest, row.q)) return impossible;
-      const double gain = e / q_force * row.to_stage;
-      S[i] = row.length.at(row.F / e).value;
-      y[i] = gain * q;
-      level[i] = gain;
+      level[i] = e * row.to_stage;
+      by_row_[i] = row.F / e;
     }
+    psi_.friction.at(by_row_, y, slope_);
+    for (std::size_t i = 0; i < n_; ++i) {
+      if (loss > 0 && y[i] > std::max(greatest, rows_[i].q)) return impossible;
+      level[i] /= slope_[i];
+      y[i] *= level[i];
+    }
+    psi_.length.at(by_row_, S, slope_);
     left_ = elementary::exp((rows_.back().drops_before - rows_.front().drops_before) * elementary::log(1 - loss));
     for (std::size_t j = 0; j < size(); ++j) {
       double middle = 0;
@@ -441,7 +523,8 @@ class Rises {
       const auto deflection = [&](std::size_t i) { return row(i).w; };
       const auto logarithm = [&](std::size_t i) {
         constexpr double nothing = 1e-6;  // of a specimen that broke
-        return elementary::log(std::max(row(i).F / row(i).force.at(friction).value, nothing));
+        const double force = psi_.force.of(begin_[j] + i).at(friction).value;
+        return elementary::log(std::max(row(i).F / force, nothing));
       };
       const Line line = line_through(n, deflection, logarithm);
       const auto at = [&](std::size_t i) { return line.mean_y + line.slope * (row(i).w - line.mean_x); };
@@ -454,11 +537,13 @@ class Rises {
   }
 
   std::vector<Row> rows_;
-  std::vector<std::size_t> begin_;  // of each rise
+  Expanded psi_;
+  std::vector<std::array<double, slow_terms>> legendre_;  // of each row
+  std::vector<std::size_t> begin_;                        // of each rise
   std::size_t n_ = 0;
-  double variance_ = 0;            // of a row, as far as it is known from the round before
-  double squares_ = 0, left_ = 1;  // of the last evaluation
-  std::vector<double> x_, y_, z_;
+  double variance_ = 0;                                      // of a row, as far as it is known from the round before
+  double squares_ = 0, left_ = 1;                            // of the last evaluation
+  std::vector<double> x_, y_, z_, by_row_, at_row_, slope_;  // padded: what is beyond n_ is of no row
 };
 
 double squashed(double x) {  // tanh

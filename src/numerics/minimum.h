@@ -95,23 +95,23 @@ struct Box {
   Vector longest_step;
 };
 
+template <class Vector>
+using SquareOf = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime, 0,
+                               Vector::MaxRowsAtCompileTime, Vector::MaxRowsAtCompileTime>;
+
 // Uphill until a step gains less than `negligible` and the next promises no more, or none of six lengths of a step gains at all, or for so many
 // iterations.
-// Domain:     Vector: a column of Eigen's; f(Vector) gives a struct with `value` and `gradient`, finite in the box. variances: minus the inverse
-//             curvature of each number, roughly. Numbers and values of the order of 1: of steps shorter than 1e-6 no curvature is learned.
+// Domain:     Vector: a column of Eigen's; f(Vector) gives a struct with `value` and `gradient`, finite in the box. inverse: that of minus the
+//             curvature, roughly; it is left as it was learned. Numbers and values of the order of 1: of steps shorter than 1e-6 no curvature is learned.
 // Method:     BFGS, each step shortened to the longest and to the box, then by 0.3 until it rises, at most five times.
 // Fails:      never; where none of six lengths of a step rises it ends, in a bent valley that leads into a wall maybe before its end.
 // Cost:       1 + (1 to 6) calls an iteration.
 template <class Function, class Vector>
-Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector>& box, const Vector& variances,
+Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector>& box, SquareOf<Vector>& inverse,
                         int iterations, double negligible) {
-  using Matrix = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime, 0,
-                               Vector::MaxRowsAtCompileTime, Vector::MaxRowsAtCompileTime>;
   const Eigen::Index n = start.size();
   Vector x = start.cwiseMax(box.low).cwiseMin(box.high);
   auto now = f(x);
-  Matrix inverse = Matrix::Zero(n, n);  // of minus the Hessian
-  inverse.diagonal() = variances;
   double gain = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Vector step = inverse * now.gradient;
@@ -134,7 +134,7 @@ Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector
     const double sy = s.dot(y);
     gain = then.value - now.value;
     if (sy > 1e-12) {
-      const Matrix I = Matrix::Identity(n, n);
+      const SquareOf<Vector> I = SquareOf<Vector>::Identity(n, n);
       inverse = (I - s * y.transpose() / sy) * inverse * (I - y * s.transpose() / sy) + s * s.transpose() / sy;
     }
     x = next;

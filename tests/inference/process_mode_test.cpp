@@ -76,7 +76,7 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
     double sum = 0;
     constexpr int draws = 4000;
     for (int draw = 0; draw < draws; ++draw) {
-      const Drawn drawn = draw_from_prior(observations, kernel, p, normal);
+      const Drawn drawn = PriorDraws(observations, kernel, p)(normal);
       Observations rest = observations;
       for (std::size_t i = 0; i < rest.values.size(); ++i) rest.values[i] -= drawn.values[i];
       const auto moved = Chain(rest, kernel, p).smoothed();

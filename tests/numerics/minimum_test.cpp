@@ -76,27 +76,35 @@ Hill hill(const Eigen::Vector2d& x) {  // the valley upside down
 }  // namespace
 
 TEST_CASE("table: uphill to the top of a hill, or to where the box ends") {
-  const Eigen::Vector2d start(-1.2, 1), rough(0.01, 0.01);
+  const Eigen::Vector2d start(-1.2, 1);
+  const auto rough = [] { return Eigen::Matrix2d(0.01 * Eigen::Matrix2d::Identity()); };
+  Eigen::Matrix2d learned = rough();
   const Box<Eigen::Vector2d> wide{{-2, -2}, {2, 2}, {0.5, 0.5}};
-  const auto top = maximised_in_box(hill, start, wide, rough, 200, 1e-16);
+  const auto top = maximised_in_box(hill, start, wide, learned, 200, 1e-16);
   CHECK((top - Eigen::Vector2d(1, 1)).norm() < 1e-6);
+  Eigen::Matrix2d curvature;
+  curvature << 802, -400, -400, 200;
+  CHECK((learned * curvature - Eigen::Matrix2d::Identity()).norm() < 0.1);
   const auto bowl = [](const Eigen::Vector2d& x) {  // greatest at (1, 2), upside down
     return Hill{-std::pow(x[0] - 1, 2) - 3 * std::pow(x[1] - 2, 2), Eigen::Vector2d(2 - 2 * x[0], 12 - 6 * x[1])};
   };
   const Box<Eigen::Vector2d> narrow{{-2, -2}, {0.5, 5}, {0.5, 0.5}};
-  const auto wall = maximised_in_box(bowl, start, narrow, rough, 200, 1e-16);
+  learned = rough();
+  const auto wall = maximised_in_box(bowl, start, narrow, learned, 200, 1e-16);
   CHECK(wall[0] == 0.5);
   CHECK(std::abs(wall[1] - 2) < 1e-6);
   // Not where a step gains little because it was short.
   const auto flat = [](const Eigen::Vector2d& x) { return Hill{-0.1 * x.squaredNorm(), -0.2 * x}; };
-  const auto near = maximised_in_box(flat, Eigen::Vector2d(1.5, 0), wide, rough, 8, 0.003);
+  learned = rough();
+  const auto near = maximised_in_box(flat, Eigen::Vector2d(1.5, 0), wide, learned, 8, 0.003);
   CHECK(-flat(near).value < 0.003);
 }
 
 TEST_CASE("limit: no step is longer than it may be, and a start outside the box begins at its wall") {
   const Box<Eigen::Vector2d> box{{0, 0}, {10, 10}, {0.25, 0.125}};
   const auto steep = [](const Eigen::Vector2d& x) { return Hill{100 * x[0] + 100 * x[1], Eigen::Vector2d(100, 100)}; };
-  const auto once = maximised_in_box(steep, Eigen::Vector2d(-5, 1), box, Eigen::Vector2d(1, 1), 1, 0);
+  Eigen::Matrix2d rough = Eigen::Matrix2d::Identity();
+  const auto once = maximised_in_box(steep, Eigen::Vector2d(-5, 1), box, rough, 1, 0);
   CHECK(once[0] == 0.125);
   CHECK(once[1] == 1.125);
 }
