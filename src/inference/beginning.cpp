@@ -8,11 +8,11 @@
 #include <span>
 #include <vector>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include "bending_test/equilibrium.h"
 #include "numerics/beam.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -109,13 +109,13 @@ class BeginningFit {
         gradient[i] -= known[static_cast<std::size_t>(i)].weight * known[static_cast<std::size_t>(i)].away;
       }
       normal.diagonal() *= 1 + 1e-9;
-      const Eigen::LDLT<Eigen::Matrix4d> solver(normal);
-      const Eigen::Vector4d move = solver.solve(gradient);
-      const Eigen::Matrix4d covariance = solver.solve(Eigen::Matrix4d::Identity());
+      const Symmetric solver(normal);
+      const Eigen::Vector4d move = solver.solved(gradient);
+      const Eigen::MatrixXd& covariance = solver.inverse();
       at.depth_variance = covariance(3, 3);
       at.contact_variance = covariance(0, 0) + covariance(3, 3) + 2 * covariance(0, 3);
-      at.log_volume = -0.5 * solver.vectorD().array().abs().log().sum() +
-                      (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
+      at.log_volume =
+          -0.5 * solver.log_determinant() + (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
       if (!move.allFinite()) return {};
       if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6 && std::abs(move[3]) < 1e-8) break;
       // Half of it, and again half, until the loss does not grow.

@@ -12,12 +12,13 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "bending_test/rig.h"
 #include "data/record.h"
 #include "fibre/elastica.h"
 #include "inference/profile.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 #include "numerics/state_space.h"
 #include "numerics/statistics.h"
@@ -378,8 +379,8 @@ std::vector<double> without_trend(std::span<const double> S, std::span<const dou
     b[i] = values[at];
     root[i] = std::sqrt(weights[at]);
   }
-  const Eigen::MatrixXd weighted = root.asDiagonal() * A;
-  const Eigen::VectorXd rest = b - A * weighted.colPivHouseholderQr().solve(root.cwiseProduct(b));
+  const Eigen::MatrixXd weighted = (root.cwiseAbs2().asDiagonal() * A).transpose();
+  const Eigen::VectorXd rest = b - A * Symmetric(product(weighted, A)).solved(product(weighted, b));
   return {rest.data(), rest.data() + n};
 }
 
@@ -438,11 +439,9 @@ NormalStep Estimator::estimate(const Noise& noise, Eigen::Index differences) con
   for (Eigen::Index i = 0; i < contacts; ++i)
     add_prior(1 + i, calibration_.contact[static_cast<std::size_t>(i)], options_.contact_error);
   if (differences > 0) add_prior(1 + contacts, 0, 1);  // a mean difference beyond 1 is none of friction
-  const Eigen::LDLT<Eigen::MatrixXd> factors(A);
-  NormalStep result{.step = factors.solve(b), .covariance = {}, .objective = 0};
-  result.covariance = factors.solve(Eigen::MatrixXd::Identity(n, n));
-  for (Eigen::Index i = 0; i < n; ++i) log_determinant += elementary::log(std::abs(factors.vectorD()[i]));
-  result.objective = log_determinant + squares - b.dot(result.step);
+  const Symmetric factors(A);
+  NormalStep result{.step = factors.solved(b), .covariance = factors.inverse(), .objective = 0};
+  result.objective = log_determinant + factors.log_determinant() + squares - b.dot(result.step);
   return result;
 }
 

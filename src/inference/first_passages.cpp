@@ -6,13 +6,14 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "bending_test/equilibrium.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/state_table.h"
 #include "inference/chain.h"
 #include "inference/profile.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -144,18 +145,19 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     over_noise.row(i) /= noise;
     over_noise.row(noise_gain.size() + i) /= noise;
   }
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> told(over_noise.transpose() * over_noise);
+  const auto [values, vectors] = eigen_of(product(MatrixXd(over_noise.transpose()), over_noise));
   constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
   constexpr auto at_most =
       static_cast<Index>(most_rig_errors);  // what the others tell is far below the errors of these
-  const Index count = told.eigenvalues().size();
+  const Index count = values.size();
   Index kept = 0;
-  while (kept < std::min(count, at_most) && told.eigenvalues()[count - 1 - kept] > tells_nothing) ++kept;
+  while (kept < std::min(count, at_most) && values[count - 1 - kept] > tells_nothing) ++kept;
   MatrixXd combine = MatrixXd::Zero(alone + count, 1 + kept);
   combine(0, 0) = 1;
-  combine.bottomRightCorner(count, kept) = told.eigenvectors().rightCols(kept).rowwise().reverse();
-  const MatrixXd moved_w = at_readings(shift_w * combine), moved_F = at_readings(shift_F * combine);
-  const MatrixXd more_friction = at_readings(of_friction * combine), moved_place = at_readings(of_place * combine);
+  combine.bottomRightCorner(count, kept) = vectors.rightCols(kept).rowwise().reverse();
+  const MatrixXd moved_w = at_readings(product(shift_w, combine)), moved_F = at_readings(product(shift_F, combine));
+  const MatrixXd more_friction = at_readings(product(of_friction, combine)),
+                 moved_place = at_readings(product(of_place, combine));
   passages.rig_errors.resize(static_cast<std::size_t>(kept));
   for (Index r = 0; r <= kept; ++r) {
     RigError& error = r == 0 ? passages.stiffness : passages.rig_errors[static_cast<std::size_t>(r - 1)];

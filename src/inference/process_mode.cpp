@@ -7,10 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "inference/chain.h"
 #include "inference/process_posterior.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 #include "numerics/minimum.h"
 #include "numerics/progress.h"
@@ -273,8 +274,7 @@ double FrictionProcess::by_moving_rig(const Mode& mode, const Chain& chain) cons
   if (!knows_stiffness) away[0] -= mode.at.eta;
   for (std::size_t r = 0; r < mode.at.rig.size(); ++r)
     away[columns_.rig - from + static_cast<Index>(r)] -= mode.at.rig[r];
-  const Eigen::LLT<CoefficientMatrix> covariance(chain.covariance().block(from, from, count, count));
-  return 0.5 * away.dot(covariance.solve(away));
+  return 0.5 * away.dot(Symmetric(chain.covariance().block(from, from, count, count)).solved(away));
 }
 
 void FrictionProcess::settle(Mode& mode) const {
@@ -580,10 +580,10 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   // In units of the deviations that each has by itself, since those of ln λ are far smaller.
   constexpr double min_curvature = 0.3;  // a standard deviation of at most 1.8 in the logarithm of a hyperparameter
   const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(unit.asDiagonal() * H * unit.asDiagonal());
+  const auto [curvatures, vectors] = eigen_of(MatrixXd(unit.asDiagonal() * H * unit.asDiagonal()));
   constexpr double least =
       0.003;  // two waves stretch together, with the specimen, by twenty deviations of either alone
-  const Eigen::VectorXd values = eigen.eigenvalues().cwiseMax(least);
+  const Eigen::VectorXd values = curvatures.cwiseMax(least);
   double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
@@ -592,10 +592,8 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
     log_evidence += elementary::log(static_cast<double>(wave + 1)) -
                     elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
-  Component component{.mode = mode,
-                      .log_evidence = log_evidence,
-                      .spread = unit.asDiagonal() * eigen.eigenvectors() * values.cwiseInverse().asDiagonal() *
-                                eigen.eigenvectors().transpose() * unit.asDiagonal()};
+  const MatrixXd root = unit.asDiagonal() * vectors * values.cwiseSqrt().cwiseInverse().asDiagonal();
+  Component component{.mode = mode, .log_evidence = log_evidence, .spread = product(root, MatrixXd(root.transpose()))};
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
     const auto at = static_cast<Index>(Theta::first_wave + wave);
     component.wavelength_deviation[wave] = std::sqrt(component.spread(at, at));

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "bending_test/sliding_table.h"
 #include "fibre/state_table.h"
@@ -15,6 +15,7 @@
 #include "inference/matern.h"
 #include "inference/profile.h"
 #include "inference/rig_pull.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -328,8 +329,7 @@ struct Point {
 };
 
 std::vector<Point> points_of(const FrictionProcess& process, const Component& component) {
-  const Eigen::LLT<MatrixXd> factor(component.spread);
-  const MatrixXd L = factor.matrixL();
+  const MatrixXd L = cholesky_root(component.spread).value();
   std::vector<Point> points;
   for (const auto& z : normal_points(L.rows())) {
     Point point{component.mode, 0};
@@ -428,8 +428,7 @@ class Posterior {
       const double beta = chain.mean()[j], prior = observations.prior[static_cast<std::size_t>(j)];
       of_waves += 0.5 * (beta * beta / prior + elementary::log(prior));
     }
-    const Eigen::LLT<CoefficientMatrix> factor(chain.covariance().block(first, first, waves, waves));
-    const CoefficientMatrix L = factor.matrixL();
+    const MatrixXd L = cholesky_root(chain.covariance().block(first, first, waves, waves)).value();
     for (Index j = 0; j < waves; ++j) of_waves -= elementary::log(L(j, j));
     return value + of_waves;
   }
@@ -626,16 +625,16 @@ class Posterior {
       covariance(0, 1 + j) = covariance(1 + j, 0) = mean.with_beta[first + j];
     }
     covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
-    Eigen::LLT<MatrixXd> factor(covariance);
     // What is left of covariances after rounding need be none, where there is hardly any noise.
-    if (factor.info() != Eigen::Success) factor.compute(MatrixXd(covariance.diagonal().cwiseMax(1e-16).asDiagonal()));
+    const MatrixXd root =
+        cholesky_root(covariance).value_or(MatrixXd(covariance.diagonal().cwiseMax(1e-16).cwiseSqrt().asDiagonal()));
     std::array<double, max_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
       deviation[wave] = elementary::length(component.wavelength_deviation[wave], scatter_of(component, wave));
     for (int i = 0; i < draws; ++i) {
       VectorXd z(1 + 2 * waves);
       for (auto& value : z) value = normal_();
-      const VectorXd drawn = middle + factor.matrixL() * z;
+      const VectorXd drawn = middle + root * z;
       for (Index wave = 0; wave < waves; ++wave) {
         if (!is_likeliest(mode, static_cast<std::size_t>(wave))) continue;
         auto& posterior = waves_[static_cast<std::size_t>(wave)];

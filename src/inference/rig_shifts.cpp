@@ -5,10 +5,11 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "fibre/supported_state.h"
 #include "numerics/beam.h"
+#include "numerics/dense.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -33,7 +34,13 @@ SlowMatrix whitening_of_slow() {
   for (std::size_t i = 0; i < places; ++i)
     for (std::size_t j = 0; j < places; ++j)
       K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = matern_5_2(place_of(i) - place_of(j));
-  return Eigen::LLT<SlowMatrix>(K).matrixL().solve(SlowMatrix::Identity());
+  const Eigen::MatrixXd L = cholesky_root(K).value();
+  SlowMatrix inverse = SlowMatrix::Identity();
+  for (Eigen::Index i = 0; i < L.rows(); ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) inverse.row(i) -= L(i, j) * inverse.row(j);
+    inverse.row(i) /= L(i, i);
+  }
+  return inverse;
 }
 
 double at_part(const std::vector<double>& values, double part) {

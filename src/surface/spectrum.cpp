@@ -9,8 +9,9 @@
 #include <string>
 #include <utility>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
+#include "numerics/dense.h"
 #include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -216,7 +217,7 @@ class Fitting {
         Eigen::Matrix<double, 5, 5> damped = information;
         for (int i = 0; i < 5; ++i) damped(i, i) += damping * information(i, i) + 1e-9;
         const Parameters next =
-            (at + Parameters(damped.ldlt().solve(gradient))).cwiseMax(bounds_.least).cwiseMin(bounds_.greatest);
+            (at + Parameters(Symmetric(damped).solved(gradient))).cwiseMax(bounds_.least).cwiseMin(bounds_.greatest);
         const double there = likelihood(next);
         if (!(there > reached)) continue;
         improved = there - reached > enough;
@@ -235,7 +236,7 @@ class Fitting {
     Parameters gradient = Parameters::Zero();
     collect(at, information, gradient);
     for (int i = 0; i < 5; ++i) information(i, i) += 1e-9;
-    return std::sqrt(std::max(information.ldlt().solve(Parameters::Unit(log_noise))[log_noise], 0.0));
+    return std::sqrt(std::max(Symmetric(information).inverse()(log_noise, log_noise), 0.0));
   }
 
   const std::vector<Bin>& bins() const { return bins_; }

@@ -235,6 +235,34 @@ TEST_CASE("identity: a functional that is the process at an observation is that 
   }
 }
 
+TEST_CASE(
+    "identity: means of other values are those of a chain of these; eight series become what each becomes alone") {
+  for (const Kernel kernel : all_kernels) {
+    Observations observations = some_observations(5, true);
+    observations.pull = Coefficients::Constant(5, 0.7);
+    const Chain chain(observations, kernel, some_hyperparameters);
+    Observations others = observations;
+    const std::size_t n = others.values.size();
+    std::vector<Chain::Eight> series(n), together(n);
+    for (std::size_t k = 0; k < n; ++k) {
+      others.values[k] = std::sin(0.3 * static_cast<double>(k * k));
+      for (std::size_t l = 0; l < 8; ++l) series[k][l] = std::cos(static_cast<double>((l + 1) * k));
+    }
+    const auto means = chain.means_of(others.values);
+    const Chain of_others(others, kernel, some_hyperparameters);
+    const auto smoothed = of_others.smoothed();
+    CHECK((means.beta - of_others.mean()).norm() < 1e-12);
+    for (std::size_t k = 0; k < n; ++k) CHECK(std::abs(means.f[k] - smoothed[k].f) < 1e-11);
+    chain.whiten(series, together);
+    std::vector<double> one(n), alone(n);
+    for (std::size_t l = 0; l < 8; ++l) {
+      for (std::size_t k = 0; k < n; ++k) one[k] = series[k][l];
+      chain.whiten(one, alone);
+      for (std::size_t k = 0; k < n; ++k) CHECK(std::abs(together[k][l] - alone[k]) < 1e-11 * (1 + std::abs(alone[k])));
+    }
+  }
+}
+
 TEST_CASE("limit: a chain refuses what is no process") {
   const Observations observations = some_observations(1, false);
   Hyperparameters wrong = some_hyperparameters;
