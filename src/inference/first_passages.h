@@ -92,6 +92,9 @@ struct Linearisation {
   double log_jacobian;  // Σ ln |dy/dF|
 };
 
+// Has more passed than no reading resolves?
+inline bool has_slid(const Linearisation& at) { return at.S.back() - at.S.front() > 1e-6; }
+
 // Completes eta, rig, S and slope; mu need only be near.
 // Method:     Everything is taken at (S, m(S; ws)), so that the error of the force enters y linearly: a reading inverted as it stands is
 //             biased by the curvature of the level curve, on soft rigs by more than the errors of a wavelength.

@@ -327,8 +327,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FrictionProcess process(passages);
   const SearchOptions asked = search_options(options);
   const ProcessSearch found = search(process, asked);
-  const auto passes = [](const std::vector<double>& S) { return S.back() > S.front(); };
-  if (found.components.empty() || !passes(found.components.front().mode.at.S)) {  // whatever is read is no sliding
+  if (found.components.empty() || !has_slid(found.components.front().mode.at)) {  // whatever is read is no sliding
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }

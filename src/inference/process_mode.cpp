@@ -274,7 +274,7 @@ double FrictionProcess::by_moving_rig(const Mode& mode, const Chain& chain) cons
   if (!knows_stiffness) away[0] -= mode.at.eta;
   for (std::size_t r = 0; r < mode.at.rig.size(); ++r)
     away[columns_.rig - from + static_cast<Index>(r)] -= mode.at.rig[r];
-  return 0.5 * away.dot(Symmetric(chain.covariance().block(from, from, count, count)).solved(away));
+  return 0.5 * square_in(chain.covariance().block(from, from, count, count), away);
 }
 
 void FrictionProcess::settle(Mode& mode) const {

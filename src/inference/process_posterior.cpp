@@ -329,7 +329,7 @@ struct Point {
 };
 
 std::vector<Point> points_of(const FrictionProcess& process, const Component& component) {
-  const MatrixXd L = cholesky_root(component.spread).value();
+  const MatrixXd L = cholesky_root(component.spread);
   std::vector<Point> points;
   for (const auto& z : normal_points(L.rows())) {
     Point point{component.mode, 0};
@@ -428,7 +428,7 @@ class Posterior {
       const double beta = chain.mean()[j], prior = observations.prior[static_cast<std::size_t>(j)];
       of_waves += 0.5 * (beta * beta / prior + elementary::log(prior));
     }
-    const MatrixXd L = cholesky_root(chain.covariance().block(first, first, waves, waves)).value();
+    const MatrixXd L = cholesky_root(chain.covariance().block(first, first, waves, waves));
     for (Index j = 0; j < waves; ++j) of_waves -= elementary::log(L(j, j));
     return value + of_waves;
   }
@@ -625,9 +625,7 @@ class Posterior {
       covariance(0, 1 + j) = covariance(1 + j, 0) = mean.with_beta[first + j];
     }
     covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
-    // What is left of covariances after rounding need be none, where there is hardly any noise.
-    const MatrixXd root =
-        cholesky_root(covariance).value_or(MatrixXd(covariance.diagonal().cwiseMax(1e-16).cwiseSqrt().asDiagonal()));
+    const MatrixXd root = cholesky_root(covariance);
     std::array<double, max_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
       deviation[wave] = elementary::length(component.wavelength_deviation[wave], scatter_of(component, wave));
@@ -757,10 +755,11 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
     Mode moved = each.mode;
     pulled.settle(each.mode);
     pulled.burst(moved, 8, 0.5);
-    // Where the bending stiffness runs away, the mode stays, and its means are moved to first order.
+    // Where the bending stiffness runs away, or nothing is left that slid, the mode stays, and its means are moved to first order.
     constexpr double farthest = 1.5, most_lost = 12;  // of its error beforehand; of the merit
     const double away = std::abs(moved.at.eta - each.mode.at.eta);
-    if (away <= farthest * process.passages().stiffness_error && moved.merit > each.mode.merit - most_lost)
+    if (away <= farthest * process.passages().stiffness_error && moved.merit > each.mode.merit - most_lost &&
+        has_slid(moved.at))
       each.mode = std::move(moved);
   }
   return Posterior(process, pulled, all).result();

@@ -55,6 +55,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const Eigen::VectorXd unexplained =
       white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
   const Eigen::Map<const Eigen::VectorXd> column(whitened.data(), static_cast<Index>(whitened.size()));
+  if (!(column.squaredNorm() > 0)) return pull;  // it moves no reading
   // Within what the readings resolve of it, were nothing else unknown.
   const Eigen::VectorXd with_columns = white.bottomRows(white.rows() - 1) * column;
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);

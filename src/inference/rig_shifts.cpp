@@ -34,7 +34,7 @@ SlowMatrix whitening_of_slow() {
   for (std::size_t i = 0; i < places; ++i)
     for (std::size_t j = 0; j < places; ++j)
       K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = matern_5_2(place_of(i) - place_of(j));
-  const Eigen::MatrixXd L = cholesky_root(K).value();
+  const Eigen::MatrixXd L = cholesky_root(K);
   SlowMatrix inverse = SlowMatrix::Identity();
   for (Eigen::Index i = 0; i < L.rows(); ++i) {
     for (Eigen::Index j = 0; j < i; ++j) inverse.row(i) -= L(i, j) * inverse.row(j);

@@ -17,18 +17,27 @@ SymmetricEigen eigen_of(const MatrixView& symmetric) {
   return {eigen.eigenvalues(), eigen.eigenvectors()};
 }
 
-std::optional<MatrixXd> cholesky_root(const MatrixView& positive) {
+MatrixXd cholesky_root(const MatrixView& positive) {
   const Eigen::LLT<MatrixXd> factor{MatrixXd(positive)};
-  if (factor.info() != Eigen::Success) return std::nullopt;
-  return MatrixXd(factor.matrixL());
+  if (factor.info() == Eigen::Success) return factor.matrixL();
+  constexpr double least = 1e-16;
+  return positive.diagonal().cwiseMax(least).cwiseSqrt().asDiagonal();
 }
 
-Symmetric::Symmetric(const MatrixView& symmetric) : log_determinant_(0) {
+double square_in(const MatrixView& positive, const VectorView& a) {
+  return Eigen::LLT<MatrixXd>{MatrixXd(positive)}.matrixL().solve(a).squaredNorm();
+}
+
+Symmetric::Symmetric(const MatrixView& symmetric) : matrix_(symmetric), log_determinant_(0) {
   const Eigen::LDLT<MatrixXd> factor{MatrixXd(symmetric)};
   inverse_ = factor.solve(MatrixXd::Identity(symmetric.rows(), symmetric.cols()));
   for (Index i = 0; i < symmetric.rows(); ++i) log_determinant_ += elementary::log(std::abs(factor.vectorD()[i]));
 }
 
-VectorXd Symmetric::solved(const VectorView& right) const { return inverse_ * right; }
+// Refined once, as an inverse loses more than the factors do.
+VectorXd Symmetric::solved(const VectorView& right) const {
+  const VectorXd x = inverse_ * right;
+  return x + inverse_ * (right - matrix_ * x);
+}
 
 }  // namespace flexslip

@@ -1,8 +1,6 @@
 // Decompositions of dense matrices and their products: those of Eigen, compiled once, as each takes seconds wherever it is compiled.
 #pragma once
 
-#include <optional>
-
 #include <Eigen/Core>
 
 namespace flexslip {
@@ -19,10 +17,14 @@ struct SymmetricEigen {
 };
 SymmetricEigen eigen_of(const MatrixView& symmetric);
 
-// L, lower, with L L' = A; none where A, of which the lower triangle is read, is not positive definite.
-std::optional<Eigen::MatrixXd> cholesky_root(const MatrixView& positive);
+// L, lower, with L L' = A, of which the lower triangle is read. Where rounding leaves A not positive definite, that of its diagonal, of which nothing
+// is taken for less than 1e-16.
+Eigen::MatrixXd cholesky_root(const MatrixView& positive);
 
-// A and its inverse where A is symmetric and not singular, be it positive or not (L D L').
+// a' A^-1 a of a positive definite A, of which the lower triangle is read.
+double square_in(const MatrixView& positive, const VectorView& a);
+
+// Systems and the inverse of A, which is symmetric and not singular, be it positive or not (L D L').
 class Symmetric {
  public:
   explicit Symmetric(const MatrixView& symmetric);
@@ -31,7 +33,7 @@ class Symmetric {
   double log_determinant() const { return log_determinant_; }  // of its size
 
  private:
-  Eigen::MatrixXd inverse_;
+  Eigen::MatrixXd matrix_, inverse_;
   double log_determinant_;
 };
 
