@@ -115,7 +115,7 @@ class Chain {
   // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.
   void whiten(std::span<const double> series, std::span<double> out) const;
 
-  // The same of eight series, a row of numbers for each observation; in a third of the time.
+  // The same of eight series, a row of numbers for each observation, in a fraction of the time.
   using Eight = std::array<double, 8>;
   void whiten(std::span<const Eight> series, std::span<Eight> out) const;
 
