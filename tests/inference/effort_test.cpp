@@ -78,7 +78,7 @@ TEST_CASE("effort: an analysis takes no more than its rows allow, whatever its r
     RC_PRE(rows >= min_fitted_points);
     effort_spent.clear();
     analyse(record, description);
-    RC_ASSERT(effort_spent.spent() <= 250'000 * fitted + 500 * rows + run_forward);
+    RC_ASSERT(effort_spent.spent() <= 200'000 * fitted + 500 * rows + run_forward);
   }));
 }
 

@@ -387,11 +387,11 @@ step = "2 um"
         columns = table(curves.read_text(encoding="utf-8"))
         self.assertEqual(list(columns)[:5], ["row", "w_s [m]", "w [m]", "F [N]", "model_force [N]"])
         fit = self.json("fit", CASE)
-        residuals = [float(a) - float(b) for a, b in zip(columns["F [N]"], columns["model_force [N]"]) if b != "nan"]
-        # Over all rows here but the farthest, at which the model snaps a row early or late; in the answer over those that tell of friction.
-        squares = sorted(r * r for r in residuals)[: -len(residuals) // 100]
-        rms = (sum(squares) / len(squares)) ** 0.5
-        self.assertLess(abs(rms - fit["residual_rms"]), 0.5 * rms)
+        # Of 426 rows every second is fitted; at one of the others the model snaps a row late.
+        off = {row: float(a) - float(b) for row, a, b in zip(columns["row"], columns["F [N]"], columns["model_force [N]"])}
+        fitted = [off[row] for row in (str(point["row"]) for point in fit["profile"]) if int(row) % 2 == 0]
+        rms = (sum(r * r for r in fitted) / len(fitted)) ** 0.5
+        self.assertLess(abs(rms - fit["residual_rms"]), 0.2 * rms)
         self.assertEqual(numbers(profile.read_text(encoding="utf-8"), "mu"), [point["mu"] for point in fit["profile"]])
 
 
