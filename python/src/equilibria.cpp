@@ -24,10 +24,12 @@ py::dict told(const EquilibriumStudy& study) {
   py::dict out;
   for (const Field& field : fields) {
     const py::str name(field.what.name.data(), field.what.name.size());
-    if (field.what.shape == Shape::list)
-      out[name] = columns_of_rows(equilibrium_fields(columns), points_of(study), frame);
-    else
+    if (field.what.shape == Shape::list) {
+      const auto points = interruptible([&](const std::atomic<bool>&) { return points_of(study); });
+      out[name] = columns_of_rows(equilibrium_fields(columns), points, frame);
+    } else {
       out[name] = plain(fields.of(field, study, frame), field.what);
+    }
   }
   return out;
 }

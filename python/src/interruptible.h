@@ -25,7 +25,7 @@ auto interruptible(const Work& work) {
   while (true) {
     {
       const pybind11::gil_scoped_release unlocked;
-      if (answer.wait_for(interrupted ? 3600s : 50ms) == std::future_status::ready) break;
+      if (answer.wait_for(interrupted ? 3600s : 20ms) == std::future_status::ready) break;
     }
     if (!interrupted && PyErr_CheckSignals() != 0) interrupted = stop = true;
   }

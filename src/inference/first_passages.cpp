@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include <Eigen/Core>
@@ -15,6 +16,7 @@
 #include "inference/profile.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -256,27 +258,48 @@ struct Levels {
 // From frictions `mu` that are near, between two bounds; compliance: [L^3] over the EI fitted.
 Levels levels_between(double least, double most, std::span<const double> S, std::span<const double> stage,
                       std::vector<double> mu, const Fibre& fibre, double compliance) {
-  const std::size_t n = S.size();
-  std::vector<double> moves(n);
+  SlopeArrays states(S.size());
+  const auto columns = states.columns();
+  std::vector<std::size_t> moving(S.size());  // the readings whose friction is not found yet
+  std::iota(moving.begin(), moving.end(), 0);
+  std::vector<Bracket> ends(
+      S.size(), {-infinity, infinity});  // where the branch ends: the friction that has no state, and that has one
   constexpr int iterations = 12;
-  for (int iteration = 1;; ++iteration) {
-    SlopeArrays s = fibre.states_slopes_under_force({S, mu});
-    double moved = 0;
-    for (std::size_t j = 0; j < n; ++j) {
-      const double miss = s.w[j] + s.F[j] * compliance - stage[j];
-      double next = mu[j] - miss / (s.w_q[j] + s.F_q[j] * compliance);
-      // Beyond the end of the branch there is no state: more friction has one.
-      if (!std::isfinite(next)) next = mu[j] + 0.25;
-      next = std::clamp(next, least, most);
-      moves[j] = next - mu[j];
-      moved = std::max(moved, std::abs(moves[j]));
-      mu[j] = next;
+  for (int iteration = 0; iteration < iterations && !moving.empty(); ++iteration) {
+    std::vector<double> S_here, mu_here;
+    for (const std::size_t i : moving) {
+      S_here.push_back(S[i]);
+      mu_here.push_back(mu[i]);
     }
-    constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
-    if (moved >= negligible && iteration < iterations) continue;
-    for (std::size_t j = 0; j < n; ++j) s.F[j] += s.F_q[j] * moves[j];  // of the last step, which is that small
-    return {std::move(mu), std::move(s)};
+    SlopeArrays here = fibre.states_slopes_under_force({S_here, mu_here});
+    const auto from = here.columns();
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < mu_here.size(); ++j) {
+      const std::size_t i = moving[j];
+      const double miss = here.w[j] + here.F[j] * compliance - stage[i];
+      double next = mu[i] - miss / (here.w_q[j] + here.F_q[j] * compliance);
+      const bool exists = std::isfinite(next);
+      (exists ? ends[i].high : ends[i].low) = mu[i];
+      if (exists || ends[i].high == infinity)
+        for (std::size_t k = 0; k < columns.size(); ++k) columns[k][i] = from[k][j];
+      if (!exists && ends[i].high == infinity)
+        next = mu[i] + 0.25;
+      else if (!exists || next <= ends[i].low)
+        next = ends[i].middle();
+      next = std::clamp(next, least, most);
+      const double move = next - mu[i];
+      mu[i] = next;
+      constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
+      if (std::abs(move) >= negligible)
+        moving[left++] = i;
+      else if (exists)
+        states.F[i] += here.F_q[j] * move;
+    }
+    moving.resize(left);
   }
+  for (const std::size_t i : moving)
+    if (ends[i].high < infinity) mu[i] = ends[i].high;
+  return {std::move(mu), std::move(states)};
 }
 
 // Where μ is when lengths, stage positions and EI have moved on from those at which it was found.

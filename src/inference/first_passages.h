@@ -102,7 +102,7 @@ void complete(Linearisation& at, const Passages& passages);
 
 // [1] The friction at which the fibre passes each length when the stage is at a position.
 // Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_under_force) it is the
-//             nearest friction with a force.
+//             nearest friction with a force; to 0.05 more, where the branch ends before.
 std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
                               const Fibre& fibre, double compliance, double eta);
 

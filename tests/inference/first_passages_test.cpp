@@ -7,6 +7,7 @@
 #include <doctest/doctest.h>
 
 #include "fibre/elastica.h"
+#include "numerics/root.h"
 #include "numerics/statistics.h"
 #include "tests/inference/simulated_test.h"
 
@@ -125,6 +126,23 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
   for (std::size_t i = 0; i < S.size(); ++i) {
     constexpr double of_the_table = 1e-9;  // its 1e-12 of the stage, over its slope in μ
     CHECK(std::abs(levels[i] - mu[i]) < of_the_table);
+  }
+}
+
+TEST_CASE("oracle: a stage that no force is needed for is passed at the least friction that leaves a force") {
+  constexpr double compliance = 2;
+  for (const double length : {1.2, 1.6, 2.0}) {
+    CAPTURE(length);
+    const Bracket end = halved_until([](const Bracket& bracket) { return bracket.width() < 1e-9; }, {-2, 0.8},
+                                     [&](double q) { return fibre_branch_end(q).S > length; });
+    const double too_near = 0.5 * fibre_branch_end(end.high).w;
+    for (const double near : {-1.0, 0.0, 1.0}) {
+      CAPTURE(near);
+      const double level = levels_of({{length}}, {{too_near}}, {{near}}, {}, compliance, 0).front();
+      constexpr double halved = 0.05;
+      CHECK(level > end.low);  // a state exists
+      CHECK(level < end.high + halved);
+    }
   }
 }
 
