@@ -96,21 +96,27 @@ class BeginningFit {
       if (scatter == 0) at.scatter = std::max(noise_, deviation_by_median * median_of_sizes(at.residuals));
       at.loss = loss_of(at, has_seat, offset_error);
       const double scale = square(at.scatter);
-      Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+      Eigen::Matrix4d normal = Eigen::Matrix4d::Zero(), curved = Eigen::Matrix4d::Zero();
       Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
       for (std::size_t i = 0; i < about.size(); ++i) {
-        const Eigen::Vector4d weighed = about[i] / (scale + square(at.residuals[i]) / far);
-        normal += weighed * about[i].transpose();
+        const double excess = square(at.residuals[i]) / far;
+        const Eigen::Vector4d weighed = about[i] / (scale + excess);
+        const Eigen::Matrix4d each = weighed * about[i].transpose();
+        normal += each;
+        curved += (scale - excess) / (scale + excess) * each;
         gradient += at.residuals[i] * weighed;
       }
       const auto known = prior_of(at, has_seat, offset_error);
       for (Eigen::Index i = 0; i < 4; ++i) {
         normal(i, i) += known[static_cast<std::size_t>(i)].weight;
+        curved(i, i) += known[static_cast<std::size_t>(i)].weight;
         gradient[i] -= known[static_cast<std::size_t>(i)].weight * known[static_cast<std::size_t>(i)].away;
       }
       normal.diagonal() *= 1 + 1e-9;
       const Symmetric solver(normal);
-      const Eigen::Vector4d move = solver.solved(gradient);
+      // Newton's step, where it leads downhill; where readings far away bend the loss the other way, that of their weights.
+      Eigen::Vector4d move = Symmetric(curved).solved(gradient);
+      if (!(move.dot(gradient) > 0)) move = solver.solved(gradient);
       const Eigen::MatrixXd& covariance = solver.inverse();
       at.depth_variance = covariance(3, 3);
       at.contact_variance = covariance(0, 0) + covariance(3, 3) + 2 * covariance(0, 3);

@@ -439,7 +439,6 @@ void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) 
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
-  settle(mode);
   double before = mode.merit;
   Mode best = mode;  // of states that have followed their hyperparameters: the merit of others means nothing
   ThetaMatrix spread = usual_spread(mode.theta);
@@ -637,12 +636,14 @@ class Search {
     if (!options_.waves && !waves.empty() && gain > claiming_gain) add_second_wave(waves, components);
     stages.enter("how rough friction is", 0.29);
     const std::size_t with_first = components.size();
-    // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best.
+    // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best, or any beside it
+    // that gains nothing.
     constexpr double out_of_question = -2, far_below = 3;
+    const double beside = gain > 0 ? far_below : 0;
     for (const Kernel kernel : options_.kernels) {
       if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, continued(plain, kernel)));
       for (const Mode& wave : waves)
-        if (gain > out_of_question && kernel != wave.kernel && wave.merit > waves.front().merit - far_below)
+        if (gain > out_of_question && kernel != wave.kernel && wave.merit >= waves.front().merit - beside)
           components.push_back(component_of(process_, continued(wave, kernel)));
     }
     double best = components.front().log_evidence;
@@ -868,9 +869,11 @@ class Search {
                        [](const auto& a, const auto& b) { return better(a.first, b.first); });
     };
     rank();
+    // Where none comes up to what friction without it is worth, none nearby does.
+    const bool promising = !found.empty() && better(found.front().first, plain);
     const auto for_the_best_two = [&](auto&& add_to) {
       std::vector<double> done;
-      const std::size_t so_far = blurred ? found.size() : 0;
+      const std::size_t so_far = blurred && promising ? found.size() : 0;
       for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
         const double wavelength = found[i].second;
         if (found[i].first.merit < found.front().first.merit - 40 ||
@@ -934,6 +937,7 @@ class Search {
   void improve(Mode& plain, const Mode& wave) const {
     Mode other = process_.start(plain.kernel, plain.theta, wave.at);
     other.sites = wave.sites;
+    process_.settle(other);
     process_.polish(other, 2, 6, 0.3);
     if (other.merit > plain.merit + 0.1) plain = std::move(other);
   }
@@ -942,6 +946,7 @@ class Search {
     if (kernel == mode.kernel) return mode;
     Mode other = mode;
     other.kernel = kernel;
+    process_.settle(other);
     process_.polish(other, 2, 6, 0.3);
     if (kernel == Kernel::none &&
         mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small
