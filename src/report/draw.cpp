@@ -95,23 +95,61 @@ std::string fill_look(const Style& style) {
                      style.opacity < 1 ? fmt::format("transparent solid {:g}", style.opacity) : "solid");
 }
 
-// What stands after `plot`.
-std::string plotted(const Mark& mark) {
+// Of the rows that are meant, as gnuplot counts them, where they follow each other; "" where they do not. Empty rows part a table into blocks, of
+// which whole ones can be told alone.
+std::string told_as_rows(const PlotTable& table, const std::vector<Condition>& only) {
+  struct Place {
+    std::size_t block, row;
+  };
+  std::vector<Place> meant;
+  std::vector<std::size_t> rows_of_block{0};
+  bool are_single = true;
+  for (const auto& row : table.rows) {
+    if (row.empty()) {
+      are_single = are_single && rows_of_block.back() > 0;  // several empty rows are one
+      rows_of_block.push_back(0);
+      continue;
+    }
+    if (std::all_of(only.begin(), only.end(), [&](const Condition& each) { return row[each.column] == each.value; }))
+      meant.push_back({rows_of_block.size() - 1, rows_of_block.back()});
+    ++rows_of_block.back();
+  }
+  if (meant.empty() || !are_single) return "";
+  const Place from = meant.front(), to = meant.back();
+  if (from.block == to.block && to.row - from.row + 1 == meant.size())
+    return fmt::format(" every ::{}:{}:{}:{}", from.row, from.block, to.row, to.block);
+  std::size_t rows = 0;
+  for (std::size_t block = from.block; block <= to.block; ++block) rows += rows_of_block[block];
+  return rows == meant.size() ? fmt::format(" every :::{}::{}", from.block, to.block) : "";
+}
+
+// What stands after `plot`. Columns are named, not computed, wherever that says the same: gnuplot takes 20 µs for each number computed.
+std::string plotted(const Mark& mark, const Plot& plot) {
   const Style& style = mark.style;
   const bool is_own = mark.table.empty();
   std::vector<std::string> c;
   for (const std::size_t column : mark.columns) c.push_back(fmt::format("${}", column + 1));
   for (const double number : mark.at) c.push_back(fmt::format("{:.8g}", number));
+  std::string from = is_own ? "$one" : mark.table;
   if (!mark.only.empty()) {
+    const auto table = std::find_if(plot.data.begin(), plot.data.end(),
+                                    [&](const PlotTable& each) { return each.name == mark.table; });
+    const std::string rows = told_as_rows(*table, mark.only);
     std::string chosen;
     for (const Condition& condition : mark.only)
       chosen += fmt::format("{}${} == {:g}", chosen.empty() ? "" : " && ", condition.column + 1, condition.value);
-    c[0] = fmt::format("{} ? {} : NaN", chosen, c[0]);
+    if (rows.empty()) c[0] = fmt::format("{} ? {} : NaN", chosen, c[0]);
+    from += rows;
   }
   std::string out;
   const auto add = [&](const std::vector<std::string>& columns, const std::string& with) {
-    out += fmt::format("{}{} using ({}) with {} notitle", out.empty() ? "" : ", \\\n       ",
-                       is_own ? "$one" : mark.table, fmt::join(columns, "):("), with);
+    std::vector<std::string> used;
+    for (const std::string& column : columns) {
+      const bool is_named = column.front() == '$' && column.find_first_not_of("0123456789", 1) == std::string::npos;
+      used.push_back(is_named ? column.substr(1) : "(" + column + ")");
+    }
+    out += fmt::format("{}{} using {} with {} notitle", out.empty() ? "" : ", \\\n       ", from, fmt::join(used, ":"),
+                       with);
   };
   const auto vector = [&](std::string_view heads, const std::string& x, const std::string& y, const std::string& to_x,
                           const std::string& to_y) {
@@ -253,7 +291,7 @@ std::string script_of(const Plot& plot) {
                fmt::format("  set colorbox user origin screen {:.5f},{:.5f} size screen {:.5f},{:.5f}\n",
                            (panel.left + panel.width + colour_bar) / plot.width, panel.bottom / plot.height,
                            colour_bar / plot.width, panel.height / plot.height);
-      marks += (marks.empty() ? "" : ", \\\n       ") + plotted(mark);
+      marks += (marks.empty() ? "" : ", \\\n       ") + plotted(mark, plot);
     }
     out += fmt::format("  plot {}\n  unset label; unset arrow; unset object\n", marks.empty() ? "NaN notitle" : marks);
   }
