@@ -207,10 +207,21 @@ FrictionArrays Friction::at(std::span<const double> S) const {
     (*waves, terms_.data(), S.data(), S.size(), result.mu.data(), result.slope.data());
     return result;
   }
+  if (way()) return way()->at(S);
   for (std::size_t i = 0; i < S.size(); ++i) {
-    const auto [mu, slope] = at(S[i]);
+    const auto [mu, slope] = in_table(S[i]);
     result.mu[i] = mu;
     result.slope[i] = slope;
+  }
+  return result;
+}
+
+FrictionArrays PathDependentFriction::at(std::span<const double> S) const {
+  FrictionArrays result;
+  for (const double each : S) {
+    const auto [mu, slope] = at(each);
+    result.mu.push_back(mu);
+    result.slope.push_back(slope);
   }
   return result;
 }

@@ -66,6 +66,7 @@ class PathDependentFriction {
  public:
   virtual ~PathDependentFriction() = default;
   virtual FrictionPoint at(double S) const = 0;
+  virtual FrictionArrays at(std::span<const double> S) const;
   virtual double smooth_scale() const = 0;
   virtual double end_of(double S, double scales, bool inwards) const {
     const double step = scales * smooth_scale();
@@ -124,7 +125,7 @@ class Friction {
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
   FrictionPoint at(double S) const;
 
-  // The same at many lengths, bit by bit, on the widest vectors that the processor has.
+  // The same at many lengths, on the widest vectors that the processor has: bit by bit, but over rollers to 1e-12.
   FrictionArrays at(std::span<const double> S) const;
 
   // What μ would be, were it not held at zero: its zeros are the kinks of at(). Only a drift brings them about.

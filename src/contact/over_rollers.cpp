@@ -5,6 +5,7 @@
 #include <iterator>
 #include <memory>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -45,6 +46,54 @@ FrictionPoint OverRollers::at(double S) const {
   };
   constexpr double small = 1e-13;
   zero_between(miss_at, 0, most, met.mu, small, small);
+  return met;
+}
+
+// By Newton's steps, all at once; those that do not get there soon, as at a kink, one by one.
+FrictionArrays OverRollers::at(std::span<const double> S) const {
+  constexpr double small = 1e-13;
+  FrictionArrays met = along_.at(S);
+  std::vector<double> most;
+  for (std::size_t i = 0; i < S.size(); ++i) {
+    most.push_back(max_at_contacts(S[i] + 1));
+    met.mu[i] = std::clamp(met.mu[i], 0.0, most[i]);
+  }
+  std::vector<std::size_t> sought(S.size());
+  std::iota(sought.begin(), sought.end(), 0);
+  std::vector<std::size_t> alone;
+  constexpr int rounds = 6;
+  for (int round = 0; round < rounds && !sought.empty(); ++round) {
+    std::vector<double> lengths, q;
+    for (const std::size_t i : sought) {
+      lengths.push_back(S[i]);
+      q.push_back(direction_ * met.mu[i]);
+    }
+    Fibre::ContactArrays contacts = fibre_.contacts({lengths, q});
+    for (std::size_t j = 0; j < sought.size(); ++j)
+      if (!std::isfinite(contacts.length_S[j])) contacts.length[j] = 1;
+    const FrictionArrays there = along_.at(contacts.length);
+    std::size_t left = 0;
+    for (std::size_t j = 0; j < sought.size(); ++j) {
+      const std::size_t i = sought[j];
+      const double slope_in_mu = 1 - direction_ * there.slope[j] * contacts.length_q[j];
+      met.slope[i] = there.slope[j] * contacts.length_S[j] / slope_in_mu;
+      const double next = met.mu[i] - (met.mu[i] - there.mu[j]) / slope_in_mu;
+      if (std::isfinite(next) && std::abs(next - met.mu[i]) <= small * (1 + met.mu[i])) continue;
+      if (next >= 0 && next <= most[i]) {
+        met.mu[i] = next;
+        sought[left++] = i;
+      } else {
+        alone.push_back(i);
+      }
+    }
+    sought.resize(left);
+  }
+  alone.insert(alone.end(), sought.begin(), sought.end());
+  for (const std::size_t i : alone) {
+    const auto [mu, slope] = at(S[i]);
+    met.mu[i] = mu;
+    met.slope[i] = slope;
+  }
   return met;
 }
 

@@ -24,6 +24,7 @@ class OverRollers final : public PathDependentFriction {
 
   // Of a length Σ >= 1. Max error: 1e-12 of the friction, and as the tables of fibre.h. Constant where the fibre has no state.
   FrictionPoint at(double S) const override;
+  FrictionArrays at(std::span<const double> S) const override;
   double smooth_scale() const override { return along_.smooth_scale(); }
   double end_of(double S, double scales, bool inwards) const override;
   double max_up_to(double S_max) const override { return max_at_contacts(S_max); }
@@ -62,6 +63,7 @@ class OnSlopes final : public PathDependentFriction {
   // Domain:     profiles that depend on no way; std::invalid_argument otherwise.
   OnSlopes(Friction in, Friction out);
 
+  using PathDependentFriction::at;
   FrictionPoint at(double S) const override { return way().at(S); }
   double smooth_scale() const override { return way().smooth_scale(); }
   double max_up_to(double S_max) const override { return way().max_up_to(S_max); }

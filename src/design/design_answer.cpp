@@ -107,13 +107,18 @@ double as_printed(const Test& input, std::string_view parameter, double to, bool
   return to;
 }
 
+// How far the first snap is, sought ever farther, until the specimen is bent through its supports.
 std::optional<double> travel_change(const Test& input, const DesignAnswer& answer) {
-  constexpr double much_farther = 30;
-  constexpr double hair = 1e-6;  // beyond which units are not rounded
+  constexpr double farther = 2, much_farther = 30, deepest = 1;  // [1], [1], [L]
+  constexpr double hair = 1e-6;                                  // beyond which units are not rounded
   if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
-  const auto farther = outcome_with(input, "travel", much_farther * value_of(input, "travel").value());
-  if (!farther || !farther->first_snap) return std::nullopt;
-  return answer.scales.physical_length(farther->first_snap->stage) * (1 + hair);
+  for (double factor = farther; factor < farther * much_farther; factor *= farther) {
+    const auto there =
+        outcome_with(input, "travel", std::min(factor, much_farther) * value_of(input, "travel").value());
+    if (!there || (!there->first_snap && there->w_reached > deepest)) break;
+    if (there->first_snap) return answer.scales.physical_length(there->first_snap->stage) * (1 + hair);
+  }
+  return std::nullopt;
 }
 
 std::optional<PhaseStudy> phases_of(Test input) {

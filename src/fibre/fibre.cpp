@@ -127,10 +127,30 @@ FibreStateSlopes Fibre::state_slopes(double S, double q) const {
 Fibre::Contact Fibre::contact(double S, double q) const {
   if (on_edges()) return {S, 1, 0};
   const double w = tables_->deflection(S, q);
-  const PairSlopes sliding = tables_->sliding({&w, 1}, {&q, 1}), contacts = tables_->contacts({&w, 1}, {&q, 1});
-  const double rolled = 2 * supports().radius, S_w = sliding.columns[2][0], S_q = sliding.columns[3][0];
-  const double theta0 = contacts.columns[0][0], theta0_w = contacts.columns[2][0], theta0_q = contacts.columns[3][0];
+  const PairSlope sliding = tables_->sliding(w, q), contacts = tables_->contacts(w, q);
+  const double rolled = 2 * supports().radius, S_w = sliding[2], S_q = sliding[3];
+  const double theta0 = contacts[0], theta0_w = contacts[2], theta0_q = contacts[3];
   return {S - rolled * theta0, 1 - rolled * theta0_w / S_w, -rolled * (theta0_q - theta0_w * S_q / S_w)};
+}
+
+Fibre::ContactArrays Fibre::contacts(const FibrePoints& points) const {
+  const std::size_t n = points.size();
+  ContactArrays found{std::vector<double>(points.lengths(), points.lengths() + n), std::vector<double>(n, 1.0),
+                      std::vector<double>(n, 0.0)};
+  if (on_edges()) return found;
+  SlopeArrays at = tabulated_states_slopes(points);
+  std::vector<double> w = at.w;
+  for (double& value : w)
+    if (std::isnan(value)) value = 0;  // which says NaN by its slopes
+  const PairSlopes turned = tables_->contacts(w, {points.frictions(), n});
+  const auto& [theta0, Pn, theta0_w, theta0_q, Pn_w, Pn_q] = turned.columns;
+  const double rolled = 2 * supports().radius;
+  for (std::size_t i = 0; i < n; ++i) {
+    found.length[i] -= rolled * theta0[i];
+    found.length_S[i] -= rolled * theta0_w[i] * at.w_S[i];
+    found.length_q[i] -= rolled * (theta0_q[i] + theta0_w[i] * at.w_q[i]);
+  }
+  return found;
 }
 
 // Lengths as the table by length takes them: 1 for the least.

@@ -81,6 +81,11 @@ class Fibre {
     double length, length_S, length_q;
   };
   Contact contact(double S, double q) const;
+  // The same at many, to the errors of tabulated_states; NaN as well where the branch has ended.
+  struct ContactArrays {
+    std::vector<double> length, length_S, length_q;
+  };
+  ContactArrays contacts(const FibrePoints& points) const;
 
   // A coordinate of the way that the fibre slides, in which its curves have no singularity: σ = √(S - Σ0), Σ0 being the least length of the
   // fibre hardly bent, 1 on edges. S >= 1.

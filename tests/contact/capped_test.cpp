@@ -34,6 +34,23 @@ TEST_CASE("pins, oracle: friction is the lesser of both, and its corners are kno
   CHECK(std::abs(energy.imbalance) < 1e-10 * energy.stage_work);
 }
 
+TEST_CASE("over rollers, identity: friction at many lengths at once is that at each") {
+  const Friction waves = Friction::sinusoid(0.5, 0.4, 0.02, 1);
+  for (const Friction& own : {waves, capped(waves, 0.45, 1.5)})
+    for (const double direction : {1.0, -1.0}) {
+      const Friction over = met(own, Fibre(Supports{0.01, 0.01}), direction, 1.4);
+      std::vector<double> lengths{1};
+      for (double S = 1.0001; S < 1.4; S += 7e-4) lengths.push_back(S);
+      const FrictionArrays at_once = over.at(lengths);
+      for (std::size_t i = 0; i < lengths.size(); ++i) {
+        CAPTURE(lengths[i]);
+        const FrictionPoint alone = over.at(lengths[i]);
+        CHECK(std::abs(at_once.mu[i] - alone.mu) < 1e-11);
+        CHECK(std::abs(at_once.slope[i] - alone.slope) < 1e-6 * (1 + std::abs(alone.slope)));
+      }
+    }
+}
+
 TEST_CASE("pins, oracle: folds, at corners of friction among them, are the turns of the stage over a fine grid") {
   const Friction both = capped(Friction::sinusoid(0.5, 0.4, 0.02, 1), 0.6, 1.5);
   for (const Fibre& fibre : {Fibre(), Fibre(Supports{0.004, 0.002})}) {

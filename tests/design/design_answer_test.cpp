@@ -8,6 +8,7 @@
 
 #include <doctest/doctest.h>
 
+#include "numerics/effort.h"
 #include "tests/approximately.h"
 #include "tests/design/some_design.h"
 
@@ -144,6 +145,21 @@ TEST_CASE("design answer, identity: the study of phases is the same from the nex
   }
   set(input, "amplitude", 0);
   CHECK_FALSE(answer_of(input).phases);  // no waves, no phase
+}
+
+TEST_CASE(
+    "design answer, effort: on pins that cut fine waves off, what would make it snap is found in some ten million states") {
+  const Test input = loading_of(
+      "[specimen]\ndiameter = \"4 mm\"\nmodulus = \"3 GPa\"\n[rig]\nspan = \"64 mm\"\nstiffness = \"5 N/mm\"\n"
+      "rollers = \"pinned\"\nroller_radius = \"1 mm\"\npin_radius = \"0.2 mm\"\npin_friction = 2\n"
+      "[friction]\nmodel = \"sinusoid\"\nmu0 = 0.4\namplitude = 0.15\nwavelength = \"0.08 mm\"\nphase = 0\n"
+      "[stage]\nprogram = [\"0 mm\", \"20 mm\"]\nstep = \"0.02 mm\"\n");
+  effort_spent.clear();
+  const auto answer = answer_of(input);
+  CHECK(answer.outcome.snaps == 0);
+  REQUIRE(answer.changes.back().parameter == "travel");
+  CHECK(answer.changes.back().outcome.first_snap);
+  CHECK(effort_spent.spent() < 100'000'000);
 }
 
 }  // namespace flexslip
