@@ -28,7 +28,6 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
   for (std::size_t i = 0; i < 4; ++i) theta.values[i] = prior.mean[i] + prior.deviation[i] * normal();
   prior.bound(theta);
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
-  process.settle(mode);
   process.polish(mode, 20, 10, 0.3);
   const Observations observations = process.observations_of(mode);
   return {mode.merit,

@@ -439,6 +439,7 @@ void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) 
 }
 
 void FrictionProcess::polish(Mode& mode, int rounds, int steps, double fraction) const {
+  settle(mode);
   double before = mode.merit;
   Mode best = mode;  // of states that have followed their hyperparameters: the merit of others means nothing
   ThetaMatrix spread = usual_spread(mode.theta);
@@ -937,7 +938,6 @@ class Search {
   void improve(Mode& plain, const Mode& wave) const {
     Mode other = process_.start(plain.kernel, plain.theta, wave.at);
     other.sites = wave.sites;
-    process_.settle(other);
     process_.polish(other, 2, 6, 0.3);
     if (other.merit > plain.merit + 0.1) plain = std::move(other);
   }
@@ -946,7 +946,6 @@ class Search {
     if (kernel == mode.kernel) return mode;
     Mode other = mode;
     other.kernel = kernel;
-    process_.settle(other);
     process_.polish(other, 2, 6, 0.3);
     if (kernel == Kernel::none &&
         mode.theta.waves > 0) {  // smooth friction has no roughness to make up for a wave too small

@@ -60,7 +60,6 @@ class FrictionProcess {
   void burst(Mode& mode, int steps, double fraction) const;
 
   // Rounds of moving the hyperparameters uphill and a burst.
-  // Domain:     a mode that is settled, as a burst leaves it.
   void polish(Mode& mode, int rounds, int steps, double fraction) const;
 
   // The observations of a mode, and what they say.

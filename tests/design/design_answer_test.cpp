@@ -148,7 +148,8 @@ TEST_CASE("design answer, identity: the study of phases is the same from the nex
 }
 
 TEST_CASE(
-    "design answer, effort: on pins that cut fine waves off, what would make it snap is found in some ten million states") {
+    "design answer, effort: on pins that cut fine waves off, what would make it snap is found in some ten million "
+    "states") {
   const Test input = loading_of(
       "[specimen]\ndiameter = \"4 mm\"\nmodulus = \"3 GPa\"\n[rig]\nspan = \"64 mm\"\nstiffness = \"5 N/mm\"\n"
       "rollers = \"pinned\"\nroller_radius = \"1 mm\"\npin_radius = \"0.2 mm\"\npin_friction = 2\n"

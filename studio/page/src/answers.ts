@@ -42,8 +42,9 @@ export interface ReadAnswer {
 
 /** What the program remarks on beside its answer. */
 export const remarksOf = (err: string): string => err.split("\n").filter((line) => line.startsWith("flexslip: ")).map((line) => line.slice(10).trim()).join("; ");
-/** What the program said, as one line without its name; the page never shows a code. */
+/** What the program said, without its name: every fault of a case, a line each, or the last line; the page never shows a code. */
 export function sentence(err: string): string {
   const lines = err.split("\n").map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);
-  return lines[lines.length - 1] ?? "the program gave no answer";
+  const last = lines.at(-1) ?? "the program gave no answer", [place] = /^.*?:(?=\d+: )/.exec(last) ?? [];
+  return place ? lines.filter((line) => line.startsWith(place)).join("\n") : last;
 }

@@ -10,15 +10,14 @@ export const BOXES: Readonly<Record<string, string>> = {
   "sign": "zero, sign", "zero": "zero, sign", "contact": "contact", "failure": "last row", "first": "first row", "until": "last row",
 };
 
-/** A sentence of the program about a test: its file named once, and boxes where it says flags. */
-export function inPageWords(sentence: string, test: Test): string {
+/** Sentences of the program about a test, a line each: its file named once, and boxes where they say flags. */
+export function inPageWords(sentences: string, test: Test): string {
   const name = test.isCase ? test.name : test.data;
-  let words = sentence;
-  for (const file of [test.data, test.main, test.plainName]) {
-    if (words.startsWith(`${file}:`)) words = words.slice(file.length + 1).replace(/^(\d+): /, "line $1: ").trim();
-    else if (words.startsWith(`${file} `)) return withBoxes(words);
-  }
-  return words.startsWith(name) ? withBoxes(words) : `${name}: ${withBoxes(words)}`;
+  const words = sentences.split("\n").map((sentence) => {
+    const file = [test.data, test.main, test.plainName].find((each) => sentence.startsWith(`${each}:`));
+    return withBoxes(file === undefined ? sentence : sentence.slice(file.length + 1).replace(/^(\d+): /, "line $1: ").trim());
+  }).join("; ");
+  return [name, test.data, test.main].some((each) => words.startsWith(each)) ? words : `${name}: ${words}`;
 }
 
 /** "pass --force 2" is "choose “force”: 2", "add --span LENGTH" is "enter “span”". */
