@@ -5,6 +5,7 @@ import { slipOf } from "./answer";
 import { byId, svg } from "./dom";
 import { dropColour, greatest, least, lineThrough, path, placeIn, sized, sizeOf, type Scale } from "./plot";
 import type { Studio } from "./studio";
+import type { Fit } from "./test";
 
 const LEFT = 54, RIGHT = 24, TOP = 4, BOTTOM = 17;
 
@@ -37,8 +38,7 @@ export class RowsView {
     this.last = force.length;
     const { width, height } = sizeOf(this.host), bottom = height - BOTTOM;
     this.x = scaleLinear([1, this.last], [LEFT, Math.max(LEFT + 1, width - RIGHT)]);
-    const sign = fit?.answer.preparation.some((s) => s.step === "sign" && s.changed && /revers/.test(s.done)) ? -1 : 1;
-    const f = sign === 1 ? force : force.map((v) => -v), most = greatest(f), low = Math.min(0, least(f));
+    const f = fit && isReversed(force, fit) ? force.map((v) => -v) : force, most = greatest(f), low = Math.min(0, least(f));
     const y = scaleLinear([low, most > low ? most : low + 1], [bottom - 1, TOP + 3]), rows = Float64Array.from({ length: this.last }, (_, i) => i + 1);
     const [first, last] = this.used(), x1 = this.x(first), x2 = this.x(last);
     const children: SVGElement[] = [
@@ -108,4 +108,10 @@ export class RowsView {
     this.set(which, this.used()[which === "first" ? 0 : 1] + by * (event.shiftKey ? 10 : 1));
     requestAnimationFrame(() => this.host.querySelector<SVGElement>(`[data-handle=${which}]`)?.focus());
   }
+}
+
+/** Whether the fit has taken the force of the file the other way round: by the row of its greatest force. */
+function isReversed(force: Float64Array, fit: Fit): boolean {
+  const used = fit.curves.column("F") ?? new Float64Array(0), at = used.indexOf(greatest(used)), raw = force[(fit.rows[at] ?? 0) - 1];
+  return raw !== undefined && raw * (used[at] ?? 0) < 0;
 }
