@@ -244,7 +244,7 @@ namespace {
 using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns + 1, max_columns + 1>;
 
 // Of each two series, over all observations; four of these at once, as the sums are kept in memory.
-SeriesMatrix products_of(const Eigen::MatrixXd& white) {
+SeriesMatrix products_of(const Eigen::Map<const Eigen::MatrixXd>& white) {
   const auto series = static_cast<std::size_t>(white.rows());
   std::array<Series, most_series> sums{};
   constexpr Index at_once = 4;
@@ -279,17 +279,17 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   const std::size_t columns = observations.prior.size();
   const std::size_t series = 1 + columns;
   effort_spent += n * series;
-  white_.resize(static_cast<Index>(series), static_cast<Index>(n));
+  white_ = KeptArray<double>(series * n);
   elementary::LogProduct variances;
   double seen = 0;
   with_state_of<void>(kernel, [&](auto size) {
     constexpr int M = decltype(size)::value;
     const auto p = parameters_of(kernel, at);
-    chain::Steps<M> steps{.steps = std::make_unique_for_overwrite<chain::Step<M>[]>(n), .rate = p.rate};
+    chain::Steps<M> steps{.steps = KeptArray<chain::Step<M>>(n), .rate = p.rate};
     Covariances<M> covariances(p);
     States<M> states(series);
-    predicted_ = std::make_unique_for_overwrite<double[]>(n * M * series);
-    double* predicted = predicted_.get();
+    predicted_ = KeptArray<double>(n * M * series);
+    double* predicted = predicted_.data();
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
@@ -303,7 +303,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
       if (!is_seen(observation)) {
         step.innovation = infinity;
         step.gain = {};
-        white_.col(static_cast<Index>(k)).setZero();
+        std::fill_n(white_.data() + k * series, series, 0.0);
         continue;
       }
       step.innovation = covariances.observe(observation.noise_gain, observation.variance, step.gain);
@@ -315,13 +315,13 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
       const double* const h = observations.columns[k].data();
       for (std::size_t c = 0; c < columns; ++c) v[1 + c] = h[c];
       states.learn(v, observation.noise_gain, step.gain);
-      double* const white = white_.col(static_cast<Index>(k)).data();
+      double* const white = white_.data() + k * series;
       for (std::size_t c = 0; c < series; ++c) white[c] = v[c] * scale;
     }
     steps_ = std::move(steps);
   });
   const auto p = static_cast<Index>(columns);
-  const SeriesMatrix products = products_of(white_);
+  const SeriesMatrix products = products_of(whitened_columns());
   const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
                                variances.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
@@ -408,7 +408,7 @@ Chain::Means Chain::means_of(std::span<const double> values) const {
         constexpr std::size_t G = M - 1;
         filter_one(observations_, steps, rest, white, {});
         const Eigen::Map<const Eigen::VectorXd> whitened(white.data(), static_cast<Index>(n));
-        Coefficients told = (white_ * whitened).tail(static_cast<Index>(observations_.prior.size()));
+        Coefficients told = (whitened_columns() * whitened).tail(static_cast<Index>(observations_.prior.size()));
         if (observations_.pull.size() > 0) told += observations_.pull;
         means.beta = covariance_ * told;
         for (std::size_t k = 0; k < n; ++k) {
@@ -440,7 +440,7 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
   whiten(covariance, v);
   const Eigen::Map<const Eigen::VectorXd> whitened(v.data(), static_cast<Index>(v.size()));
   const auto p = static_cast<Index>(observations_.prior.size());
-  const Eigen::VectorXd products = white_ * whitened;
+  const Eigen::VectorXd products = whitened_columns() * whitened;
   const Coefficients left = a - products.tail(p);
   const Coefficients with_beta = covariance_ * left;
   return {.mean = a.dot(beta_) + products[0] - products.tail(p).dot(beta_),
@@ -470,7 +470,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
           const Observation& observation = observations_.all[k];
           const bool variances = k >= first_place;
           const double* const white = white_.data() + k * series;
-          const double* const predicted = predicted_.get() + k * M * series;
+          const double* const predicted = predicted_.data() + k * M * series;
           if (is_seen(observation)) {
             // r <- H v/s + (1 - K H)' r, and so for N
             const double scale = 1 / std::sqrt(step.innovation);
@@ -562,7 +562,7 @@ template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
   constexpr int G = M - 1;
   const std::size_t n = observations_.all.size();
-  const auto series = static_cast<std::size_t>(white_.rows());
+  const auto series = 1 + observations_.prior.size();
   effort_spent += n * 2 * series;
   const Parameters parameters = parameters_of(kernel_, at_);
   const Square<M> limit = limit_of<M>(parameters);
@@ -628,7 +628,7 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     }
     if (k == 0) break;
     const auto& before = steps.steps[k - 1];
-    const double* const predicted = predicted_.get() + (k - 1) * M * series;
+    const double* const predicted = predicted_.data() + (k - 1) * M * series;
     for (std::size_t i = 0; i < M; ++i)
       for (std::size_t c = 0; c < series; ++c) known[i][c] = predicted[i * series + c];
     Square<M> away{before.predicted};  // from what is known where nothing is seen

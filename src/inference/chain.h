@@ -15,6 +15,7 @@
 
 #include "inference/matern.h"
 #include "numerics/elementary.h"
+#include "numerics/kept_array.h"
 
 namespace flexslip {
 
@@ -83,7 +84,7 @@ struct Step {
 };
 template <int M>
 struct Steps {
-  std::unique_ptr<Step<M>[]> steps;
+  KeptArray<Step<M>> steps;
   double rate;  // [1/L] of the kernel
 };
 }  // namespace chain
@@ -138,7 +139,10 @@ class Chain {
   LikelihoodGradient gradient(std::span<const double> wavelengths) const;
 
   // What y and the columns became in the filter, for scans over more columns.
-  const Eigen::MatrixXd& whitened_columns() const { return white_; }  // first y, then the columns
+  Eigen::Map<const Eigen::MatrixXd> whitened_columns() const {  // first y, then the columns
+    return {white_.data(), 1 + static_cast<Eigen::Index>(observations_.prior.size()),
+            static_cast<Eigen::Index>(observations_.all.size())};
+  }
 
  private:
   template <int M>
@@ -148,9 +152,9 @@ class Chain {
   Kernel kernel_;
   Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
-  Eigen::MatrixXd white_;                // a column for y and each column, C^(-1/2) of it
-  std::unique_ptr<double[]> predicted_;  // of the state at each observation, series by series
-  Coefficients beta_, by_readings_;      // of them: the mean, and that without the pull
+  KeptArray<double> white_;          // at each observation C^(-1/2) of y and of each column
+  KeptArray<double> predicted_;      // of the state at each observation, series by series
+  Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
   double log_determinant_ = 0;

@@ -470,7 +470,7 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
   const Observations observations = process.observations_of(mode);
   const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
   const std::size_t n = observations.all.size();
-  const auto& white = chain.whitened_columns();
+  const auto white = chain.whitened_columns();
   const auto p = white.rows() - 1;
   const double range = process.passages().range;
   const double least = 1 / process.max_wavelength(), most = 1 / process.min_wavelength(), step = 1 / (8 * range);

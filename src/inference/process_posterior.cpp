@@ -437,7 +437,7 @@ class Posterior {
     const Mode& mode = components_.front().mode;
     const Observations observations = process_for(mode).observations_of(mode);
     const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
-    const auto& white = chain.whitened_columns();
+    const auto white = chain.whitened_columns();
     const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
     for (std::size_t k = 0; k < observations.all.size(); ++k)
       if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
@@ -471,7 +471,7 @@ class Posterior {
       instead.values = std::move(read);
       instead.pull = {};  // the same whatever is read
       const Chain chain(instead, mode.kernel, hyperparameters_of(mode.theta));
-      const auto& white = chain.whitened_columns();
+      const auto white = chain.whitened_columns();
       return Told{
           .whitened = white.row(0).transpose(),
           .unexplained = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean(),

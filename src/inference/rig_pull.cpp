@@ -51,7 +51,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const std::vector<double> by_stiffness = known.by_stiffness(middle);
   std::vector<double> whitened(by_stiffness.size());
   chain.whiten(by_stiffness, whitened);
-  const auto& white = chain.whitened_columns();
+  const auto white = chain.whitened_columns();
   const Eigen::VectorXd unexplained =
       white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
   const Eigen::Map<const Eigen::VectorXd> column(whitened.data(), static_cast<Index>(whitened.size()));

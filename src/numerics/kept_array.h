@@ -1,0 +1,69 @@
+// Arrays for objects that come and go by the thousand, each about as long as the one before: the thread keeps their memory.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace flexslip {
+
+// What a thread keeps: no more than a handful of blocks.
+class KeptMemory {
+ public:
+  struct Block {
+    std::unique_ptr<double[]> memory{};
+    std::size_t size = 0;  // [doubles]
+  };
+
+  // At least so many doubles, of no value.
+  static Block take(std::size_t size) {
+    const auto enough = [&](const Block& block) { return block.size >= size; };
+    const auto found = std::find_if(kept.begin(), kept.end(), enough);
+    if (found == kept.end()) return {std::make_unique_for_overwrite<double[]>(size + size / 4), size + size / 4};
+    Block block = std::move(*found);
+    kept.erase(found);
+    return block;
+  }
+  static void give_back(Block block) {
+    if (kept.size() == most) kept.erase(kept.begin());
+    kept.push_back(std::move(block));
+  }
+
+ private:
+  static constexpr std::size_t most = 8;
+  static inline thread_local std::vector<Block> kept;
+};
+
+// Values that are not initialised.
+template <class T>
+class KeptArray {
+  static_assert(std::is_trivially_default_constructible_v<T> && std::is_trivially_destructible_v<T> &&
+                alignof(T) <= alignof(double));
+
+ public:
+  KeptArray() = default;
+  explicit KeptArray(std::size_t size)
+      : block_(KeptMemory::take((size * sizeof(T) + sizeof(double) - 1) / sizeof(double))) {
+    std::uninitialized_default_construct_n(data(), size);
+  }
+  KeptArray(KeptArray&& other) noexcept : block_(std::exchange(other.block_, {})) {}
+  KeptArray& operator=(KeptArray&& other) noexcept {
+    std::swap(block_, other.block_);
+    return *this;
+  }
+  ~KeptArray() {
+    if (block_.memory) KeptMemory::give_back(std::move(block_));
+  }
+  T* data() { return reinterpret_cast<T*>(block_.memory.get()); }
+  const T* data() const { return reinterpret_cast<const T*>(block_.memory.get()); }
+  T& operator[](std::size_t i) { return data()[i]; }
+  const T& operator[](std::size_t i) const { return data()[i]; }
+
+ private:
+  KeptMemory::Block block_;
+};
+
+}  // namespace flexslip
