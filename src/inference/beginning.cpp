@@ -100,11 +100,15 @@ class BeginningFit {
       Eigen::Vector4d gradient = Eigen::Vector4d::Zero();
       for (std::size_t i = 0; i < about.size(); ++i) {
         const double excess = square(at.residuals[i]) / far;
-        const Eigen::Vector4d weighed = about[i] / (scale + excess);
-        const Eigen::Matrix4d each = weighed * about[i].transpose();
-        normal += each;
-        curved += (scale - excess) / (scale + excess) * each;
-        gradient += at.residuals[i] * weighed;
+        const double weight = 1 / (scale + excess), bend = (scale - excess) * weight;
+        for (Eigen::Index a = 0; a < 4; ++a) {
+          const double weighed = weight * about[i][a];
+          gradient[a] += at.residuals[i] * weighed;
+          for (Eigen::Index b = 0; b < 4; ++b) {
+            normal(a, b) += weighed * about[i][b];
+            curved(a, b) += bend * weighed * about[i][b];
+          }
+        }
       }
       const auto known = prior_of(at, has_seat, offset_error);
       for (Eigen::Index i = 0; i < 4; ++i) {

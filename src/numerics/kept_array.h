@@ -13,16 +13,12 @@ namespace flexslip {
 // What a thread keeps: no more than a handful of blocks.
 class KeptMemory {
  public:
-  struct Block {
-    std::unique_ptr<double[]> memory{};
-    std::size_t size = 0;  // [doubles]
-  };
+  using Block = std::vector<double>;
 
-  // At least so many doubles, of no value.
+  // At least so many doubles.
   static Block take(std::size_t size) {
-    const auto enough = [&](const Block& block) { return block.size >= size; };
-    const auto found = std::find_if(kept.begin(), kept.end(), enough);
-    if (found == kept.end()) return {std::make_unique_for_overwrite<double[]>(size + size / 4), size + size / 4};
+    const auto found = std::find_if(kept.begin(), kept.end(), [&](const Block& block) { return block.size() >= size; });
+    if (found == kept.end()) return Block(size + size / 4);
     Block block = std::move(*found);
     kept.erase(found);
     return block;
@@ -55,10 +51,10 @@ class KeptArray {
     return *this;
   }
   ~KeptArray() {
-    if (block_.memory) KeptMemory::give_back(std::move(block_));
+    if (!block_.empty()) KeptMemory::give_back(std::move(block_));
   }
-  T* data() { return reinterpret_cast<T*>(block_.memory.get()); }
-  const T* data() const { return reinterpret_cast<const T*>(block_.memory.get()); }
+  T* data() { return reinterpret_cast<T*>(block_.data()); }
+  const T* data() const { return reinterpret_cast<const T*>(block_.data()); }
   T& operator[](std::size_t i) { return data()[i]; }
   const T& operator[](std::size_t i) const { return data()[i]; }
 
