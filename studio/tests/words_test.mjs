@@ -1,9 +1,10 @@
 // The page's words are the program's: fed every finding there is (tests/outside/golden/findings.json, which tests/finding/answer_test.cpp writes), the
 // page shows its very strings. Needs no browser: what the page shows of a fit is made by answer.ts.
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { program, root } from "./browser.mjs";
@@ -11,9 +12,9 @@ import { program, root } from "./browser.mjs";
 const modules = join(root, "studio/page/package.json");
 const skip = !existsSync(join(root, "studio/page/node_modules")) ? "the page's modules are not there: npm install in studio/page" : !existsSync(program) ? `there is no program ${program}` : false;
 
-async function pageWords() {
+async function pageWords(source = "answer.ts") {
   const { buildSync } = createRequire(modules)("esbuild");
-  const bundle = buildSync({ entryPoints: [join(root, "studio/page/src/answer.ts")], bundle: true, write: false, format: "esm", charset: "utf8" });
+  const bundle = buildSync({ entryPoints: [join(root, "studio/page/src", source)], bundle: true, write: false, format: "esm", charset: "utf8" });
   return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
 }
 const noCase = { hasRoundSection: false, quantity: () => null };
@@ -39,4 +40,14 @@ test("every drop says what the program reads from it", { skip }, async () => {
   const { dropInWords } = await pageWords();
   for (const name of ["simulated", "cracked", "cyclic"])
     fitOf(name).drops.forEach((drop, i) => assert.equal(dropInWords(drop, i + 1).claim, `Drop ${i + 1}: ${drop.reading}`));
+});
+
+test("of a case with three faults each is said, by its line, and the file once", { skip }, async () => {
+  const { sentence } = await pageWords("answers.ts"), { inPageWords } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
+  writeFileSync(join(cwd, "case.toml"), '[specimen]\ndiameter = "34 kg"\n[rig]\nspan = "5 N"\nspam = 3\n');
+  const { stderr } = spawnSync(program, ["fit", "case.toml"], { cwd, encoding: "utf8" });
+  rmSync(cwd, { recursive: true });
+  const words = inPageWords(sentence(stderr), { isCase: true, name: "bar", data: "test.csv", main: "case.toml", plainName: "" });
+  for (const fault of ["line 2: [specimen] diameter", "line 4: [rig] span", "line 5: [rig] spam"]) assert.ok(words.includes(fault), `${words} says ${fault}`);
+  assert.ok(words.startsWith("bar: ") && !words.includes("case.toml"), words);
 });
