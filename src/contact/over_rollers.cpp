@@ -70,7 +70,7 @@ FrictionArrays OverRollers::at(std::span<const double> S) const {
     }
     Fibre::ContactArrays contacts = fibre_.contacts({lengths, q});
     for (std::size_t j = 0; j < sought.size(); ++j)
-      if (!std::isfinite(contacts.length_S[j])) contacts.length[j] = 1;
+      if (!std::isfinite(contacts.length_S[j])) contacts.length[j] = 1;  // no state: its NaN slopes leave it to at(S)
     const FrictionArrays there = along_.at(contacts.length);
     std::size_t left = 0;
     for (std::size_t j = 0; j < sought.size(); ++j) {

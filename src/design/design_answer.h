@@ -47,7 +47,8 @@ struct DesignAnswer {
 // Method:     a specimen that snaps needs the critical stiffness, or the nearest softer rig with which it does not; one that does not
 //             snap, on a rig stiffer than the critical one, one a hair softer (1e-4), on others the nearest on either side. From the
 //             stiffness modulus and section follow in closed form, unless it is infinite, or the depth decides elsewhere, too. The travel is
-//             that of the first snap, up to 30 times as far, or until the specimen is bent by more than a span. What is nearest is sought in steps of 10 %, up to 30 times as much or as little, and its
+//             that of the first snap, up to 30 times as far, or until the specimen is bent by more than a span. What is nearest is sought in steps of
+//             10 %, up to 30 times as much or as little, and its
 //             neighbourhood halved to 1e-4: a window narrower than a step may be missed. From 0, where there are no such steps, they
 //             begin at 1/900 of the greatest value; from infinity none are made.
 // Cost:       some 40 outcomes, and 700 traces to the first snap.

@@ -123,7 +123,8 @@ std::string told_as_rows(const PlotTable& table, const std::vector<Condition>& o
   return rows == meant.size() ? fmt::format(" every :::{}::{}", from.block, to.block) : "";
 }
 
-// What stands after `plot`. Columns are named, not computed, wherever that says the same: gnuplot takes 20 µs for each number computed.
+// What stands after `plot`. Columns are named, not computed, wherever that says the same: gnuplot sets a handler of
+// signals for every number that it computes.
 std::string plotted(const Mark& mark, const Plot& plot) {
   const Style& style = mark.style;
   const bool is_own = mark.table.empty();
