@@ -224,8 +224,10 @@ class Loading {
 
   // Has a state so much curvature that the fibre breaks?
   bool sees(const FibreState& state) {
-    if (state.status != FibreStatus::ok) return false;
-    const double curvature = fibre().curvature_at_midspan(state);
+    return state.status == FibreStatus::ok && breaks_at(fibre().curvature_at_midspan(state));
+  }
+  bool breaks_at(double curvature) {
+    if (std::isnan(curvature)) return false;  // there is no state
     outcome_.greatest_curvature =
         std::max(outcome_.greatest_curvature, std::min(curvature, design_.breaking_curvature));
     return curvature >= design_.breaking_curvature;
@@ -234,13 +236,13 @@ class Loading {
   // How far on a stretch the fibre gets before it breaks.
   double sound_until(double S_from, double S_to) {
     const int parts = std::isinf(design_.breaking_curvature) ? 2 : 4;
-    const auto breaks_at = [&](double S) { return sees(fibre().state(S, curve_.friction.at(S).mu)); };
+    const auto breaks = [&](double S) { return breaks_at(fibre().curvature_at_midspan(S, curve_.friction.at(S).mu)); };
     double low = S_from;
     for (int i = 1; i <= parts; ++i) {
       const double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
-      if (breaks_at(high)) {
+      if (breaks(high)) {
         breaks_ = true;
-        return first_where(low, high, breaks_at);
+        return first_where(low, high, breaks);
       }
       low = high;
     }

@@ -25,7 +25,7 @@ namespace {
 constexpr double max_periods = 1e6;
 
 CurveSample sample_on(const SlidingCurve& curve, double x) {
-  return sample_at(curve.friction, curve.rig, curve.sliding, x);
+  return samples_at(curve.friction, curve.rig, curve.sliding, {&x, 1}).front();
 }
 
 // Stage positions in the sense of the way: a fibre let out meets falling ones.
@@ -298,7 +298,7 @@ class FoldSearch {
       const double end = last_existing(x, *ended);
       std::erase_if(brackets_, [&](const Bracket& bracket) { return bracket.low >= x; });
       ended = std::nullopt;
-      if (end > x) ended = isolate_in({x, end}, exact, 0);
+      if (end > x) ended = isolate_in({x, end}, finest(), 0);
       if (!ended) x = end;
     }
     std::vector<Fold> folds = polished_folds();
@@ -355,8 +355,8 @@ class FoldSearch {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto corner = corner_at_end(cells[i]);
       const auto ended = corner || x != cells[i].a
-                             ? isolate_in({x, corner ? corner->before : cells[i].b}, table, 0)
-                             : isolate(cells[i], Nodes(&samples[i * degree], degree + 1), table, 0);
+                             ? isolate_in({x, corner ? corner->before : cells[i].b}, source(), 0)
+                             : isolate(cells[i], Nodes(&samples[i * degree], degree + 1), source(), 0);
       if (ended) return ended;
       if (corner && corner->fold) brackets_.push_back(*corner->fold);
       x = corner ? corner->behind : cells[i].b;
@@ -372,6 +372,10 @@ class FoldSearch {
   };
   static constexpr Source exact{samples_at, exact_error, nullptr};
   static constexpr Source table{tabulated_samples_at, tabulated_error, &exact};
+  static constexpr Source table_alone{tabulated_samples_at, tabulated_error, nullptr};
+  // With a thickness or on rollers all states are those of tables.
+  const Source& source() const { return rig_.fibre.on_edges() ? table : table_alone; }
+  const Source& finest() const { return rig_.fibre.on_edges() ? exact : table_alone; }
 
   std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
     std::array<double, degree + 1> at;
@@ -403,7 +407,7 @@ class FoldSearch {
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double min_error = (rig_.fibre.on_edges() ? source.error : tabulated_error) * scale;
+    const double min_error = source.error * scale;
     const double error = std::max(4 * tail, min_error);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;

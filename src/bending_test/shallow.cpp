@@ -1,7 +1,9 @@
 #include "bending_test/shallow.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "bending_test/sliding_table.h"
@@ -52,13 +54,28 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
       (step > 0 ? low : high) = q;  // the one friction that is met there: steepest_followed
     }
     found.length_w = length_w + length_q * found.q_w;
-    constexpr double small = 1e-14;
     // At rest the least deflections have no friction that could be told.
-    if (!std::isfinite(step) || std::abs(step) <= small * (1 + std::abs(q))) break;
+    if (!std::isfinite(step)) break;
+    constexpr double last =
+        1e-8;  // the square of which is rounding: what is left of the way to the state is its tangent
+    if (std::abs(step) <= last * (1 + std::abs(q))) {
+      found.at.move_by(step);
+      break;
+    }
     const double next = q + std::clamp(step, -0.5, 0.5);
     q = next > low && next < high ? next : 0.5 * (low + high);
   }
   return found;
+}
+
+double Shallow::Guess::at(double deflection) const {
+  constexpr double farthest = 0.1;
+  return q + std::clamp(q_w * (deflection - w), -farthest, farthest);
+}
+
+void Shallow::Guess::follow(const Place& found) {
+  const FibreState& state = found.at.state;
+  if (state.status == FibreStatus::ok && std::isfinite(found.q_w)) *this = {state.w, state.q, found.q_w};
 }
 
 PathPoint Shallow::next(const PathPoint& from, double stage) const {
@@ -68,36 +85,32 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const Fibre::BentState here = fibre.bent(from.w, from.q);
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
-  double near = from.q;  // what was found last
+  Guess guess{from.w, from.q, 0};  // from what was found last
   const auto at = [&](const Way& way, double w) {
-    const Place there = place(way, w, near);
-    if (there.at.state.status == FibreStatus::ok) near = there.at.state.q;
+    const Place there = place(way, w, guess.at(w));
+    guess.follow(there);
     return there;
   };
   // A fibre slides where friction is exhausted, and rises along the specimen by less than it would have to for the fibre to stay at rest.
   Way way{from.w == 0 || mu < level ? (here.S_w * advance >= 0 ? 1.0 : -1.0) : from.q > 0 ? 1.0 : -1.0, from.S};
   bool slides =
       from.w == 0 || (std::abs(from.q) >= mu - level && at(way, from.w).slides() * advance * way.direction > 0);
-  if (!slides) way.direction = 0;
+  if (!slides) way.direction = 0, guess = {from.w, from.q, 0};
 
   double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
     while (fibre.bent(far, mu).state.S < 1) far *= 1.2;
   const auto to_go = [&](const Place& there) { return advance * (stage - stage_of(there)); };
   const auto leaves = [&] { return advance > 0 && way.direction > 0; };
-  // Positive until the stretch ends.
-  const auto left = [&](double w) {
-    if (w == 0) return -stage;
-    const Place there = at(way, w);
+  // What is left until the stretch ends, all of it positive until then: to the stage position; of sliding, or of what friction can hold; to the length 1.
+  using Left = std::array<double, 3>;
+  const auto left_at = [&](const Place& there) -> Left {
     const FibreState& state = there.at.state;
-    double least = to_go(there);
-    if (slides) {
-      least = std::fmin(least, there.slides() * advance * way.direction);
-      return leaves() ? std::fmin(least, 1 - state.S) : least;
-    }
+    if (slides) return {to_go(there), there.slides() * advance * way.direction, leaves() ? -there.at.slid : infinity};
     const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
-    return is_held ? std::fmin(least, friction_at(state) + level - std::abs(state.q)) : -infinity;
+    return {to_go(there), is_held ? friction_at(state) + level - std::abs(state.q) : -infinity, infinity};
   };
+  const auto leads_on = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
   // Step by step, none longer than friction is smooth for, on the contacts as they move; at rest besides none on which what holds the fibre changes
   // by more than half of friction, as it may come back to what friction can do on the other side of the least length.
   constexpr double least = 1e-7, smooth = 0.5, of_friction = 0.5, of_half_depth = 0.1;
@@ -106,28 +119,33 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
       knots.size() > 1 ? (knots.back() - knots.front()) / static_cast<double>(knots.size()) : far + from.w;
   const double scale = smooth * std::min(friction_.smooth_scale(), between_knots);
   double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
-  double left_there = left(next);
-  if (left_there > 0 && next != far) {
-    Tried before{};
+  Place there = at(way, next);
+  Left left = left_at(there);
+  if (leads_on(left) && next != far) {
+    Left left_before{};
     do {
-      before = {next, left_there};
-      const Place there = at(way, next);
+      w = next, left_before = left;
+      const double q_w = there.q_w;
       double step = scale / std::max(std::abs(there.length_w), 0.1);
       if (!slides) {
-        const double by_friction = of_friction * friction_at(there.at.state) / std::abs(there.q_w);
+        const double by_friction = of_friction * friction_at(there.at.state) / std::abs(q_w);
         step = std::min({step, std::max(by_friction, least * half_depth), of_half_depth * half_depth});
       }
       next = advance > 0 ? std::min(next + step, far) : std::max(next - step, far);
-      left_there = left(next);
-      const auto turns_back = [&](double deflection) { return at(way, deflection).q_w * there.q_w <= 0; };
-      if (!slides && left_there > 0 && turns_back(next)) {
-        const double turn = first_where(before.x, next, turns_back);
-        if (const double left_at_turn = left(turn); !(left_at_turn > 0)) next = turn, left_there = left_at_turn;
+      there = at(way, next);
+      left = left_at(there);
+      if (!slides && leads_on(left) && there.q_w * q_w <= 0) {
+        const auto turns_back = [&](double deflection) { return at(way, deflection).q_w * q_w <= 0; };
+        const double turn = first_where(w, next, turns_back);
+        if (const Left at_turn = left_at(at(way, turn)); !leads_on(at_turn)) next = turn, left = at_turn;
       }
-    } while (left_there > 0 && next != far);
-    w = first_not_positive(left, before, next);
+    } while (leads_on(left) && next != far);
+    // Each by itself: the least of them has corners, where they end together.
+    for (std::size_t i = 0; i < left.size(); ++i)
+      next = first_not_positive([&](double x) { return left_at(at(way, x))[i]; }, {w, left_before[i]}, next);
+    w = next;
   } else {
-    w = first_where(w, next, [&](double there) { return !(left(there) > 0); });
+    w = first_where(w, next, [&](double x) { return !leads_on(left_at(at(way, x))); });
   }
   // Where at some deflection friction hardly moves what is drawn in, neither rest nor sliding leads on by more than rounding: there the
   // fibre follows friction for a thousandth of half its depth.
@@ -136,19 +154,21 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     way.direction = from.q > 0 ? 1 : -1;
     constexpr double follows = 1e-3;
     const double follow = from.w + advance * std::min(follows * half_depth, std::abs(far - from.w));
-    w = first_where(from.w, follow, [&](double there) {
-      return there == 0 || !(to_go(at(way, there)) > 0) || (leaves() && at(way, there).at.state.S >= 1);
+    w = first_where(from.w, follow, [&](double deflection) {
+      if (deflection == 0) return true;
+      const Place reached = at(way, deflection);
+      return !(to_go(reached) > 0) || (leaves() && reached.at.slid >= 0);
     });
   }
 
   PathPoint to{0, 0, 0, 1, way.direction * friction_.at(1).mu, Motion::stick};
   if (w > 0) {
-    const Place there = at(way, w);
-    const FibreState& state = there.at.state;
-    to = {stage_of(there), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
-    if (!(to_go(there) > 0))
+    const Place end = at(way, w);
+    const FibreState& state = end.at.state;
+    to = {stage_of(end), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
+    if (!(to_go(end) > 0))
       to.stage = stage;
-    else if (leaves() && to.S >= 1)
+    else if (leaves() && end.at.slid >= 0)
       to.S = 1;
   }
   to.motion = !slides ? Motion::stick : way.direction > 0 ? Motion::slip_in : Motion::slip_out;
@@ -158,9 +178,11 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
 StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   const Way way{direction_of(to.motion), from.S};
   const Fibre& fibre = rig_.fibre;
+  Guess guess{from.w, from.q, to.w == from.w ? 0 : (to.q - from.q) / (to.w - from.w)};
   const auto place_at = [&](double w) {
-    const double part = to.w == from.w ? 0 : (w - from.w) / (to.w - from.w);
-    return place(way, w, std::lerp(from.q, to.q, part));
+    const Place there = place(way, w, guess.at(w));
+    guess.follow(there);
+    return there;
   };
   const auto power = [&](double w) {
     const Place there = place_at(w);
@@ -174,7 +196,7 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   const auto knots = friction_.knots();
   const double for_knots = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
   const double scales = (rolled + slid) * std::max(1 / friction_.smooth_scale(), for_knots);
-  const int pieces = 1 + static_cast<int>(std::ceil(scales));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(scales)));
   const auto length_at = [&](double w) { return fibre.length_between_contacts(place_at(w).at.state); };
   SlidingWork sum;
   double begin = from.w, length = length_at(begin);

@@ -68,6 +68,12 @@ class Shallow {
     double length_w;                                         // [L/L] of what lies between the contacts
     double slides() const { return at.S_w + at.S_q * q_w; }  // [L/L] of what has been drawn in
   };
+  // The friction at which a place is looked for: led on from the last that was found.
+  struct Guess {
+    double w, q, q_w;
+    double at(double deflection) const;
+    void follow(const Place& found);
+  };
   // Sliding in (1) or out (-1), or at rest at a length.
   struct Way {
     double direction;  // 0: at rest

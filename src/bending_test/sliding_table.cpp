@@ -72,7 +72,10 @@ CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding,
 
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x) {
-  return samples(friction, rig, sliding, x, [&](const FibrePoints& points) { return rig.fibre.states_slopes(points); });
+  const Fibre& fibre = rig.fibre;
+  return samples(friction, rig, sliding, x, [&](const FibrePoints& points) {
+    return fibre.on_edges() ? fibre.states_slopes(points) : fibre.tabulated_states_slopes(points);
+  });
 }
 
 std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
@@ -214,34 +217,37 @@ using Polynomial = Interpolant<degree>;
 using Values = SlidingPiece::Values;
 constexpr double close = 0x1p-48;  // of a zero in [-1, 1]
 
-// The roots of a polynomial in Bernstein form: as many as its signs change, or fewer (Descartes); halved until they change
-// at most once.
-using Slope = std::array<double, degree>;
+// Where the slope of a polynomial vanishes: as often as the signs of its Bernstein coefficients change, or less often (Descartes); halved until they
+// change at most once. The zeros themselves by its Chebyshev series, which takes fewer products.
+struct SlopeOf {
+  using Bernstein = std::array<double, degree>;
+  std::array<double, degree> series;
 
-void add_roots(const Slope& b, double low, double high, int halvings, std::vector<double>& roots) {
-  constexpr int max_halvings = 24;  // beyond it two roots are one point
-  const int changes = sign_changes(b);
-  if (changes == 0) return;
-  if (halvings == max_halvings) {
-    if (changes % 2 == 1) roots.push_back(0.5 * (low + high));
-    return;
+  void add_zeros(const Bernstein& b, double low, double high, int halvings, std::vector<double>& zeros) const {
+    constexpr int max_halvings = 24;  // beyond it two zeros are one point
+    const int changes = sign_changes(b);
+    if (changes == 0) return;
+    if (halvings == max_halvings) {
+      if (changes % 2 == 1) zeros.push_back(0.5 * (low + high));
+      return;
+    }
+    if (changes == 1) {
+      const auto at = [&](double x) { return series_slope_at(series, x); };
+      const bool rises = b.front() < 0;
+      zeros.push_back(zero_between(at, rises ? low : high, rises ? high : low, 0.5 * (low + high), close));
+      return;
+    }
+    Bernstein left{};
+    Bernstein right = b;
+    for (std::size_t n = degree; n > 0; --n) {
+      left[degree - n] = right[0];
+      for (std::size_t i = 0; i + 1 < n; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
+    }
+    const double middle = 0.5 * (low + high);
+    add_zeros(left, low, middle, halvings + 1, zeros);
+    add_zeros(right, middle, high, halvings + 1, zeros);
   }
-  Slope left{};
-  Slope right = b;
-  if (changes == 1) {
-    const auto value_at = [&](double t) { return bernstein_at(b, t); };
-    const bool rises = b.front() < 0;
-    roots.push_back(low + (high - low) * zero_between(value_at, rises ? 0.0 : 1.0, rises ? 1.0 : 0.0, 0.5, close));
-    return;
-  }
-  for (std::size_t n = degree; n > 0; --n) {
-    left[degree - n] = right[0];
-    for (std::size_t i = 0; i + 1 < n; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-  }
-  const double middle = 0.5 * (low + high);
-  add_roots(left, low, middle, halvings + 1, roots);
-  add_roots(right, middle, high, halvings + 1, roots);
-}
+};
 
 }  // namespace
 
@@ -288,13 +294,13 @@ double SlidingPiece::force_at(double stage) const {
 
 std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {
   const Values force = Polynomial::bernstein(F_at_);
-  Slope slope{};
+  SlopeOf::Bernstein slope{};
   for (std::size_t i = 0; i < degree; ++i) slope[i] = force[i + 1] - force[i];
-  std::vector<double> roots;
-  add_roots(slope, -1, 1, 0, roots);
+  std::vector<double> zeros;
+  SlopeOf{derivative(F_)}.add_zeros(slope, -1, 1, 0, zeros);
   std::vector<Turn> turns;
-  turns.reserve(roots.size());
-  for (const double x : roots)
+  turns.reserve(zeros.size());
+  for (const double x : zeros)
     turns.push_back({std::clamp(series_at(stage_, x), stage_from(), stage_to()), series_at(F_, x)});
   return turns;
 }

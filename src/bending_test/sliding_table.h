@@ -28,8 +28,9 @@ struct CurveSample {
   double scale;    // [√L] size of its terms
 };
 
-// Points of the way, to the accuracy of Fibre::state_slopes. The friction is that met on the way.
+// A point of the way, to the accuracy of Fibre::state_slopes, and with it where the branch ends. The friction is that met on the way.
 CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x);
+// Many; on rollers or with a thickness by the table over lengths, whose branch may end some 1e-12 from that of the states.
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x);
 

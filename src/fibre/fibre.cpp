@@ -72,6 +72,15 @@ Fibre::BentState Fibre::drawn_in(double w, double q) const {
   return at;
 }
 
+void Fibre::BentState::move_by(double dq) {
+  state.q += dq;
+  slid += S_q * dq;
+  state.S = 1 + slid;
+  state.F += F_q * dq;
+  state.theta0 += theta0_q * dq;
+  state.Pn += Pn_q * dq;
+}
+
 FibreState Fibre::state_bent(double w, double q) const {
   FibreState state = bent(w, q).state;
   if (w > 0 && state.status == FibreStatus::ok) state.U = tables_->bending(w, q).U;
@@ -328,6 +337,15 @@ double Fibre::imaged_length(const FibreState& state) const {
 double Fibre::curvature_at_midspan(const FibreState& state) const {
   if (on_edges()) return flexslip::curvature_at_midspan(state);
   return state.w > 0 ? tables_->bending(state.w, state.q).curvature : 0;
+}
+
+double Fibre::curvature_at_midspan(double S, double q) const {
+  if (on_edges()) {
+    const FibreState state = fibre_state(S, q);
+    return state.status == FibreStatus::ok ? flexslip::curvature_at_midspan(state) : not_a_number;
+  }
+  const double w = tabulated_states({{&S, 1}, {&q, 1}}).w.front();
+  return w > 0 ? tables_->bending(w, q).curvature : w;
 }
 
 ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, double S_most) : fibre_(fibre) {

@@ -60,6 +60,7 @@ class Fibre {
     FibreState state;
     double slid;  // [L] S - 1, with the digits that S loses
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
+    void move_by(double dq);  // along the tangent, the deflection as it is; an error of dq²
   };
   BentState bent(double w, double q) const;
   BentState drawn_in(double w, double q) const;     // the same in half the time: θ0 and Pn are NaN, unless w = 0
@@ -104,6 +105,8 @@ class Fibre {
 
   // As curvature_at_midspan.
   double curvature_at_midspan(const FibreState& state) const;
+  // That of the state of a length; NaN where there is none. Accuracy of tabulated_states.
+  double curvature_at_midspan(double S, double q) const;
 
  private:
   enum class WhereForceEnds { computed, left_out };
