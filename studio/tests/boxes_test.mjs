@@ -45,7 +45,7 @@ test("every box takes what the program takes: units of all kinds, and what is no
     writeFileSync(join(folder, "few.csv"), "crosshead [um],force [mN]\n0,0\n1,1\n");
     await drop(tab, mine);
     await shown(tab);
-    const values = ["12 um", "12 µm", "12 μm", "0.5 in", "3 mil", "12 micron", "12 N/m", "12 N/mm", "12 mN/um", "12 lbf/in", "12 kgf/mm", "12 GPa", "12 ksi", "12 Msi", "12 N/mm^2", "12 N/mm²", "12 N m^2", "12 s", "12 deg", "12", "1,5 mm", "1.5mm", "1e-3 m", ".5 mm", "+2 mm", "0 mm", "-1 mm", "inf", "Inf", "nan mm", "12 mmm", "12 KN", "12 mm mm", "mm", "", "12 furlongs", "1e99 m", "12 M", "12 %"];
+    const values = ["12 um", "12 µm", "12 μm", "0.5 in", "3 mil", "12 micron", "12 N/m", "12 N/mm", "12 mN/um", "12 lbf/in", "12 kgf/mm", "12 GPa", "12 ksi", "12 Msi", "12 N/mm^2", "12 N/mm²", "12 N m^2", "12 s", "12 deg", "12", "1,5 mm", "1.5mm", "1e-3 m", ".5 mm", "+2 mm", "0 mm", "-1 mm", "inf", "Inf", "nan mm", "12 mmm", "12 KN", "12 mm mm", "mm", "", "12 furlongs", "1e99 m", "12 M", "12 %", "12 um ± 1 um", "12 N/m +- 2 %", "12 GPa ± 3 GPa", "12 um ± 1 N", "12 N/m ±", "12 N/m ± 1"];
     const boxes = { span: "span", diameter: "diameter", "load train": "stiffness", modulus: "modulus" };
     for (const [box, flag] of Object.entries(boxes))
       for (const words of values.filter((each) => each !== "")) {
@@ -76,6 +76,14 @@ test("several files: what one is told of the rig the others are told; Fit all, t
   await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 4);
   assert.match(await tab.locator("#error").innerText(), /^3 files do not say the support span and the stiffness of the load train\. Enter them at the left, once for all of them, then press Fit all\./);
   await say(tab, RIG);
+  await tab.locator("#tests li", { hasText: "b" }).last().click();
+  const at = (box) => tab.locator(`#card [aria-label="${box}"]`);
+  assert.notEqual(await at("span").inputValue(), "", "the rig is that of all");
+  assert.equal(await at("diameter").inputValue(), "", "a specimen is that of its file");
+  await at("span").fill("1.3 mm");
+  await at("span").press("Enter");
+  await tab.locator("#tests li", { hasText: "c" }).last().click();
+  assert.equal(await at("span").inputValue(), "1278 µm", "what was said of one is not said over by another");
   await tab.locator("#fit-all").click();
   await tab.waitForFunction(() => [...document.querySelectorAll("#tests .badge")].every((badge) => /of 3\d/.test(badge.textContent)));
   await tab.locator("#table-of-tests").click();

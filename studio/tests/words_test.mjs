@@ -17,7 +17,7 @@ async function pageWords(source = "answer.ts") {
   const bundle = buildSync({ entryPoints: [join(root, "studio/page/src", source)], bundle: true, write: false, format: "esm", charset: "utf8" });
   return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
 }
-const noCase = { hasRoundSection: false, quantity: () => null };
+const noCase = { secondMoment: null, quantity: () => null };
 const fitOf = (name) => JSON.parse(execFileSync(program, ["fit", join(root, "examples", name, "case.toml"), "--json"], { maxBuffer: 1e8 }));
 
 test("every finding: the verdict, the sentence, its remedy and the next step stand on the page as the program says them", { skip }, async () => {
@@ -50,4 +50,18 @@ test("of a case with three faults each is said, by its line, and the file once",
   const words = inPageWords(sentence(stderr), { isCase: true, name: "bar", data: "test.csv", main: "case.toml", plainName: "" });
   for (const fault of ["line 2: [specimen] diameter", "line 4: [rig] span", "line 5: [rig] spam"]) assert.ok(words.includes(fault), `${words} says ${fault}`);
   assert.ok(words.startsWith("bar: ") && !words.includes("case.toml"), words);
+});
+
+test("what a data file does not say is asked for by boxes: units, a radius; no key of a case, no flag", { skip }, async () => {
+  const { sentence } = await pageWords("answers.ts"), { inPageWords } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
+  const rows = Array.from({ length: 40 }, (_, i) => `${i},${0.02 * i}`).join("\n"), file = { isCase: false, name: "run", data: "run.csv", main: "run.csv", plainName: "run.plain.csv" };
+  const askedBy = (titles, ...flags) => {
+    writeFileSync(join(cwd, "run.csv"), `${titles}\n${rows}\n`);
+    return inPageWords(sentence(spawnSync(program, ["fit", "run.csv", ...flags], { cwd, encoding: "utf8" }).stderr), file);
+  };
+  const units = askedBy("Position,Load"), radius = askedBy("stage [um],force [mN]", "--span", "1278 um", "--stiffness", "90 N/m", "--supports", "rollers");
+  rmSync(cwd, { recursive: true });
+  assert.ok(units.includes("“stage unit”: mm") && units.includes("“force unit”: N") && units.includes("“moves”"), units);
+  assert.match(radius, /“radius”/);
+  for (const words of [units, radius]) assert.doesNotMatch(words, /--[a-z]|\[[a-z]+\] /, words);
 });

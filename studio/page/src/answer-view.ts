@@ -25,7 +25,7 @@ export function drawAnswer(studio: Studio): void {
     el("h1", {}, answer.verdict, " ", el("span", {}, withBoxes(answer.rest))),
     el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
     el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, withBoxes(c.reason)) : null))),
-    el("p", { class: fit.answer.status === "ok" ? "lead" : "say", title: answer.next || null }, answer.next ? withBoxes(`Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}`) : "", studio.changed ? " By the last fit, not by hand." : ""));
+    el("p", { class: fit.answer.status === "ok" ? "lead" : "say", title: withBoxes(answer.next) || null }, answer.next ? withBoxes(`Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}`) : "", studio.changed ? " By the last fit, not by hand." : ""));
 }
 
 /** One line: the row, its numbers, and what can be said of the drop. */
@@ -40,20 +40,20 @@ export function drawMoment(studio: Studio): void {
   };
   const number = (value: number, factor: number, digits = 1): string => (Number.isFinite(value) ? fixed(value / factor, digits) : "–");
   const mu = Number.isFinite(moment.mu) ? `${fixed(moment.mu, 3)}${Number.isFinite(moment.muError) ? ` ± ${fixed(moment.muError, 3)}` : ""}` : "not told yet";
-  const words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number, tellsFriction(fit.answer)) : null;
+  const told = tellsFriction(fit.answer), words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number, told) : null;
   fill(host, el("span", { class: "dot" }),
     studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name, "narrow-keep"),
-    cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used ? mu : "–", 78, ""),
+    cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used && told ? mu : "–", 78, ""),
     cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wider"),
     el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
 }
 
 /** For a screen reader, when the moment was moved by a key. */
 export function momentInWords(studio: Studio): string {
-  const moment = studio.moment;
-  if (!moment) return "";
+  const moment = studio.moment, fit = studio.fit;
+  if (!moment || !fit) return "";
   const drop = moment.drop ? `, ${dropInWords(moment.drop.drop, moment.drop.number).claim}` : "";
   const force = unitFor(moment.force, "force");
-  return `Row ${moment.row}, force ${significant(moment.force / force.factor)} ${force.name}${Number.isFinite(moment.mu) ? `, friction ${fixed(moment.mu, 2)}` : ""}${drop}`;
+  return `Row ${moment.row}, force ${significant(moment.force / force.factor)} ${force.name}${Number.isFinite(moment.mu) && tellsFriction(fit.answer) ? `, friction ${fixed(moment.mu, 2)}` : ""}${drop}`;
 }

@@ -3,7 +3,6 @@
 import type { Drop, Finding, FitAnswer } from "./answers";
 import type { CaseText } from "./case-text";
 import { decimalsFor, fixed, significant, unitFor, written, type Unit } from "./quantity";
-import { inertia } from "./settings";
 
 export interface KeyNumber { label: string; value: string; rest: string; condition: string }
 export interface CheckLine { mark: "passed" | "warning" | "cannot"; words: string; reason: string }
@@ -35,7 +34,7 @@ const saidOf = (fit: FitAnswer, label: string): string | null => fit.answer.find
 
 function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, read = fit.friction_read, { slips, energy } = fit;
-  const D = text.hasRoundSection ? text.quantity("specimen.diameter") : null;
+  const I = text.secondMoment;
   const signed = (share: number): string => `${fixed(Math.abs(100 * share), 0)} % ${share < 0 ? "less" : "more"}`;
   const friction: KeyNumber = { label: "Friction at the supports *μ*", value: NOTHING, rest: "", condition: read && read.low80 !== null && read.high80 !== null ? `80 % of points ${fixed(read.low80, 2)} to ${fixed(read.high80, 2)}` : "" };
   const told = tellsFriction(fit);
@@ -53,14 +52,14 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
     Object.assign(spacing, { value: significant(slips.median_spacing / u.factor, 2), rest: u.name });
   }
   const stiffness: KeyNumber = { label: "Bending stiffness *EI*", value: NOTHING, rest: "", condition: "" };
-  const modulus: KeyNumber = { label: "Modulus *E*", value: NOTHING, rest: "", condition: D === null ? "no round section stated" : "" };
+  const modulus: KeyNumber = { label: "Modulus *E*", value: NOTHING, rest: "", condition: I === null ? "no section stated" : "" };
   if (EI) {
     const u = unitFor(EI.value, "bending"), [value, error] = estimate(EI.value, EI.standard_error, u);
     Object.assign(stiffness, { value, rest: `${error} ${u.name}` });
     const over = fit.small_deflection?.over_fit;
     if (over) stiffness.condition = `initial slope says ${signed(over - 1)}`;
-    if (D) {
-      const E = EI.value / inertia(D), e = unitFor(E, "modulus"), [ofE, errorOfE] = estimate(E, EI.standard_error / inertia(D), e);
+    if (I) {
+      const E = EI.value / I, e = unitFor(E, "modulus"), [ofE, errorOfE] = estimate(E, EI.standard_error / I, e);
       Object.assign(modulus, { value: ofE, rest: `${errorOfE} ${e.name}` });
       const given = text.quantity("specimen.modulus"), nominal = fit.nominal_bending_stiffness;
       modulus.condition = given === null ? "not stated" : `given: ${estimate(given, given * (nominal?.relative_error ?? 0.03), e).join(" ")}`;

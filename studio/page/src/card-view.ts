@@ -4,7 +4,7 @@ import type { ReadColumn } from "./answers";
 import { byId, el, fill } from "./dom";
 import type { QuantityKind } from "./engine";
 import { exactly, significant, unitFor, type Kind } from "./quantity";
-import type { Settings } from "./settings";
+import { partsOf, type Settings } from "./settings";
 import { messageOf, type Studio } from "./studio";
 import type { Test } from "./test";
 import { withBoxes } from "./words";
@@ -42,7 +42,7 @@ export class CardView {
     const decided = Object.keys(test.settings.read).length > 0 || Object.keys(test.settings).length > 1, many = studio.alike(test).length + 1;
     const words = studio.stale ? "Bold: decided by you. Press F to fit again." : decided ? "Bold: decided by you." : "Found by the program. Click a line to decide otherwise, then fit.";
     const focused = host.contains(document.activeElement) ? document.activeElement!.getAttribute("aria-label") : null;
-    fill(host, el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), list, el("p", { class: "said" }, words, many > 1 ? ` What is said of rig and specimen is said of all ${many} files, but those that were told otherwise.` : ""));
+    fill(host, el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), list, el("p", { class: "said" }, words, many > 1 ? ` What is said of the rig is said of all ${many} files, but those that were told otherwise.` : ""));
     if (focused === null) return;
     const again = [...host.querySelectorAll<HTMLElement>("input, select")].find((e) => e.getAttribute("aria-label") === focused);
     again?.focus();
@@ -108,14 +108,15 @@ export class CardView {
   private entries(test: Test): (Entry | { line: [string, Choice[], boolean] })[] {
     const { settings, read } = test, { studio } = this, all: (Entry | { line: [string, Choice[], boolean] })[] = [];
     const quantity = (name: string, key: "span" | "diameter" | "wall" | "width" | "height" | "stiffness" | "modulus" | "tipRadius", kind: QuantityKind, family: Kind, example: string, stated: number | null, wanted: boolean): void => {
-      const value = settings[key] ?? stated, u = value ? unitFor(value, family, 2000) : null;
-      all.push({ name, example, wanted, yours: settings[key] !== undefined, value: value && u ? exactly(value, { ...u, command: u.name }) : "", take: (words) => {
-        if (words === "" && (settings[key] !== undefined || stated === null)) return this.decide({ [key]: undefined });
-        const next = studio.model.quantity(words, kind);
-        this.decide({ [key]: next });
+      const value = settings[key] ?? stated, u = value ? unitFor(value, family, 2000) : null, error = key === "tipRadius" ? null : (`${key}Off` as const), off = error && settings[error];
+      all.push({ name, example, wanted, yours: settings[key] !== undefined && !test.taken.has(key), value: value && u ? `${exactly(value, { ...u, command: u.name })}${off ? ` ± ${off}` : ""}` : "", take: (words) => {
+        if (words === "" && (settings[key] !== undefined || stated === null)) return this.decide({ [key]: undefined, ...(error ? { [error]: undefined } : {}) });
+        const told = error ? partsOf(words) : { value: words, off: null }, next = studio.model.quantity(told.value, kind);
+        if (told.off !== null && !/^[\d.,]+\s*%$/.test(told.off)) studio.model.quantity(told.off, kind);
+        this.decide({ [key]: next, ...(error ? { [error]: told.off ?? undefined } : {}) });
       } });
     };
-    const reading = (name: string, flag: keyof Settings["read"], example: string, kind: QuantityKind | null): void => void all.push({ name, example, wanted: true, yours: settings.read[flag] !== undefined, value: settings.read[flag] ?? "", take: (words) => {
+    const reading = (name: string, flag: keyof Settings["read"], example: string, kind: QuantityKind | null): void => void all.push({ name, example, wanted: true, yours: settings.read[flag] !== undefined && !test.taken.has(flag), value: settings.read[flag] ?? "", take: (words) => {
       if (words !== "" && kind) studio.model.unit(words, kind);
       this.decideReading(flag, words === "" ? undefined : words);
     } });
@@ -139,13 +140,13 @@ export class CardView {
       quantity("width", "width", "a length", "length", "10 mm", stated.width, true);
       quantity("height", "height", "a length", "length", "2 mm", stated.thickness, true);
     }
-    quantity("load train", "stiffness", "a stiffness", "stiffness", "90.65 N/m, or inf", null, true);
+    quantity("load train", "stiffness", "a stiffness", "stiffness", "90.65 N/m ± 0.3 N/m, or inf", null, true);
     quantity("modulus", "modulus", "a modulus", "modulus", "29.6 GPa", null, false);
     const supports = settings.supports ?? (settings.tipRadius ? "rollers" : undefined);
     all.push({ line: ["supports", [
       ...(supports ? [] : [{ words: "not said: edges", change: (): void => undefined, chosen: true }]),
       { words: "edges", change: () => this.decide({ supports: "edges", tipRadius: undefined }), chosen: supports === "edges" }, { words: "rollers", change: () => this.decide({ supports: "rollers" }), chosen: supports === "rollers" },
-    ], settings.supports !== undefined] });
+    ], settings.supports !== undefined && !test.taken.has("supports")] });
     if (supports === "rollers") quantity("radius", "tipRadius", "a length", "length", "5 mm", null, true);
     return all;
   }
@@ -193,7 +194,7 @@ export class CardView {
         ...(moves ? [] : [{ words: "not said: choose", change: nothing, chosen: true }]),
         { words: "crosshead, less F/k", change: move("crosshead"), chosen: moves === "crosshead" },
         { words: "deflection", change: move("deflection"), chosen: moves === "deflection" },
-      ], settings.displacement !== undefined]);
+      ], settings.displacement !== undefined && !test.taken.has("displacement")]);
     } else if (read) {
       lines.push(["case", [{ words: test.main, change: nothing, chosen: true }], false]);
       lines.push(["format", [{ words: `${MARKS[read.delimiter] ?? read.delimiter}, ${MARKS[read.decimal] ?? read.decimal}; ${read.rows} rows`, change: nothing, chosen: true }], false]);
@@ -208,16 +209,17 @@ export class CardView {
     const { settings, fit } = test, lines: [string, Choice[], boolean][] = [], decide = (change: Partial<Settings>) => (): void => this.decide(change);
     const contact = fit?.answer.contact;
     if (contact) {
+      const then = JSON.parse(fit!.settings) as Settings;  // what was decided when it was fitted: what is found is that of then
       const offset = contact.line_offset, taken = fit!.answer.parameters.contact_offset, u = unitFor(Math.max(Math.abs(offset?.value ?? taken?.value ?? 0), offset?.standard_error ?? 0), "length");
       const where = offset ? ` (${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name})` : "";
       lines.push(["contact", [
-        { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}${taken ? `: ${significant(taken.value / u.factor, 3)} ${u.name}` : ""}`, change: () => undefined, chosen: true },
+        { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}${taken ? `: ${significant(taken.value / u.factor, 3)} ${u.name}` : ""}`, change: () => undefined, chosen: then.contact === settings.contact },
         { words: `find${where}`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
         ...(settings.contact ? [{ words: "as found", change: decide({ contact: undefined }) }] : []),
       ], settings.contact !== undefined]);
       const zero = fit!.answer.preparation.find((s) => s.step === "zero"), sign = fit!.answer.preparation.find((s) => s.step === "sign");
       lines.push(["zero, sign", [
-        { words: `${zero?.changed ? "found" : "kept"}, ${sign?.changed ? "reversed" : "kept"}`, change: () => undefined, chosen: true },
+        { words: `${zero?.changed ? "found" : "kept"}, ${sign?.changed ? "reversed" : "kept"}`, change: () => undefined, chosen: then.zero === settings.zero && then.sign === settings.sign },
         { words: "find both", change: decide({ zero: "find", sign: "find" }), chosen: settings.zero === "find" && settings.sign === "find" }, { words: "keep both", change: decide({ zero: "keep", sign: "keep" }), chosen: settings.zero === "keep" && settings.sign === "keep" },
         { words: "reverse the sign", change: decide({ sign: "reverse" }), chosen: settings.sign === "reverse" },
         ...(settings.zero || settings.sign ? [{ words: "as found", change: decide({ zero: undefined, sign: undefined }) }] : []),

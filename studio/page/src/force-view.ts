@@ -149,7 +149,8 @@ export class ForceView {
       return Number.isFinite(low) && high > low ? [low, high + 0.06 * (high - low)] : [0, 1];
     };
     const dx = spanned(rows.stage), dy = spanned(rows.force);
-    this.units = { x: unitFor(Math.max(-dx[0], dx[1]), "length"), y: unitFor(Math.max(-dy[0], dy[1]), "force") };
+    const asItStands: Unit = { name: "no unit yet", command: "", factor: 1 }, { unitless } = rows;
+    this.units = { x: unitless.stage ? asItStands : unitFor(Math.max(-dx[0], dx[1]), "length"), y: unitless.force ? asItStands : unitFor(Math.max(-dy[0], dy[1]), "force") };
     byId("force-unit").textContent = `(${this.units.y.name})`;
     this.frame = frameOf(this.host, MARGINS, [dx[0] / this.units.x.factor, dx[1] / this.units.x.factor], [dy[0] / this.units.y.factor, dy[1] / this.units.y.factor]);
     const { x, y } = this.si();

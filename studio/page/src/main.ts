@@ -92,8 +92,13 @@ async function start(): Promise<void> {
   const take = async (incoming: Incoming[], named?: string): Promise<void> => {
     const tests = testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
-      // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it, bold.
-      if (like && !test.isCase) for (const key of OF_THE_RIG) if (key !== "modulus" && like.settings[key] !== undefined) Object.assign(test.settings, { [key]: like.settings[key] });
+      // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it.
+      if (!like || test.isCase) continue;
+      for (const key of OF_THE_RIG) {
+        if (like.settings[key] === undefined) continue;
+        Object.assign(test.settings, { [key]: like.settings[key] });
+        test.taken.set(key, like);
+      }
     }
     await studio.open(...tests);
   };

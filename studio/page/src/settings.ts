@@ -8,7 +8,10 @@ const giga: Unit = { name: "GPa", command: "GPa", factor: 1e9 };
 /** How a file is read where `read` is told otherwise than it found; `fit` then takes the plain table that `read` writes. */
 export const READ_FLAGS = ["encoding", "separator", "decimal", "thousands", "time", "crosshead", "deflection", "force", "displacement-unit", "force-unit", "time-unit"] as const;
 
-export interface Settings {
+/** What is measured of rig and specimen, and may be stated with how far it may be off: what stands behind "±". */
+type Measured = "span" | "diameter" | "wall" | "width" | "height" | "modulus" | "stiffness";
+
+export interface Settings extends Partial<Record<`${Measured}Off`, string>> {
   read: Partial<Record<(typeof READ_FLAGS)[number], string>>;
   specimen?: string; sheet?: string; calibration?: string;
   displacement?: "crosshead" | "deflection";
@@ -29,8 +32,8 @@ export function changesOfCase(settings: Settings, roundDiameter: number | null):
   const text = (key: string, value: string | undefined): string[] => set(key, value === undefined ? undefined : quoted(value));
   const EI = settings.heldStiffness, held = EI !== undefined && roundDiameter !== null;
   return [
-    ...text("rig.span", length(settings.span)), ...text("specimen.height", length(settings.height)), ...(held ? set("specimen.diameter", `{ value = ${quoted(length(roundDiameter)!)}, uncertainty = "0 %" }`) : text("specimen.diameter", length(settings.diameter))),
-    ...text("rig.stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, unitFor(settings.stiffness, "stiffness", 2000))),
+    ...text("rig.span", stated(settings, "span")), ...text("specimen.height", stated(settings, "height")), ...(held ? set("specimen.diameter", `{ value = ${quoted(length(roundDiameter)!)}, uncertainty = "0 %" }`) : text("specimen.diameter", stated(settings, "diameter"))),
+    ...text("rig.stiffness", stated(settings, "stiffness")),
     ...set("rig.supports", settings.tipRadius ? "rollers" : undefined), ...text("rig.roller_radius", length(settings.tipRadius || undefined)),
     ...(EI === undefined ? [] : roundDiameter !== null
       ? set("specimen.modulus", `{ value = ${quoted(exactly(EI / inertia(roundDiameter), giga))}, uncertainty = "${HELD}" }`)
@@ -48,15 +51,28 @@ export function flagsOfData(settings: Settings): string[] {
   return [
     ...flag("displacement", settings.displacement),
     ...flag("sheet", settings.sheet), ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
-    ...flag("span", length(settings.span)), ...SECTIONS[settings.section ?? "round"].flatMap((name) => flag(name, length(settings[name]))),
-    ...flag("modulus", settings.modulus === undefined ? undefined : exactly(settings.modulus, giga)),
-    ...flag("stiffness", settings.stiffness === undefined ? undefined : exactly(settings.stiffness, unitFor(settings.stiffness, "stiffness", 2000))),
+    ...flag("span", stated(settings, "span")), ...SECTIONS[settings.section ?? "round"].flatMap((name) => flag(name, stated(settings, name))),
+    ...flag("modulus", stated(settings, "modulus")), ...flag("stiffness", stated(settings, "stiffness")),
     ...flag("supports", settings.supports ?? (settings.tipRadius ? "rollers" : undefined)),
     ...(settings.tipRadius ? ["--set", `rig.roller_radius=${quoted(length(settings.tipRadius)!)}`] : []),
     ...(EI === undefined ? [] : ["--set", `specimen.bending_stiffness={ value = ${quoted(exactly(EI, bending))}, uncertainty = "${HELD}" }`]),
     ...flag("sign", settings.sign), ...flag("zero", settings.zero), ...flag("contact", settings.contact), ...flag("failure", settings.failure),
     ...flag("first", settings.first?.toString()), ...flag("until", settings.until?.toString()),
   ];
+}
+
+/** A measured quantity with its error, as the command line takes it. */
+function stated(settings: Settings, name: Measured): string | undefined {
+  const value = settings[name], off = settings[`${name}Off`];
+  if (value === undefined) return undefined;
+  const unit = name === "modulus" ? giga : unitFor(value, name === "stiffness" ? "stiffness" : "length", 2000);
+  return `${exactly(value, unit)}${off === undefined ? "" : ` ± ${off}`}`;
+}
+
+/** "90.65 N/m ± 0.3 %" as what stands before and behind the sign. */
+export function partsOf(words: string): { value: string; off: string | null } {
+  const [value, off] = words.split(/\s*(?:±|\+-)\s*/, 2) as [string, string?];
+  return { value, off: off ?? null };
 }
 
 /** What each section is said by. */

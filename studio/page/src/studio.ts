@@ -11,14 +11,16 @@ import { inPageWords } from "./words";
 
 export type Topic = "tests" | "card" | "answer" | "moment" | "model" | "parameters" | "rows" | "programme" | "pins" | "fitting" | "progress" | "tour" | "error" | "axis" | "theme" | "view" | "doubted";
 export interface Pin { name: string; on: boolean; curve: Curve }
-interface State { test: Test | null; values: Values | null; wave: boolean; programme: number[] | null; removed: ReadonlySet<Test>; tests: { test: Test; settings: Settings; fit: Fit | null }[] }
+interface State { test: Test | null; values: Values | null; wave: boolean; programme: number[] | null; removed: ReadonlySet<Test>; tests: { test: Test; settings: Settings; taken: [string, Test][]; fit: Fit | null }[] }
 
 export interface Moment { row: number; stage: number; deflection: number; force: number; mu: number; muError: number; drawn: number; used: boolean; leftOut: string /* why it was not used */; drop: { drop: Drop; number: number } | null }
 
 const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", support_radius: "R" };  // of what is measured of the rig
 const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
-export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "section", "diameter", "wall", "width", "height", "modulus", "stiffness", "supports", "tipRadius", "displacement", "calibration"]);
+/** What is said of one file and holds for others of the same rig; a specimen is that of its file. */
+export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration"]);
+const OF_ITS_COLUMNS = ["displacement-unit", "force-unit"] as const;  // likewise, for files with the same columns
 export const ERROR_LINE = "The line of errors";  // which cannot say that it was not drawn
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
 const REST = 250;  // [ms] after which a slider that is held still is taken to rest
@@ -177,13 +179,17 @@ export class Studio {
   private get state(): State {
     return {
       test: this.test, values: this.values && { ...this.values }, wave: this.wave, programme: this.programme && [...this.programme], removed: this.removed,
-      tests: this.all.map((test) => ({ test, settings: structuredClone(test.settings), fit: test.fit })),
+      tests: this.all.map((test) => ({ test, settings: structuredClone(test.settings), taken: [...test.taken], fit: test.fit })),
     };
   }
   private restore(state: State | null): void {
     if (!state) return;
     this.removed = state.removed;
-    for (const { test, settings, fit } of state.tests) Object.assign(test, { settings: structuredClone(settings), fit });
+    for (const { test, settings, taken, fit } of state.tests) {
+      Object.assign(test, { settings: structuredClone(settings), fit });
+      test.taken.clear();
+      for (const [key, from] of taken) test.taken.set(key, from);
+    }
     Object.assign(this, { test: state.test, values: state.values && { ...state.values }, wave: state.wave, programme: state.programme && [...state.programme] });
     this.tell("tests", "card", "answer", "moment", "model", "parameters", "rows", "programme", "fitting");
     void this.reread();
@@ -246,19 +252,31 @@ export class Studio {
     const fit = this.fit;
     return !!fit && !!this.values && (this.wave !== fit.wave || (Object.keys(this.values) as Key[]).some((key) => this.isChanged(key)));
   }
-  /** Of the test that is shown; what is said of the rig also of all files that are open and were told the same, or nothing. */
+  /** Of the test that is shown; what is said of the rig also of the files that are asked the same, but those that were told it themselves. */
   decide(change: Partial<Settings>): void {
     const { test } = this;
     if (!test) return;
-    const told = this.alike(test), before = structuredClone(test.settings);
-    for (const each of [test, ...told])
-      for (const [name, value] of Object.entries(change)) {
-        const key = name as keyof Settings;
-        if (each !== test && (!OF_THE_RIG.has(key) || JSON.stringify(each.settings[key]) !== JSON.stringify(before[key]))) continue;
-        if (value === undefined) delete each.settings[key];
-        else Object.assign(each.settings, { [key]: value });
-      }
+    const { read } = change, units = read ? OF_ITS_COLUMNS.filter((unit) => read[unit] !== test.settings.read[unit]) : [];
+    for (const [name, value] of Object.entries(change)) {
+      const key = name as keyof Settings;
+      put(test.settings, key, value);
+      test.taken.delete(key);
+      if (OF_THE_RIG.has(key)) this.pass(test, key, value, (other) => other.settings);
+    }
+    for (const unit of units) {
+      test.taken.delete(unit);
+      this.pass(test, unit, read![unit], (other) => (sameColumns(test, other) ? other.settings.read : null));
+    }
     this.tell("tests", "card", "rows", "fitting", "parameters");
+  }
+  /** Hands on what this file was told to those that have nothing there, or what they have from it. */
+  private pass(from: Test, key: string, value: unknown, settingsOf: (other: Test) => object | null): void {
+    for (const other of this.alike(from)) {
+      const settings = settingsOf(other) as Record<string, unknown> | null;
+      if (!settings || (settings[key] !== undefined && other.taken.get(key) !== from)) continue;
+      put(settings, key, value);
+      other.taken.set(key, from);
+    }
   }
   /** The other files that are open and not fitted yet, which are asked the same as this one. */
   alike(test: Test): Test[] {
@@ -293,8 +311,9 @@ export class Studio {
   /** All that were not fitted, or not as they are told now. */
   async fitAll(): Promise<void> {
     const tests = this.tests.filter((test) => isStale(test)), short = tests.filter((test) => !test.isCase && (test.refusal ? !test.read : missingOf(test).length > 0));
+    const fits = tests.filter((test) => !short.includes(test)).map((test) => this.runFit(test));
     if (short.length) this.report(askedOf(short));
-    await Promise.all(tests.filter((test) => !short.includes(test)).map((test) => this.runFit(test)));
+    await Promise.all(fits);
   }
   isBusy(test: Test | null): boolean {
     return !!test && (this.fitting?.test === test || this.waiting.includes(test));
@@ -457,6 +476,13 @@ function asUsed(raw: Float64Array, fit: Fit, name: string, row: number): number 
   const sign = (used[far]! - used[0]!) * (of(far) - of(0)) < 0 ? -1 : 1;
   return sign * ((raw[row - 1] ?? NaN) - of(0)) + used[0]!;
 }
+
+function put(settings: object, key: string, value: unknown): void {
+  if (value === undefined) delete (settings as Record<string, unknown>)[key];
+  else Object.assign(settings, { [key]: value });
+}
+
+const sameColumns = (one: Test, other: Test): boolean => !!one.read && JSON.stringify(one.read.columns.map((c) => c.name)) === JSON.stringify(other.read?.columns.map((c) => c.name));
 
 export const messageOf = (cause: unknown): string => (cause instanceof Error ? cause.message : String(cause));
 export const list = (words: string[]): string => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`);

@@ -19,13 +19,15 @@ export interface Fit {
   friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
 }
 
-/** All rows of the file, in SI: also those before contact and after failure. */
-export interface Rows { stage: Float64Array; force: Float64Array }
+/** All rows of the file, also those before contact and after failure: in SI, but a column whose unit nobody has said as it stands in the file. */
+export interface Rows { stage: Float64Array; force: Float64Array; unitless: { stage: boolean; force: boolean } }
 
 export const OUTPUTS = { profile: "profile.csv", curves: "curves.csv", draws: "draws.csv" } as const;
 
 export class Test {
   settings: Settings = { read: {} };
+  /** What was not told this file but another that was asked the same, and which. */
+  readonly taken = new Map<string, Test>();
   read: ReadAnswer | null = null;
   rows: Rows | null = null;
   fit: Fit | null = null;
@@ -78,9 +80,11 @@ export class Test {
     if (!this.isPlain) return [["fit", this.main, ...flagsOfData(settings)]];
     const { specimen: _, sheet: __, calibration: ___, ...rest } = settings, { crosshead, deflection } = settings.read, told = crosshead ?? deflection;
     // The plain table has all columns of the file: which of them was chosen is said again, by its name.
-    const column = told === undefined ? undefined : this.read?.columns.find((c) => c.name === told || String(c.number) === told)?.name;
+    const nameOf = (said: string | undefined): string | undefined => (said === undefined ? undefined : this.read?.columns.find((c) => c.name === said || String(c.number) === said)?.name);
+    const column = nameOf(told), force = nameOf(settings.read.force);
     if (column) rest.displacement ??= crosshead ? "crosshead" : "deflection";
-    return [["read", this.main, ...this.readFlags(), "--output", this.plainName], ["fit", this.plainName, ...flagsOfData(rest), ...(column ? ["--displacement-column", column] : [])]];
+    return [["read", this.main, ...this.readFlags(), "--output", this.plainName],
+      ["fit", this.plainName, ...flagsOfData(rest), ...(column ? ["--displacement-column", column] : []), ...(force ? ["--force", force] : [])]];
   }
   get commandLine(): string {
     return this.commands().map((args) => ["flexslip", ...args].map(shellWord).join(" ")).join(" && ");
@@ -138,17 +142,17 @@ export function fitOf(json: string, files: Files, settings: string, given: Files
 }
 
 function rowsOf(table: Table, read: ReadAnswer): Rows | null {
-  const column = (roles: string[]): Float64Array | null => {
+  const column = (roles: string[]): { values: Float64Array; unitless: boolean } | null => {
     for (const role of roles) {
       const at = read.columns.findIndex((c) => c.role === role);
       const title = at < 0 ? "" : read.columns[at]!.name;
       const index = table.titles.findIndex((t) => t.replace(/ \[[^\]]*\]$/, "") === title);
       if (index < 0) continue;
-      const factor = unitFactor(table.unitOf(index)) ?? 1;
-      return table.at(index).map((value) => value * factor);
+      const factor = unitFactor(table.unitOf(index));
+      return { values: table.at(index).map((value) => value * (factor ?? 1)), unitless: factor === null };
     }
     return null;
   };
   const stage = column(["crosshead", "displacement", "deflection"]), force = column(["force"]);
-  return stage && force ? { stage, force } : null;
+  return stage && force ? { stage: stage.values, force: force.values, unitless: { stage: stage.unitless, force: force.unitless } } : null;
 }
