@@ -352,7 +352,7 @@ Fields<LoopPlace> place_fields() {
       .number("mu", "friction at this place", &LoopPlace::mu);
 }
 
-Fields<BumpCorrelation> correlation_fields() {
+Fields<BumpCorrelation> bump_correlation_fields() {
   return Fields<BumpCorrelation>()
       .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
       .number("low", "lower end of the 95 % interval of value", &BumpCorrelation::low)
@@ -394,7 +394,7 @@ Fields<LoopOf> loop_fields() {
       .estimate("rms_difference", kind::number,
                 "root mean square difference between the two directions from place to place",
                 part(&FrictionLoop::rms_difference))
-      .group("correlation", "correlation of the bumps of friction in the two directions", correlation_fields(),
+      .group("correlation", "correlation of the bumps of friction in the two directions", bump_correlation_fields(),
              part(&FrictionLoop::correlation))
       .anywhere()
       .group(
@@ -486,7 +486,7 @@ Fields<FittedTest> cycles_fields() {
                 "friction while sliding in minus friction while sliding out, fitted beside EI and contacts",
                 [](T test) { return friction_of(test).asymmetry; })
       .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
-             correlation_fields(), [](T test) { return friction_of(test).correlation; })
+             bump_correlation_fields(), [](T test) { return friction_of(test).correlation; })
       .anywhere()
       .estimate(
           "build_up_length", kind::length,
@@ -651,6 +651,17 @@ Fields<HangsOn> sensitivity_fields() {
       .number("work_moves", "by how much friction's share of the work would, likewise", &HangsOn::work_moves);
 }
 
+Fields<Correlation> parameter_correlation_fields() {
+  return Fields<Correlation>()
+      .words("of", "parameter", [](const Correlation& each) { return std::string(each.of); })
+      .words("with", "another", [](const Correlation& each) { return std::string(each.with); })
+      .number(
+          "correlation",
+          "correlation of their errors; of bending_stiffness, force_noise, roughness and correlation_length that of "
+          "their logarithms",
+          &Correlation::value);
+}
+
 Fields<FittedTest> measurement_fields() {
   using M = const Measurement&;
   const auto of = [](auto get) { return [get](T test) { return get(test.measurement); }; };
@@ -744,6 +755,10 @@ Fields<FittedTest> every_fit_field() {
             "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "
             "a constant",
             sensitivity_fields(), what_the_answer_hangs_on)
+      .list("correlations",
+            "how pairs of the parameters go together, each pair once; empty without an answer, or of a constant",
+            parameter_correlation_fields(),
+            [](T test) { return is_fitted(test) ? test.analysis.fit.correlations : std::vector<Correlation>(); })
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),

@@ -189,8 +189,22 @@ NormalMixture widened(NormalMixture mixture, double by) {
   return mixture;
 }
 
-WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength) {
+// What a soft rig hides of the mean is an error of its own, as what turns a drift round is a sign.
+std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_by_rig, bool rolls_back) {
+  for (JointPart& part : parts) {
+    part.covariance[JointPart::mu0][JointPart::mu0] += hidden_by_rig * hidden_by_rig;
+    if (!rolls_back) continue;
+    part.value[JointPart::drift] *= -1;
+    for (const auto other : {JointPart::mu0, JointPart::bending_stiffness})
+      part.covariance[JointPart::drift][other] = part.covariance[other][JointPart::drift] *= -1;
+  }
+  return parts;
+}
+
+WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength, double hidden_by_rig,
+                     bool rolls_back) {
   std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle, height;
+  std::vector<JointPart> joint;
   double cosine = 0, sine = 0;
   for (const auto& draw : draws) {
     cosine += draw.weight * draw.cosine;
@@ -209,9 +223,16 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     at_middle.push_back({angle, draw.weight});
     phase.push_back(
         {usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
+    JointPart part = draw.beside;
+    part.value[JointPart::amplitude] = amplitude.back().value;
+    part.value[JointPart::wavelength] = lambda;
+    part.value[JointPart::phase] = phase.back().value;
+    joint.push_back(part);
   }
-  return {estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)), estimate_of(std::move(phase)),
-          estimate_of(std::move(at_middle)), estimate_of(std::move(height))};
+  return {
+      estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)),
+      estimate_of(std::move(phase)),     estimate_of(std::move(at_middle)),
+      estimate_of(std::move(height)),    correlations_of(as_estimated(std::move(joint), hidden_by_rig, rolls_back))};
 }
 
 SearchOptions search_options(const FitOptions& options) {
@@ -359,7 +380,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (auto wave : posterior.waves) {
     if (rolls_back)
       for (auto& draw : wave.draws) draw.sine = -draw.sine;
-    fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength));
+    fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
   }
   // What is longer may be a trend.
   const auto repeats = [&](const WaveEstimate& wave) { return wave.wavelength.value < passages.range / 4; };
@@ -370,6 +391,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
   fit.wave_claimed =
       !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain && repeats(fit.waves.front())));
+  fit.correlations = fit.wave_claimed ? fit.waves.front().correlations
+                                      : correlations_of(as_estimated(posterior.joint, fit.hidden_by_rig, rolls_back));
   fit.shortest_wave = process.min_wavelength();
   fit.explanations = posterior.explanations;
   fit.innovations = posterior.innovations;

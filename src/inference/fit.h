@@ -15,6 +15,7 @@
 #include "contact/friction.h"
 #include "data/record.h"
 #include "fibre/fibre.h"
+#include "inference/correlations.h"
 #include "inference/matern.h"
 #include "inference/profile.h"
 #include "inference/rig_correction.h"
@@ -35,6 +36,7 @@ struct WaveEstimate {
   Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
   Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
   Estimate height{};  // [L] amplitude of the surface wave that would show it: A μ λ/(2π (1 + μ²)), μ of the mean
+  std::vector<Correlation> correlations{};  // with all that goes with it
 };
 
 // What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
@@ -155,7 +157,9 @@ struct FrictionFit {
   Estimate bending_stiffness;  // [1] relative to the nominal one
   // Of mu0, and of ln bending_stiffness; none of a constant.
   std::optional<Sensitivities> friction_by{}, log_stiffness_by{};
-  Estimate noise;                   // [EI/L^2] standard deviation of a force reading
+  std::vector<Correlation>
+      correlations;  // over all explanations, or, where a wave is claimed, over those that have it; empty of a constant
+  Estimate noise;    // [EI/L^2] standard deviation of a force reading
   double noise_correlation;         // [1] of readings one row apart
   std::vector<WaveEstimate> waves;  // the likeliest, the largest first, claimed or not
   double

@@ -552,6 +552,7 @@ class Posterior {
       const auto mean = chain.functional(f.a, f.covariance, f.variance);
       if (of_waves > 0) draw_waves(component, mode, chain, mean, of_waves * share);
       if (weight == 0) continue;
+      result_.joint.push_back(joint_part(mode, chain, mean, weight * share));
       const double deviation = std::sqrt(std::max(mean.variance, 0.0));
       result_.mean.push_back({weight * share, FrictionProcess::mean_friction + mean.mean, deviation});
       const auto of_beta = [&](Index j, double factor, double shift) {
@@ -578,6 +579,39 @@ class Posterior {
     if (of_roughness == 0) return;
     result_.log_roughness.push_back(of_theta(2, of_roughness));
     result_.log_length.push_back(of_theta(3, of_roughness));
+  }
+
+  // Drift and stiffness among the coefficients, each with what makes it the parameter.
+  struct ToldCoefficient {
+    JointPart::Parameter parameter;
+    Index at;
+    double factor;
+  };
+  std::vector<ToldCoefficient> told_by_coefficients() const {
+    const auto& columns = process_.columns();
+    std::vector<ToldCoefficient> told{{JointPart::drift, columns.drift, 0.5 / process_.passages().range}};
+    if (columns.stiffness >= 0) told.push_back({JointPart::bending_stiffness, columns.stiffness, 1});
+    return told;
+  }
+
+  JointPart joint_part(const Mode& mode, const Chain& chain, const Chain::Functional& friction, double weight) const {
+    JointPart part{weight, {}};
+    part.value.fill(not_a_number);
+    part.value[JointPart::mu0] = FrictionProcess::mean_friction + friction.mean;
+    part.covariance[JointPart::mu0][JointPart::mu0] = std::max(friction.variance, 0.0);
+    const auto told = told_by_coefficients();
+    for (const auto& [parameter, at, factor] : told) {
+      part.value[parameter] = factor * chain.mean()[at];
+      auto& with_friction = part.covariance[JointPart::mu0][parameter];
+      with_friction = part.covariance[parameter][JointPart::mu0] = factor * friction.with_beta[at];
+      for (const ToldCoefficient& other : told)
+        part.covariance[parameter][other.parameter] = factor * other.factor * chain.covariance()(at, other.at);
+    }
+    part.value[JointPart::force_noise] = mode.theta.values[Theta::log_noise];
+    if (mode.kernel == Kernel::none) return part;
+    part.value[JointPart::roughness] = mode.theta.values[Theta::log_roughness];
+    part.value[JointPart::correlation_length] = mode.theta.values[Theta::log_length];
+    return part;
   }
 
   // Other waves are other explanations, and no error of this one.
@@ -615,24 +649,42 @@ class Posterior {
     constexpr int draws = 60;
     const Index first = process_.columns().waves;
     const auto waves = static_cast<Index>(mode.theta.waves);
-    // Mean, then cosine and sine of each wave.
-    MatrixXd covariance(1 + 2 * waves, 1 + 2 * waves);
+    // Mean, then cosine and sine of each wave, then what else is told.
+    const auto told = told_by_coefficients();
+    const Index of_waves = 1 + 2 * waves, all = of_waves + static_cast<Index>(told.size());
+    MatrixXd covariance(all, all);
     covariance(0, 0) = std::max(mean.variance, 1e-12);
-    VectorXd middle(1 + 2 * waves);
+    VectorXd middle(all);
     middle[0] = FrictionProcess::mean_friction + mean.mean;
     for (Index j = 0; j < 2 * waves; ++j) {
       middle[1 + j] = chain.mean()[first + j];
       covariance(0, 1 + j) = covariance(1 + j, 0) = mean.with_beta[first + j];
     }
-    covariance.bottomRightCorner(2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
+    covariance.block(1, 1, 2 * waves, 2 * waves) = chain.covariance().block(first, first, 2 * waves, 2 * waves);
+    for (Index i = of_waves; i < all; ++i) {
+      const auto& [parameter, at, factor] = told[static_cast<std::size_t>(i - of_waves)];
+      middle[i] = factor * chain.mean()[at];
+      covariance(0, i) = covariance(i, 0) = factor * mean.with_beta[at];
+      for (Index j = 0; j < 2 * waves; ++j)
+        covariance(1 + j, i) = covariance(i, 1 + j) = factor * chain.covariance()(at, first + j);
+      for (Index j = of_waves; j < all; ++j) {
+        const ToldCoefficient& other = told[static_cast<std::size_t>(j - of_waves)];
+        covariance(i, j) = factor * other.factor * chain.covariance()(at, other.at);
+      }
+    }
+    JointPart beside = joint_part(mode, chain, mean, weight);
+    beside.covariance = {};
     const MatrixXd root = cholesky_root(covariance);
     std::array<double, max_waves> deviation{};
     for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
       deviation[wave] = elementary::length(component.wavelength_deviation[wave], scatter_of(component, wave));
     for (int i = 0; i < draws; ++i) {
-      VectorXd z(1 + 2 * waves);
-      for (auto& value : z) value = normal_();
+      VectorXd z(all);
+      for (Index j = 0; j < all; ++j) z[j] = j < of_waves ? normal_() : normal_beside_();
       const VectorXd drawn = middle + root * z;
+      beside.value[JointPart::mu0] = drawn[0];
+      for (Index j = of_waves; j < all; ++j)
+        beside.value[told[static_cast<std::size_t>(j - of_waves)].parameter] = drawn[j];
       for (Index wave = 0; wave < waves; ++wave) {
         if (!is_likeliest(mode, static_cast<std::size_t>(wave))) continue;
         auto& posterior = waves_[static_cast<std::size_t>(wave)];
@@ -644,7 +696,7 @@ class Posterior {
         const auto turn = elementary::sine_and_cosine(component.turn[static_cast<std::size_t>(wave)] * longer);
         const double cosine = drawn[1 + 2 * wave], sine = drawn[2 + 2 * wave];
         posterior.draws.push_back({weight, log_wavelength, turn.cosine * cosine - turn.sine * sine,
-                                   turn.sine * cosine + turn.cosine * sine, drawn[0]});
+                                   turn.sine * cosine + turn.cosine * sine, drawn[0], beside});
       }
     }
   }
@@ -740,7 +792,7 @@ class Posterior {
   double from_, to_;
   std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
   ProcessPosterior result_{};
-  NormalSource normal_{20210829};
+  NormalSource normal_{20210829}, normal_beside_{20210830};
 };
 
 }  // namespace

@@ -57,6 +57,7 @@ struct WaveDraw {
   double log_wavelength;
   double cosine, sine;  // [1] of 2πx/λ, x from the middle of the fibre seen
   double mean;          // [1] of μ over the fibre seen
+  JointPart beside;     // all but the wave; without a covariance
 };
 
 struct WavePosterior {
@@ -70,7 +71,8 @@ struct ProcessPosterior {
   NormalMixture drift;                          // [1/L] dμ/dS
   Sensitivities friction_by, log_stiffness_by;  // of the mean; of ln EI
   NormalMixture log_roughness, log_length, log_stiffness, log_noise;
-  std::vector<double> rig;  // its errors, each over its standard deviation: Passages::rig_errors
+  std::vector<JointPart> joint;  // all but waves
+  std::vector<double> rig;       // its errors, each over its standard deviation: Passages::rig_errors
   double noise_correlation;
   std::vector<WavePosterior> waves;  // of the modes with the likeliest waves, wave by wave
   double log_evidence_of_wave;       // with over without
