@@ -12,7 +12,7 @@ from ._campaign import Campaign, campaign
 from ._case import Case, keys
 from ._design import Design, DesignMap, design
 from ._equilibrium import Equilibrium, EquilibriumRegion, equilibrium, equilibrium_region
-from ._errors import InputError
+from ._errors import FolderError, ForbiddenFileError, InputError, MissingFileError
 from ._fit import Draws, Fit, fit
 from ._flexslip import version as __version__
 from ._modulus import Modulus, modulus
@@ -25,8 +25,8 @@ from ._sweep import Sweep, sweep
 
 __all__ = [
     "Answer", "Campaign", "Case", "Description", "Design", "DesignMap", "Details", "Draws", "Equilibrium", "EquilibriumRegion", "Estimate",
-    "Export", "Fit", "InputError", "Inverse", "Modulus", "Profile", "Quantity", "RollerStates", "Simulation", "Slopes", "States", "Surface",
-    "Sweep", "Table", "campaign", "design", "elastica", "elastica_details", "elastica_inverse", "elastica_on_rollers",
-    "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit", "friction_profile", "keys", "modulus", "read",
-    "simulate", "surface", "sweep",
+    "Export", "Fit", "FolderError", "ForbiddenFileError", "InputError", "Inverse", "MissingFileError", "Modulus", "Profile", "Quantity",
+    "RollerStates", "Simulation", "Slopes", "States", "Surface", "Sweep", "Table", "campaign", "design", "elastica", "elastica_details",
+    "elastica_inverse", "elastica_on_rollers", "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit",
+    "friction_profile", "keys", "modulus", "read", "simulate", "surface", "sweep",
 ]

@@ -1,9 +1,11 @@
 """Answers as objects, made from what the program says of them: names, units and meanings are those of its JSON."""
 from __future__ import annotations
 
+import difflib
 import html
 import keyword
-from collections.abc import Iterator, Mapping, Sequence
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
 
 import numpy as np
@@ -67,6 +69,8 @@ class Estimate:
         The interval that holds 95 %; also `interval95`.
     unit : str
         ``"1"`` of plain numbers.
+
+    A format is that of the value, ``f"{mu0:.3f}"``; without one, the value and its error.
     """
 
     def __init__(self, data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]] = (), name: str = "", meaning: str = "") -> None:
@@ -81,10 +85,12 @@ class Estimate:
 
     @property
     def standard_error(self) -> float:
+        """The same as `stderr`."""
         return self.stderr
 
     @property
     def interval95(self) -> tuple[float, float]:
+        """The same as `ci95`."""
         return self.ci95
 
     if not TYPE_CHECKING:  # what else stands beside an estimate is known to its class in _fields.pyi
@@ -93,7 +99,7 @@ class Estimate:
             for entry in self.__dict__.get("_entries", ()):
                 if entry["name"] == name:
                     return _read(self._data.get(name), entry, {})
-            raise AttributeError(f"no {name!r} in this estimate")
+            raise AttributeError(f"no {name!r} in this estimate" + meant(name, dir(self)))
 
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(entry["name"] for entry in self._entries)]
@@ -103,6 +109,9 @@ class Estimate:
 
     def __float__(self) -> float:
         return self.value
+
+    def __format__(self, spec: str) -> str:
+        return format(self.value, spec) if spec else str(self)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Estimate):
@@ -138,6 +147,12 @@ def same(mine: Any, theirs: Any) -> bool:
 
 def _float(value: Any) -> float:
     return NAN if value is None else float(value)
+
+
+def meant(name: str, names: Iterable[str]) -> str:
+    """The name that one who wrote another may have meant."""
+    near = difflib.get_close_matches(name, [each for each in names if not each.startswith("_")], 1, 0.7)
+    return f"; did you mean {near[0]!r}?" if near else ""
 
 
 def _attribute(name: str) -> str:
@@ -180,6 +195,7 @@ class Answer:
     _entries: Sequence[Mapping[str, Any]] = ()
     _classes: Mapping[str, type] = {}
     _title = ""
+    _caption = ""  # in words
 
     def __init__(self, data: Mapping[str, Any], reduced: bool = False) -> None:
         self._data = data
@@ -196,11 +212,26 @@ class Answer:
         for entry in self._entries:
             if entry["name"] == name and (name in self._data):
                 return _read(self._data[name], entry, self._classes, self._reduced)
-        raise KeyError(f"no {name!r}; there are {', '.join(self._data)}")
+        raise KeyError(self._has_no(name))
+
+    def _has_no(self, name: str) -> str:
+        for entry in self._entries:
+            if entry["shape"] == "group" and any(below["name"] == name for below in entry["entries"]):
+                group = "params" if entry["name"] == "parameters" and hasattr(type(self), "params") else entry["name"]
+                return f"no {name!r}; did you mean {group}.{name}?"
+        return f"no {name!r}" + (meant(name, dir(self)) or f"; there are {', '.join(self._data)}")
+
+    if not TYPE_CHECKING:  # to which every name would be one
+
+        def __getattr__(self, name: str) -> Any:
+            if name.startswith("_"):
+                raise AttributeError(name)
+            is_known = any(_attribute(entry["name"]) == name for entry in self._entries)
+            raise AttributeError(f"this answer has no {name!r}; it has {', '.join(self._data)}" if is_known else self._has_no(name))
 
     def _of(self, entry: Mapping[str, Any]) -> Any:
         if entry["name"] not in self._data and entry["shape"] != "estimate":
-            raise AttributeError(f"this answer has no {entry['name']!r}; it has {', '.join(self._data)}")
+            raise AttributeError(entry["name"])  # __getattr__ says it
         return _read(self._data.get(entry["name"]), entry, self._classes, self._reduced)
 
     def __contains__(self, name: object) -> bool:
@@ -245,7 +276,7 @@ class Answer:
         return Description(self._entries, self._reduced)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas.DataFrame with a row for each number or estimate."""
+        """A pandas.DataFrame with a row for each number or estimate; `attrs["units"]` has the units by their names."""
         import pandas as pd
 
         rows = []
@@ -257,7 +288,9 @@ class Answer:
             elif isinstance(value, (bool, int, float, str)):
                 rows.append({"name": entry["name"], "value": value, "unit": getattr(value, "unit", unit_of(entry, self._reduced)),
                              "meaning": entry["meaning"]})
-        return pd.DataFrame(rows).set_index("name") if rows else pd.DataFrame()
+        frame = pd.DataFrame(rows).set_index("name") if rows else pd.DataFrame()
+        frame.attrs["units"] = {row["name"]: row["unit"] for row in rows}
+        return frame
 
     def _shown(self) -> list[tuple[str, str, str]]:
         rows = []
@@ -276,7 +309,7 @@ class Answer:
         rows = "".join(
             f'<tr><td style="text-align:left">{html.escape(name)}</td><td style="text-align:left">{html.escape(value)}</td>'
             f'<td style="text-align:left">{html.escape(meaning)}</td></tr>' for name, value, meaning in self._shown())
-        return f"<table><caption>{html.escape(self._title or type(self).__name__)}</caption>{rows}</table>"
+        return f"<table><caption>{html.escape(self._caption or self._title)}</caption>{rows}</table>"
 
 
 def _in_short(value: Any, unit: str) -> str:
@@ -459,7 +492,33 @@ class Table(Sequence[Row], Generic[Row]):
         return f"<{len(self)} rows: {', '.join(name + units[name] for name in self.keys())}>"
 
     def _repr_html_(self) -> str:
-        return str(self.to_frame()._repr_html_())
+        return str(self._shown()._repr_html_())
+
+    def _shown(self) -> pandas.DataFrame:
+        """As people read it: a column of numbers in the unit that suits its largest, which stands in its heading."""
+        import pandas as pd
+
+        columns = {}
+        for name in self.keys():
+            entry, values = self._entry(name), self.column(name)
+            unit = unit_of(entry, self._reduced)
+            if entry["shape"] == "number" and values.dtype.kind == "f":
+                unit, cells = _in_one_unit(values, unit)
+            else:
+                cells = ["" if value is None else _in_short(value, unit) for value in values.tolist()]
+                unit = "" if entry["shape"] == "estimate" else unit
+            columns[name + _in_brackets(unit)] = cells
+        return pd.DataFrame(columns)
+
+
+def _in_one_unit(values: Any, unit: str) -> tuple[str, list[str]]:
+    """Numbers as text, in the unit that suits the largest of them, and that unit."""
+    largest, scale = float(np.abs(values[np.isfinite(values)]).max(initial=0)), 1.0
+    if unit not in _PLAIN and largest > 0:
+        number, _, suits = readable(largest, unit).partition(" ")
+        if suits:
+            unit, scale = suits, 10.0 ** round(math.log10(float(number) / largest))  # units differ by powers of ten
+    return unit, ["" if value != value else readable(value, "") for value in (values * scale).tolist()]
 
 
 class Description(Sequence[Any]):
@@ -520,7 +579,8 @@ def make_class(path: tuple[str, ...], entries: Sequence[Mapping[str, Any]], name
     for entry in entries:
         if entry["shape"] in ("group", "list", "by_name"):
             classes[entry["name"]] = make_class((*path, entry["name"]), entry["entries"], name.removesuffix("Fields") + _camel(entry["name"]), entry["meaning"])
-    members: dict[str, Any] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "__doc__": what, "__module__": "flexslip"}
+    caption = what[:1].upper() + what[1:]
+    members: dict[str, Any] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "_caption": caption, "__doc__": what, "__module__": "flexslip"}
     for entry in entries:
         attribute = _attribute(entry["name"])
         if hasattr(base, attribute) and base is Answer:

@@ -1,17 +1,21 @@
 """Many tests."""
 from __future__ import annotations
 
+import contextlib
+import hashlib
 import os
-from collections.abc import Iterable, Mapping
+import re
+import tempfile
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._answers import ANSWERS, table_of
-from ._case import path_of, set_of
-from ._errors import InputError, one_of, wrong
+from ._case import KEYS, cell_of, path_of, set_of
+from ._errors import InputError, in_python, one_of, wrong
 from ._fields import CampaignFields
 from ._fit import positive
-from ._frames import in_words, in_words_of_frame, is_frame, table_of_tests
+from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 from ._simulate import whole
 
 if TYPE_CHECKING:
@@ -30,6 +34,10 @@ class Campaign(CampaignFields):
         A row a test; ``tests.name``, ``tests[0].parameters["mu0"].value``.
     table, category_table, specimen_table : Table
         The columns of tests.csv, categories.csv and specimens.csv.
+    success : bool
+        Could a test be evaluated?
+    message : str
+        The answer in a few sentences; of tests that could not be evaluated the first cause, and how many are alike.
     """
 
     _title = "Campaign"
@@ -51,16 +59,19 @@ class Campaign(CampaignFields):
 
     @property
     def table(self) -> TestRowsTable:
+        """The columns of tests.csv, a row a test."""
         table: TestRowsTable = table_of(self._part("test_table"), table_columns("campaign: tests.csv"))
         return table
 
     @property
     def category_table(self) -> CategoryRowsTable:
+        """The columns of categories.csv."""
         table: CategoryRowsTable = table_of(self._part("category_table"), table_columns("campaign: categories.csv"))
         return table
 
     @property
     def specimen_table(self) -> SpecimenRowsTable:
+        """The columns of specimens.csv."""
         table: SpecimenRowsTable = table_of(self._part("specimen_table"), table_columns("campaign: specimens.csv"))
         return table
 
@@ -82,13 +93,33 @@ class Campaign(CampaignFields):
 
         return _plots.plot(self._part("figures"), figure, ax)
 
+    @property
+    def success(self) -> bool:
+        """Could a test be evaluated? If none could, `message` says why."""
+        return len(self.failures) < len(self.table)
+
+    @property
+    def message(self) -> str:
+        """The answer in a few sentences; of tests that could not be evaluated the first cause, and how many are alike."""
+        answer = self.summary().split("\n\n")[0].strip()
+        if not len(self.failures):
+            return answer
+        first = self.failures[0]
+        alike = sum(_cause(each).split(", found ")[0] == _cause(first).split(", found ")[0] for each in self.failures)
+        return f"{answer}\n{first.name}: {_cause(first)}" + (f" (alike in {alike} tests)" if alike > 1 else "")
+
     def __repr__(self) -> str:
-        return self.summary().split("\n\n")[0].strip()
+        return self.message
 
     def _repr_html_(self) -> str:
         import html
 
-        return f"<p><b>{html.escape(repr(self))}</b></p>" + str(self.table.to_frame()._repr_html_())
+        return "".join(f"<p><b>{html.escape(line)}</b></p>" for line in self.message.split("\n")) + self.table._repr_html_()
+
+
+def _cause(failure: Any) -> str:
+    """Why a test could not be evaluated, without the row or the line where it is said."""
+    return re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason))
 
 
 def table_columns(answer: str) -> list[dict[str, Any]]:
@@ -114,6 +145,86 @@ def _campaign_again(data: Mapping[str, Any], kept: Mapping[str, Any]) -> Campaig
     return Campaign(data, None, kept)
 
 
+def _key_named(title: str) -> Mapping[str, Any] | None:
+    """The key that a title without a unit names, or whose uncertainty it names."""
+    section, _, name = re.sub("[ _.]uncertainty$", "", title).rpartition(".")
+    return next((KEYS[each, name] for each in ([section] if section else ["record", "specimen", "rig"]) if (each, name) in KEYS), None)
+
+
+def _with_names(frame: Any) -> Any:
+    """A frame of tests as a table of text: named by its index, unless a column names them; bare numbers in SI."""
+    titles = [str(name) for name in frame.index.names if name is not None]
+    labels = list(frame.index)
+    if any(title == "name" or _key_named(title) for title in titles):
+        frame = frame.reset_index()
+    elif "name" not in frame.columns and labels != list(range(len(labels))):
+        frame = frame.assign(name=[" ".join(map(str, label)) if isinstance(label, tuple) else str(label) for label in labels])
+    units = frame.attrs.get("units") or {}
+    frame = whole_frame(frame.reset_index(drop=True))
+    frame = frame[[title for title in frame.columns if not title.startswith("#")]].copy()  # the others are not meant for FlexSlip
+    for title in frame.columns:
+        key = None if units.get(title) else _key_named(title)
+        if key:
+            frame[title] = [cell_of(key, value) for value in frame[title]]
+    return frame
+
+
+def _names_of_rows(frame: Any) -> list[str]:
+    names = frame["name"] if "name" in frame.columns else range(len(frame))
+    return [f"row {name!r}" for name in names]
+
+
+def _refuse_repeated(frame: Any) -> None:
+    """Refuses rows with the readings and keys of another: the program counts such a specimen once, and would leave them out."""
+    first: dict[tuple[str, ...], str] = {}
+    repeated: dict[str, list[str]] = {}
+    titles = [title for title in frame.columns if title != "name"]
+    for row, cells in zip(_names_of_rows(frame), frame[titles].itertuples(index=False, name=None)):
+        said = dict(zip(titles, map(str, cells)))
+        if os.path.isfile(said.get("file", "")):
+            with open(said["file"], "rb") as file:
+                said["file"] = hashlib.sha256(file.read()).hexdigest()
+        before = first.setdefault(tuple(said.values()), row)
+        if before is not row:
+            repeated.setdefault(before, []).append(row)
+    for before, rows in repeated.items():
+        raise wrong("DataFrame", "each specimen once", f"the readings and keys of {before} again in {', '.join(rows)}",
+                    "drop what repeats it, or let a column say in what they differ")
+
+
+@contextlib.contextmanager
+def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """The tests of a frame as a file, in the folder of its report, where a later call finds it again, or in one that goes; and what tells of that file in
+    words of the frame."""
+    frame = _with_names(frame)
+    rows = files = _names_of_rows(frame)
+    if "file" in frame.columns:
+        files = [os.fsdecode(file) if isinstance(file, (str, os.PathLike)) else row for row, file in zip(rows, frame["file"])]
+        frame["file"] = [os.path.abspath(os.fsdecode(file)) if isinstance(file, (str, os.PathLike)) else file for file in frame["file"]]
+    _refuse_repeated(frame)
+    with tempfile.TemporaryDirectory() as folder:
+        if report is not None:
+            os.makedirs(report, exist_ok=True)
+        path = os.path.join(folder if report is None else report, "frame.csv")
+        written(frame, path)
+        line = re.compile(re.escape(path) + r":(\d+)\b")
+
+        def told_at(found: re.Match[str], told: list[str]) -> str:
+            at = int(found[1]) - 2  # below the titles
+            return told[at] if 0 <= at < len(told) else f"{NAME}:{found[1]}"
+
+        def in_words(data: Any) -> Any:
+            if isinstance(data, str):
+                if whole := line.fullmatch(data):
+                    return told_at(whole, files)
+                return in_python(line.sub(lambda found: told_at(found, rows), data).replace(path, NAME))
+            if isinstance(data, dict):
+                return {name: in_words(value) for name, value in data.items()}
+            return [in_words(value) for value in data] if isinstance(data, list) else data
+
+        yield path, in_words
+
+
 def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool = True, test_reports: bool = False,
              jobs: int | None = None, share: str | Iterable[str] = (), model: str | None = None, false_alarms: float | None = None,
              suspect_limit: float | None = None, check_stability: bool = False, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
@@ -122,8 +233,9 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     Parameters
     ----------
     path : path or DataFrame
-        A folder of case files; with `common`, of data files; or a table with a test a row, a file (CSV) or a pandas.DataFrame, whose titles or
-        ``attrs["units"]`` have the units.
+        A folder of case files; with `common`, of data files; or a table with a test a row, a file (CSV) or a pandas.DataFrame. Titles of a frame or its
+        ``attrs["units"]`` have the units; numbers without one are in SI, whole ones of `first` and `until` rows. Its index names the tests, unless a
+        column `name` does.
     common : path, optional
         A case file that says what all tests have in common.
     report : path, optional
@@ -148,7 +260,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     Raises
     ------
     InputError
-        For a folder without tests, a table with a column that is no key, a common case that cannot be read.
+        For a folder without tests, a table with a column that is no key, a common case that cannot be read; for rows of a frame that repeat another.
     KeyboardInterrupt
         For Ctrl-C. With `report`, the same call goes on from there.
 
@@ -177,11 +289,14 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
             bool(test_reports))
 
     if not is_frame(path):
+        if not isinstance(path, (str, bytes, os.PathLike)):
+            raise TypeError(f"path: expected a folder, a table or a DataFrame, found {type(path).__name__}; "
+                            "pass pandas.DataFrame({\"file\": [...]}), with a row a test")
         found = computed(path)
         return Campaign(found.told(), found)
-    with table_of_tests(path, folder) as table:
+    with _table_of_tests(path, folder) as (table, in_words):
         try:
             found = computed(table)
         except InputError as error:
             raise in_words_of_frame(error, table) from None
-        return Campaign(in_words(found.told(), table), found, {"text": in_words(found.text(), table)})
+        return Campaign(in_words(found.told()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})

@@ -3,6 +3,8 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
+import reprlib
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any, TypeVar
@@ -10,7 +12,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from . import _flexslip
-from ._answers import Quantity
+from ._answers import Answer, Quantity
 from ._errors import ARRAYS, InputError, error_of, of_keywords, wrong, yes_no
 from ._frames import is_frame, record_of
 
@@ -109,6 +111,9 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
         if holds in ("whole_number", "name_or_number") or (holds == "place" and isinstance(value, (int, np.integer))):
             return repr(int(value)) if float(value).is_integer() else repr(float(value))
         if holds == "place":
+            if not reduced and float(value).is_integer() and value >= 1:  # a count that pandas made a float: no record is metres long
+                raise wrong(key["name"], "a row, which is an int, or a stage position in m", repr(float(value)),
+                            f"write {int(value)} for that row, or \"{int(value)} m\" for that position", key=f"record.{key['name']}")
             return _number(value, "m", reduced)
         if holds in ("quantity", "estimate", "share", "lengths"):
             return _number(value, unit, reduced)
@@ -125,6 +130,15 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
         below = key["section"] if key["section"] == "friction" else f"{key['section']}.{key['name']}"
         return "[" + ", ".join(_table(_values(below, part, reduced)) for part in value) + "]"
     raise _described(key, value)
+
+
+def cell_of(key: Mapping[str, Any], value: Any) -> Any:
+    """A value of a key in a table: numbers in SI get their unit, NaN is an empty cell. Whole numbers of a place are rows, as in every table."""
+    value = _without_quantity(value, False)
+    unit = "m" if key["is"] == "place" else key["unit"]
+    if not _is_number(value) or value != value or not unit or key["is"] not in ("quantity", "estimate", "lengths", "place"):
+        return value
+    return value if key["is"] == "place" and float(value).is_integer() else _number(value, unit, False).strip('"')
 
 
 def quantity_in_words(name: str, value: Any, unit: str, holds: str, reduced: bool = False) -> str:
@@ -176,9 +190,14 @@ def _nearest(name: str, names: Iterable[str]) -> str:
     return f"did you mean {near[0]!r}?" if near else "flexslip.keys() lists the keys"
 
 
+def _said_twice(section: str, name: str, first: Any, second: str) -> InputError:
+    return wrong(name, "one value", f"{section}={{{name!r}: {reprlib.repr(first)}}} and {second}", "leave one out", key=f"{section}.{name}")
+
+
 def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     """Keywords by section: a dict is a section, anything else the value of a key."""
     sections: dict[str, dict[str, Any]] = {}
+    flat: dict[str, Any] = {}
     for name, value in keywords.items():
         if value is None:
             continue
@@ -187,10 +206,26 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
                 raise wrong(f"[{name}]", "a dict of keys", value, key=name)
             sections.setdefault(name, {}).update(value)
         elif name in FLAT:
-            sections.setdefault(FLAT[name]["section"], {})[name] = value
+            flat[name] = value
         else:
             raise TypeError(f"unexpected keyword argument {name!r}; " + _nearest(name, [*FLAT, *SECTIONS]))
+    for name, value in flat.items():
+        section = sections.setdefault(FLAT[name]["section"], {})
+        if section.get(name) is not None:
+            raise _said_twice(FLAT[name]["section"], name, section[name], f"{name}={reprlib.repr(value)}")
+        section[name] = value
     return sections
+
+
+def _named(name: Any) -> tuple[str, str]:
+    """The section and the key that a whole name in `set` has."""
+    if not isinstance(name, str):
+        raise wrong("set", "a name of a key", name)
+    section, _, key = encodable("set", name, "a name of a key").rpartition(".")
+    if (section, key) not in KEYS and section not in _WITH_OTHERS:
+        names = [f"{of}.{known}" if of else known for of, known in KEYS]
+        raise wrong("set", "a key of a case, as in \"rig.stiffness\"", name, _nearest(name, names), key=name, kind="unknown")
+    return section, key
 
 
 def set_of(given: Any, reduced: bool) -> list[str]:
@@ -201,12 +236,7 @@ def set_of(given: Any, reduced: bool) -> list[str]:
         raise wrong("set", "a dict of keys, {\"rig.stiffness\": \"200 N/m\"}", given)
     changes = []
     for name, value in given.items():
-        if not isinstance(name, str):
-            raise wrong("set", "a name of a key", name)
-        section, _, key = encodable("set", name, "a name of a key").rpartition(".")
-        if (section, key) not in KEYS and section not in _WITH_OTHERS:
-            names = [f"{of}.{known}" if of else known for of, known in KEYS]
-            raise wrong("set", "a key of a case, as in \"rig.stiffness\"", name, _nearest(name, names), key=name, kind="unknown")
+        section, key = _named(name)
         changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, reduced)}")
     return changes
 
@@ -220,7 +250,7 @@ def _is_array(value: Any) -> bool:
 
 
 def _column(name: str, given: Any, reduced: bool) -> Any:
-    """A column of a record in memory, in SI."""
+    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose name and labels say where a cell is."""
     unit = None
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
         given, unit = given
@@ -230,20 +260,31 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         array = np.asarray(given)
     except ValueError:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
+
+    def refuse_cell(at: int) -> InputError:
+        is_series = hasattr(given, "iloc")
+        return wrong(f"column {given.name!r}, row {given.index[at]!r}" if is_series else f"{name}[{at}]", "a finite number", repr(array[at]),
+                     "leave such rows out, as in " + (f"frame.drop(index={given.index[at]!r})" if is_series else "stage[keep], force[keep]"), key=f"record.{name}")
+
+    if array.dtype.kind == "O" and array.ndim == 1 and any(map(_is_number, array)):
+        for at, cell in enumerate(array):
+            if not _is_number(cell):
+                raise refuse_cell(at)
+        array = array.astype(np.float64)
     if array.dtype.kind not in "iuf":
-        first = repr(array.tolist()[0]) if array.size and array.dtype.kind in "USOc" else ""
+        first = repr(array.ravel().tolist()[0]) if array.size and array.dtype.kind in "USOc" else ""
         is_text = array.dtype.kind == "U" or (array.dtype.kind == "O" and first[:1] in "'\"")
         units = f", and their unit beside them: {name}=(values, \"{'mN' if name == 'force' else 'um'}\")" if is_text else ""
         found = "text" if is_text else array.dtype.name
-        raise TypeError(f"{name}: expected real numbers{units}, found {found} {first}".rstrip())
+        raise TypeError(f"{name}: expected real numbers{units}, found {found} {first}".rstrip() + "; convert them, as in numpy.asarray(values, dtype=float)")
     if array.ndim != 1:
-        raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", key=f"record.{name}")
+        raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", "pass one of its columns, as in values[:, 0]", key=f"record.{name}")
     if array.size == 0:
         raise wrong(name, "readings", "an empty array", key=f"record.{name}")
     values = np.ascontiguousarray(array, dtype=np.float64)
     if not np.isfinite(values).all():
-        at = int(np.argmin(np.isfinite(values)))
-        raise wrong(f"{name}[{at}]", "a finite number", repr(float(values[at])), key=f"record.{name}")
+        array = values.astype(object)  # whose cells are floats of Python
+        raise refuse_cell(int(np.argmin(np.isfinite(values))))
     if unit is None:
         return values
     if reduced:
@@ -258,12 +299,27 @@ def _is_data(value: Any) -> bool:
     return is_frame(value) or (_is_array(value) and not isinstance(value, os.PathLike))
 
 
+def _no_data(data: tuple[Any, ...]) -> TypeError:
+    """What is no data of a test, with what to pass instead."""
+    first = data[0]
+    name = type(first).__name__
+    instead = "fit(stage, force)"
+    if isinstance(first, Answer) and name in ("Export", "Simulation", "Fit"):
+        instead = "fit(fit.case)" if name == "Fit" else f"fit({name.lower()}.to_frame())"
+    elif len(data) == 1 and _is_array(first) and np.ndim(first) == 2:
+        name = f"one array of the shape {np.shape(first)}"
+        instead = "fit(data[:, 0], data[:, 1]), with its columns"
+    elif len(data) > 1 or _is_array(first):
+        name = ", ".join("an array" if _is_array(each) and not is_frame(each) else type(each).__name__ for each in data)
+    return TypeError(f"expected data as a file, as a DataFrame, or as two arrays, of the stage and of the force, found {name}; write {instead}")
+
+
 def _record_of(data: tuple[Any, ...], record: Mapping[str, Any]) -> dict[str, Any]:
     """The record that a call begins with: a frame, or stage and force."""
     if is_frame(data[0]) and len(data) == 1:
         return record_of(data[0], record)
     if len(data) != 2 or not all(_is_array(each) and not is_frame(each) for each in data):
-        raise TypeError("expected data as a file, as a DataFrame, or as two arrays, of the stage and of the force")
+        raise _no_data(data)
     for name in ("stage", "force"):
         if name in record:
             raise TypeError(f"{name} is given twice")
@@ -281,6 +337,9 @@ def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple
             raise wrong(name, f"an array, as {names[0]} is one", record[name], key=f"record.{name}")
     if "file" in record:
         raise wrong("file", "either a file or arrays of a record", "both", key="record.file")
+    if {"stage", "deflection", "force"} <= {*names}:
+        raise wrong("deflection", "two of stage, deflection and force", "all three", "leave one out, such as deflection: it follows from the stiffness of the rig",
+                    key="record.deflection")
     columns = [(name, _column(name, record[name], reduced)) for name in names]
     for name, values in columns:
         if len(values) != len(columns[0][1]):
@@ -308,6 +367,29 @@ def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> lis
             for name, value in _values(section, given, reduced).items()]
 
 
+def _without_key(text: str, name: str) -> str:
+    """The text of a case file without a key or a section; the other lines stay where they are."""
+    *above, key = name.split(".")
+    try:
+        section = wanted = tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        return text  # the reader says it with its words
+    for part in above:
+        section = section.get(part, {})
+    if not isinstance(section, dict) or key not in section:
+        return text
+    del section[key]
+    lines = text.split("\n")
+    begins = re.compile(rf"""[\s\["']*(?:{'.'.join(above)}["'\s]*\.["'\s]*)?{key}\b""")
+    for start in (at for at, line in enumerate(lines) if begins.match(line)):
+        for end in range(start + 1, len(lines) + 1):
+            shorter = "\n".join([*lines[:start], *[""] * (end - start), *lines[end:]])
+            with contextlib.suppress(tomllib.TOMLDecodeError):
+                if tomllib.loads(shorter) == wanted:
+                    return shorter
+    raise wrong(name, "a key on lines of its own", "one beside others", "take it out of the case file", key=name)
+
+
 def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
     """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
     path: str = os.fsdecode(file)
@@ -329,14 +411,17 @@ class Case:
     file : path, DataFrame or array, optional
         A case file (``.toml``), which the other arguments change; or a file of data, which they describe. Or the data themselves: a pandas.DataFrame, whose
         titles or ``attrs["units"]`` have the units; or two arrays, of the stage and of the force.
+    name : str, optional
+        What to call a test whose record is in memory; "arrays".
     set : mapping, optional
-        Keys that change, ``{"rig.stiffness": "200 N/m"}``.
+        Keys that change, ``{"rig.stiffness": "200 N/m"}``; one that is None is taken out.
     reduced : bool
         Are all numbers in reduced variables? Of a case without a case file.
     **keywords
         A section as a dict, ``rig={"span": "1278 um"}``, or a key of a section by its own name, ``span="1278 um"``: those of specimen, rig and
         record, see :func:`keys`. Quantities are strings with a unit, or floats in SI. A record may be arrays, `stage`, `deflection`, `force`, two of
-        the three, in SI or with their unit: ``force=(values, "mN")``.
+        the three, in SI or with their unit: ``force=(values, "mN")``. A key that is None in a section is taken out of the case that changes, and friction
+        of another model replaces the whole section.
 
     Raises
     ------
@@ -359,24 +444,34 @@ class Case:
     _source: str
     _changes: list[str]
     _given: list[tuple[str, Any]]
+    _name = ARRAYS  # of the record in memory
     _is_written = False  # as the text of a case file, not as keywords
 
-    def __init__(self, file: Any = None, *arrays: Any, set: Mapping[str, Any] | None = None, reduced: bool = False, **keywords: Any) -> None:  # noqa: A002
+    def __init__(self, file: Any = None, *arrays: Any, name: str | None = None, set: Mapping[str, Any] | None = None, reduced: bool = False,  # noqa: A002
+                 **keywords: Any) -> None:
         reduced = yes_no("reduced", reduced)
         sections = sections_of(keywords)
+        for key, value in set.items() if isinstance(set, Mapping) else ():
+            section, _, last = str(key).rpartition(".")
+            if sections.get(section, {}).get(last) is not None:
+                raise _said_twice(section, last, sections[section][last], f"set={{{key!r}: {reprlib.repr(value)}}}")
         if _is_data(file) or arrays:
             sections["record"] = _record_of((file, *arrays), sections.get("record", {}))
             file = None
         self._given = []
         if isinstance(file, Case):
             self._text, self._source, self._changes = file._text, file._source, list(file._changes)
-            self._given, self._is_written = file._given, file._is_written
+            self._given, self._name, self._is_written = file._given, file._name, file._is_written
             reduced = file.reduced
+            self._make_room_for(sections)
+        elif file is not None and not isinstance(file, (str, bytes, os.PathLike)):
+            raise _no_data((file,))
         elif file is not None and (path := path_of(file)).endswith(".toml"):
             if reduced:
                 raise wrong("reduced", "a case file that says so itself", "both")
             self._text, self._source, self._changes = _decoded(path), path, []
             reduced = _says_reduced(self._text)
+            self._make_room_for(sections)
         else:
             if file is not None:
                 sections.setdefault("record", {})["file"] = path_of(file)
@@ -384,20 +479,39 @@ class Case:
             self._text, self._source, self._changes = _text_of(sections, reduced), "", []
             sections = {}
         self._given = _arrays_of(sections, reduced) or self._given
+        if isinstance(set, Mapping):
+            self._take_out(".".join(_named(key)) for key, value in set.items() if value is None)
+            set = {key: value for key, value in set.items() if value is not None}  # noqa: A001
         self._changes += _changes_of(sections, reduced)
         self._changes += set_of(set, reduced)
+        if name is not None:
+            self._name = _name_of_record(name, bool(self._given))
         self._read()
 
     def _read(self) -> None:
         try:
             self._case = _flexslip.read_case(self._text, os.fsencode(self._source), self._changes)
             if self._given:
-                self._case = _flexslip.with_record(self._case, self._given, ARRAYS)
+                self._case = _flexslip.with_record(self._case, self._given, self._name)
         except InputError as error:
             raise self._in_own_words(error) from None
 
+    def _make_room_for(self, sections: Mapping[str, Mapping[str, Any]]) -> None:
+        """Takes out the keys that are None, and those of a friction whose model another replaces."""
+        gone = [f"{section}.{key}" for section, given in sections.items() for key, value in given.items() if value is None]
+        if model := sections.get("friction", {}).get("model"):
+            stated = tomllib.loads(_flexslip.read_case(self._text, os.fsencode(self._source), self._changes).toml()).get("friction", {})
+            if model != stated.get("model"):
+                gone += [f"friction.{key}" for key in stated]
+        self._take_out(gone)
+
+    def _take_out(self, names: Iterable[str]) -> None:
+        for name in names:
+            self._changes = [change for change in self._changes if not change.startswith((f"{name}=", f"{name}."))]
+            self._text = _without_key(self._text, name)
+
     def _in_own_words(self, error: InputError) -> InputError:
-        return error if self._source or self._is_written else of_keywords(error)
+        return error if self._source or self._is_written else of_keywords(error, self._name)
 
     @classmethod
     def from_toml(cls, text: str, source: str = "") -> Case:
@@ -442,11 +556,24 @@ class Case:
         return value
 
     def replace(self, *, set: Mapping[str, Any] | None = None, **keywords: Any) -> Case:  # noqa: A002
-        """The same case with other values, given as to :class:`Case`."""
-        return Case(self, set=set, **keywords)
+        """The same case with other values, given as to :class:`Case`; None takes a key out.
+
+        Examples
+        --------
+        >>> import flexslip
+        >>> case = flexslip.Case("examples/design.toml")
+        >>> case.replace(friction={"model": "constant", "mu0": 0.4})["friction"]
+        {'model': 'constant', 'mu0': 0.4}
+        >>> "phase" in case.replace(set={"friction.phase": None})["friction"]
+        False
+        """
+        case = Case.__new__(Case)
+        case.__dict__.update(self.__dict__)
+        case._take_out(_whole_name(name) for name, value in keywords.items() if value is None)
+        return Case(case, set=set, **{name: value for name, value in keywords.items() if value is not None})
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _read_again, (self._text, self._source, list(self._changes), self._given, self._is_written)
+        return _read_again, (self._text, self._source, list(self._changes), self._given, self._is_written, self._name)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Case) or (self.toml, self.source) != (other.toml, other.source):
@@ -466,11 +593,29 @@ class Case:
         return f"<pre>{html.escape(self.toml)}</pre>"
 
 
-def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]], is_written: bool) -> Case:
+def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]], is_written: bool, name: str) -> Case:
     case = Case.__new__(Case)
-    case._text, case._source, case._changes, case._given, case._is_written = text, source, changes, given, is_written
+    case._text, case._source, case._changes, case._given, case._is_written, case._name = text, source, changes, given, is_written, name
     case._read()
     return case
+
+
+def _whole_name(name: str) -> str:
+    """Of a key as a keyword, "span" or "rig.span"; of a section its own."""
+    if name in FLAT and name not in SECTIONS:
+        return f"{FLAT[name]['section']}.{name}"
+    if name not in SECTIONS and tuple(name.rpartition(".")[::2]) not in KEYS:
+        raise TypeError(f"unexpected keyword argument {name!r}; " + _nearest(name, [*FLAT, *SECTIONS]))
+    return name
+
+
+def _name_of_record(name: Any, is_in_memory: bool) -> str:
+    """The name of a record in memory, as the program takes names off files: up to the last point."""
+    if not is_in_memory:
+        raise wrong("name", "a record in memory, a DataFrame or arrays", "a file, after which its test is called")
+    if not isinstance(name, str) or not name or "/" in name or "\0" in name:
+        raise wrong("name", "a name without a slash", name)
+    return encodable("name", f"{name}." if "." in name else name)
 
 
 def _decoded(path: str) -> str:
@@ -533,8 +678,8 @@ def in_words_of(case: Case) -> Iterator[Any]:
         raise case._in_own_words(error) from None
 
 
-def case_of(file: Any, arrays: tuple[Any, ...], set: Mapping[str, Any] | None, keywords: Mapping[str, Any]) -> Case:  # noqa: A002
+def case_of(file: Any, arrays: tuple[Any, ...], set: Mapping[str, Any] | None, keywords: Mapping[str, Any], name: str | None = None) -> Case:  # noqa: A002
     """The case that a call describes."""
-    if isinstance(file, Case) and not (arrays or set or keywords):
+    if isinstance(file, Case) and not (arrays or set or keywords or name is not None):
         return file
-    return Case(file, *arrays, set=set, **keywords)
+    return Case(file, *arrays, name=name, set=set, **keywords)

@@ -1,8 +1,11 @@
 """Planned tests."""
 from __future__ import annotations
 
+import reprlib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _flexslip
 from ._answers import table_of
@@ -90,6 +93,7 @@ class DesignMap(_Kept):
 
     @property
     def designs(self) -> Any:
+        """One for each combination of values, the last parameter fastest."""
         return table_of(self._data["designs"], next(e for e in self._entries if e["name"] == "designs")["entries"], self.case.reduced)
 
     def to_dict(self) -> dict[str, Any]:
@@ -115,20 +119,42 @@ class DesignMap(_Kept):
         return f"<DesignMap of {len(self)} designs>"
 
     def _repr_html_(self) -> str:
-        return str(self.to_frame()._repr_html_())
+        return str(self.designs._repr_html_())
 
 
 def _map_again(data: Mapping[str, Any], case: Case, entries: Any, kept: Mapping[str, Any]) -> DesignMap:
     return DesignMap(data, case, entries, None, kept)
 
 
+_OVER = "a range, (from, to) or (from, to, points), or a list of values"
+
+
 def _range(name: str, given: Any, reduced: bool) -> str:
+    field = f"over[{name!r}]"
     if isinstance(given, str):
         return f"{name}={given}"
-    if not isinstance(given, (tuple, list)) or len(given) not in (2, 3):
-        raise wrong(f"over[{name!r}]", "a range: (from, to) or (from, to, points)", given)
-    ends = [quantity_in_words(f"over[{name!r}]", end, unit_of_parameter(name), "an end of a range", reduced) for end in given[:2]]
+    if isinstance(given, (list, range)) or hasattr(given, "__array__"):
+        given = _range_of(field, list(given) if np.ndim(given) == 1 else [])
+    if not isinstance(given, tuple) or len(given) not in (2, 3):
+        raise wrong(field, _OVER, given)
+    ends = [quantity_in_words(field, end, unit_of_parameter(name), "an end of a range", reduced) for end in given[:2]]
     return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
+
+
+def _range_of(field: str, values: list[Any]) -> tuple[Any, ...]:
+    """The range that has these values: a map is drawn over even ones, in the logarithm where the ends are ten times apart or more."""
+    remedy = f"pass a range, (from, to, points), or take flexslip.sweep(case, axes={{{field[5:-1]}: [...]}}), which takes any values"
+    if len(values) < 2:
+        raise wrong(field, "two values or more", values, remedy)
+    if len(values) > 2:
+        if not all(isinstance(value, (int, float, np.number)) for value in values):
+            raise wrong(field, "numbers in SI in a list of three values and more", values, remedy)
+        first, last = float(values[0]), float(values[-1])
+        in_logarithm = first > 0 and last > 0 and max(first / last, last / first) >= 10
+        even = np.geomspace(first, last, len(values)) if in_logarithm else np.linspace(first, last, len(values))
+        if not np.allclose(np.asarray(values, dtype=float), even, rtol=1e-9, atol=0):  # values that a user computed round otherwise
+            raise wrong(field, "values of even " + ("ratios, as the ends are ten times apart or more" if in_logarithm else "steps"), reprlib.repr(values), remedy)
+    return values[0], values[-1], len(values)
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
@@ -141,7 +167,8 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: 
     file : path or Case, optional
         A case as for :func:`simulate`: its farthest stage position is the travel of one loading.
     over : mapping, optional
-        One parameter, or two, and their ranges: ``{"stiffness": ("10 N/m", "1000 N/m", 41)}``; the number of points may be left out.
+        One parameter, or two, and their ranges: ``{"stiffness": ("10 N/m", "1000 N/m", 41)}``; the number of points may be left out. Steps are even, in
+        the logarithm where the ends are ten times apart or more. A list or an array is the values, which have to be even likewise; :func:`sweep` takes any.
     threads : int, optional
         With `over`: designs computed at the same time; all cores.
     set, **keywords

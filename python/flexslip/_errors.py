@@ -59,30 +59,33 @@ class InputError(ValueError):
             setattr(self, name, value)
 
 
-class _NoFile(InputError, FileNotFoundError):
+class MissingFileError(InputError, FileNotFoundError):
     """A file that is not there."""
 
     __str__ = ValueError.__str__
 
 
-class _NotPermitted(InputError, PermissionError):
+class ForbiddenFileError(InputError, PermissionError):
     """A file that may not be read or written."""
 
     __str__ = ValueError.__str__
 
 
-class _Folder(InputError, IsADirectoryError):
+class FolderError(InputError, IsADirectoryError):
     """A folder where a file is wanted."""
 
     __str__ = ValueError.__str__
 
 
+for _named in (InputError, MissingFileError, ForbiddenFileError, FolderError):
+    _named.__module__ = "flexslip"  # as tracebacks name it
+
 _PARTS = ("file", "line", "field", "key", "kind", "limit", "expected", "found", "remedy")
 _OF_SYSTEM = {
-    "No such file or directory": _NoFile,
-    "Permission denied": _NotPermitted,
-    "Is a directory": _Folder,
-    "a directory": _Folder,
+    "No such file or directory": MissingFileError,
+    "Permission denied": ForbiddenFileError,
+    "Is a directory": FolderError,
+    "a directory": FolderError,
 }
 
 
@@ -127,9 +130,9 @@ def _in_keywords(text: str) -> str:
     return re.sub(r"\[(specimen|rig|friction|stage|record)\]", r"\1", text)
 
 
-def of_keywords(error: InputError) -> InputError:
-    """A complaint about a case file that nobody wrote, in words of the keywords that made it."""
-    if error.file not in (None, ARRAYS):
+def of_keywords(error: InputError, record: str) -> InputError:
+    """A complaint about a case file that nobody wrote, in words of the keywords that made it; `record` is what its record in memory is called."""
+    if error.file not in (None, record):
         return error
     parts = {name: getattr(error, name) for name in _PARTS if name != "line"}
     parts |= {name: _in_keywords(parts[name]) for name in ("field", "remedy") if parts[name]}

@@ -6,8 +6,10 @@ import textwrap
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from . import _flexslip
-from ._answers import ANSWERS, table_of
+from ._answers import ANSWERS, same, table_of
 from ._case import Case, case_of, in_words_of, path_of, with_keywords
 from ._errors import one_of, wrong
 from ._fields import FitDraws, FitFields, FitParameters
@@ -62,30 +64,79 @@ class Fit(FitFields):
 
     @property
     def success(self) -> bool:
+        """Is there an answer? If not, `message` says why, and what depends on it is None or NaN."""
         return bool(self._data["status"] == "ok")
 
     @property
     def message(self) -> str:
+        """The verdict's sentence; where there is no answer, what to do about it, too."""
         has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
         return self.verdict.sentence if has_answer or not self.next else f"{self.verdict.sentence} {self.next}"
 
     @property
     def params(self) -> FitParameters:
+        """The parameters, each with `value`, `stderr`, `ci95` and `unit`: ``fit.params.mu0.value``. The same as `parameters`."""
         return self.parameters
 
     @property
     def curves(self) -> FitCurvesTable:
+        """Point by point of the record that was evaluated: measured, fitted and replayed force, length and friction, as NumPy arrays. `row` is the row of the
+        file, frame or arrays, from 1."""
         table: FitCurvesTable = table_of(self._part("curves"), _CURVES, self._reduced)
         return table
 
     @property
     def residual(self) -> Numbers:
-        """Measured less fitted force, point by point of `curves`, NaN where the fit does not reach. [N]"""
+        """Measured less fitted force, point by point of `curves`, NaN where the fit does not reach. [N]
+
+        Of every row, those as well that the fit leaves out, at small deflections and within drops: its root mean square is greater than `residual_rms`,
+        mostly because a drop that the fit puts a row earlier or later makes a residual as large as the drop.
+        """
         curves = self.curves
         return curves.force - curves.model_force
 
+    def correlation(self) -> pandas.DataFrame:
+        """How the errors of `params` go together, a row and a column for each parameter that is estimated; empty without an answer.
+
+        Over all explanations of the record, or, where a wave is claimed, over those that have it. Of bending_stiffness, force_noise, roughness and
+        correlation_length it is the correlation of their logarithms.
+        """
+        import pandas
+
+        pairs = {(pair.of, pair.with_): pair.correlation for pair in self.correlations}
+        told = {name for pair in pairs for name in pair}
+        names = [name for name in self.params.keys() if name in told] if told else []
+        table = pandas.DataFrame(np.eye(len(names)), index=names, columns=names)
+        for (one, other), value in pairs.items():
+            table.loc[one, other] = table.loc[other, one] = value
+        return table
+
+    def covariance(self) -> pandas.DataFrame:
+        """That of `params`, as :meth:`correlation` with their standard errors: in the products of their units, SI."""
+        table = self.correlation()
+        errors = np.array([self.params[name].stderr for name in table.index])
+        return table * np.outer(errors, errors)
+
+    @property
+    def residual_rms(self) -> float:
+        """Root mean square of measured less fitted force over the rows that the fit takes. [N]
+
+        Those are the rows that are bent by more than 8 % of the span, or by half the greatest deflection if that is less, while the stage advances; rows
+        within a drop, and rows that no friction from -1.5 to 2.2 explains, do not count. `residual` has them all.
+        """
+        return super().residual_rms
+
+    def __eq__(self, other: object) -> bool:
+        """Are the numbers and the verdict equal? Names, where the record was read from, how, and what to do next do not count."""
+        if not isinstance(other, Fit):
+            return NotImplemented
+        return self._reduced == other._reduced and same(_concluded(self._data), _concluded(other._data))
+
+    __hash__ = FitFields.__hash__
+
     @property
     def draws(self) -> Draws:
+        """Profiles of friction that explain the record, drawn at random."""
         if not self.success:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
         return Draws(self._data["draws"], self._part("draws"), self._reduced)
@@ -153,6 +204,14 @@ class Fit(FitFields):
         return head + (self.parameters._repr_html_() if self._parameters_hold() else "")
 
 
+def _concluded(data: Mapping[str, Any]) -> dict[str, Any]:
+    """What is measured and concluded, without where and how the record was read, and without remedies, which are in words of the door."""
+    left = {name: value for name, value in data.items() if name not in ("name", "provenance", "preparation", "next")}
+    findings = left["findings"]
+    left["findings"] = {**findings, "columns": {name: values for name, values in findings["columns"].items() if name != "remedy"}}
+    return left
+
+
 _WIDTH = 100  # of what is printed
 _ALWAYS_KEPT = ("curves", "text", "figures")
 _KEPT = (*_ALWAYS_KEPT, "draws", "screen")
@@ -196,12 +255,14 @@ class Draws(FitDraws):
         return Draws, (self._data, self._table, self._reduced)
 
     def to_frame(self) -> pandas.DataFrame:
-        """A pandas.DataFrame as ``flexslip fit --draws`` writes it."""
+        """A pandas.DataFrame as ``flexslip fit --draws`` writes it; `attrs["units"]` has the units."""
         import pandas as pd
 
         columns = {"length": self.length, "mu": self.mu, "deviation": self.deviation}
         columns |= {f"draw_{k}": profile for k, profile in enumerate(self.profiles, 1)}
-        return pd.DataFrame(columns)
+        frame = pd.DataFrame(columns)
+        frame.attrs["units"] = {name: ("L" if self._reduced else "m") if name == "length" else "1" for name in columns}
+        return frame
 
     def __repr__(self) -> str:
         return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
@@ -220,7 +281,7 @@ def positive(name: str, value: Any) -> float:
 
 @with_keywords("specimen", "rig", "record")
 def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
-        check_stability: bool = False, surface: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
+        check_stability: bool = False, surface: Any = None, name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:
     """What friction a measured test shows, where along the specimen, and how certainly.
 
@@ -239,6 +300,8 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
         Fit again with the force changed in its ninth digit, and check that the answer stays.
     surface : path, optional
         Hold the surface that would explain the friction against this height profile.
+    name : str, optional
+        What to call a test whose record is a DataFrame or arrays; "arrays". One of a file is called after it.
     set, **keywords
         As of :class:`Case`: ``span="1278 um"``, ``rig={"stiffness": 90.65}``.
 
@@ -266,7 +329,7 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
     """
     if model is not None:
         one_of("model", model, _flexslip.model_names)
-    case = case_of(file, arrays, set, keywords)
+    case = case_of(file, arrays, set, keywords, name)
     alarms = _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms)
     limit = _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit)
     trace = None if surface is None else os.fsencode(path_of(surface, "surface"))

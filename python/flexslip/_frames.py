@@ -1,13 +1,12 @@
-"""pandas frames as data: a record, or the tests of a campaign. The program's own reader finds what their columns are."""
+"""pandas frames as data. The program's own reader finds what their columns are."""
 from __future__ import annotations
 
-import contextlib
 import os
 import tempfile
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
-from ._errors import InputError, error_of, in_python, wrong
+from ._errors import InputError, error_of, one_of, wrong
 
 NAME = "frame"  # what such data are called
 _ROLES = ("stage", "deflection", "force")  # that titles can say
@@ -20,7 +19,7 @@ def is_frame(value: Any) -> bool:
     return hasattr(value, "iloc") and hasattr(value, "columns")
 
 
-def _whole(frame: Any) -> Any:
+def whole_frame(frame: Any) -> Any:
     """With an index that has a name as a column, and titles as text."""
     if any(name is not None for name in frame.index.names):
         frame = frame.reset_index()
@@ -35,7 +34,7 @@ def _titles(frame: Any) -> dict[str, str]:
 
 def written(frame: Any, path: str) -> None:
     """A frame as a file that the program reads, its numbers to the last bit."""
-    frame = _whole(frame)
+    frame = whole_frame(frame)
     frame.rename(columns=_titles(frame)).to_csv(path, index=False)
 
 
@@ -57,18 +56,22 @@ def _given(frame: Any, record: Mapping[str, Any]) -> dict[str, tuple[str, str | 
 
 def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
     """What a call says of a record, with the columns of a frame as arrays: those that it names, or else those whose titles say what they are."""
-    frame = _whole(frame)
+    frame = whole_frame(frame)
     own = next((pair for pair in _PAIRS if all(name in frame.columns for name in pair)), ())  # as the package's own frames have them
     given = _given(frame, record) or ({} if record.get("displacement") else {name: (name, None) for name in own})
     titled, units = _read(frame, record.get("displacement"), len(given) < 2)
     out = {name: value for name, value in record.items() if name not in (*_COLUMNS, "displacement")}
-    for role, (title, unit) in ({role: (title, None) for role, title in titled.items()} | given).items():
+    columns = {role: (title, None) for role, title in titled.items()} | given
+    if all(role in columns for role in _ROLES) and not all(role in given for role in _ROLES):  # one too many: as of a file, a deflectometer comes first
+        stated = {"crosshead": {"stage"}, "deflection": {"deflection"}}.get(record.get("displacement", ""), set())
+        pair = next(pair for pair in (("deflection", "force"), *_PAIRS) if stated | ({*given} & {*_ROLES}) <= {*pair})
+        columns = {role: named for role, named in columns.items() if role in (*pair, "length")}
+    for role, (title, unit) in columns.items():
         unit = unit or units.get(title)
         if not unit and role not in given:
             raise wrong(f"column {title!r}", "a unit", "none", f"name it as in {title + (' [N]' if role == 'force' else ' [mm]')!r}, or say {role}=({title!r}, \"{'N' if role == 'force' else 'mm'}\")",
                         key=f"record.{role}")
-        values = frame[title].to_numpy()
-        out[role] = (values, unit) if unit else values
+        out[role] = (frame[title], unit) if unit else frame[title]
     return out
 
 
@@ -76,11 +79,16 @@ def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str
     """The titles of stage, deflection and force, as far as they say so, and the units of all columns."""
     from ._read import read  # which is made of cases
 
+    if displacement is not None:
+        one_of("displacement", displacement, ("crosshead", "deflection"))
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "frame.csv")
         written(frame.head(1000), path)
         try:
-            columns = list(zip(frame.columns, read(path, displacement=displacement)._columns))
+            export = read(path)
+            if displacement and not {"crosshead", "deflection"} <= {column["role"] for column in export._columns}:
+                export = read(path, displacement=displacement)
+            columns = list(zip(frame.columns, export._columns))
         except InputError as error:
             raise in_words_of_frame(error, path) from None
     roles = {column["role"]: title for title, column in columns}
@@ -92,29 +100,6 @@ def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str
         raise wrong("DataFrame", "titles that say which columns are displacement and force", ", ".join(map(repr, frame.columns)),
                     "say which they are, as in stage=(\"x\", \"mm\"), force=(\"F\", \"N\")", key="record.force" if "force" not in found else "record.stage")
     return found if by_titles else {}, {title: column["unit"] for title, column in columns if column["unit"]} | {title: unit for title, unit in (frame.attrs.get("units") or {}).items() if unit}
-
-
-@contextlib.contextmanager
-def table_of_tests(frame: Any, report: str | None) -> Iterator[str]:
-    """The tests of a campaign as a file, in the folder of its report, where a later call finds it again, or in one that goes."""
-    frame = _whole(frame)
-    if "file" in frame.columns:
-        frame = frame.assign(file=[os.path.abspath(os.fsdecode(file)) if isinstance(file, (str, os.PathLike)) else file for file in frame["file"]])
-    with tempfile.TemporaryDirectory() as folder:
-        if report is not None:
-            os.makedirs(report, exist_ok=True)
-        path = os.path.join(folder if report is None else report, "frame.csv")
-        written(frame, path)
-        yield path
-
-
-def in_words(data: Any, path: str) -> Any:
-    """What is told of a file that nobody wrote, as of the frame that it holds."""
-    if isinstance(data, str):
-        return in_python(data.replace(path, NAME))
-    if isinstance(data, dict):
-        return {name: in_words(value, path) for name, value in data.items()}
-    return [in_words(value, path) for value in data] if isinstance(data, list) else data
 
 
 def in_words_of_frame(error: InputError, path: str) -> InputError:

@@ -33,10 +33,12 @@ class Modulus(ModulusFields):
 
     @property
     def success(self) -> bool:
+        """Does the record tell a stiffness? If not, `message` says why."""
         return bool(self._data["status"] == "ok")
 
     @property
     def message(self) -> str:
+        """Why there is no stiffness; empty if there is one."""
         return "" if self.success else self.remarks[0]
 
 

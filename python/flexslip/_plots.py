@@ -13,7 +13,7 @@ _MM = 1 / 25.4
 _SMALL = {"font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "legend.fontsize": 8, "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.linewidth": 0.6,
           "axes.labelpad": 2, "axes.titlepad": 3, "xtick.direction": "in", "ytick.direction": "in", "xtick.top": True, "ytick.right": True,
           "legend.frameon": False, "axes.unicode_minus": True, "font.family": "sans-serif",
-          "font.sans-serif": ["Arial", "Liberation Sans", "DejaVu Sans"], "mathtext.fontset": "custom", "mathtext.rm": "sans", "mathtext.it": "sans:italic"}
+          "font.sans-serif": ["Arial", "Liberation Sans", "DejaVu Sans"], "mathtext.fontset": "dejavusans"}  # with a fontset of one's own, matplotlib looks for a cursive font
 _DASHES: dict[str, Any] = {"solid": "-", "dashed": (0, (3, 2)), "long_dashed": (0, (6.6, 3.3)), "dotted": (0, (1, 1.5))}
 _MARKERS: dict[str, Any] = {"": "", "disc": "o", "circle": "o", "square": "s", "triangle": "^", "down": "v", "star": (6, 2, 0), "cross": "x"}
 

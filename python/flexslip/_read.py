@@ -39,6 +39,7 @@ class Export(ExportFields):
 
     @property
     def data(self) -> dict[str, Any]:
+        """Columns by name, in the units of the file: NumPy arrays, NaN where a cell holds no number."""
         return {column["name"]: column["values"] for column in self._columns}
 
     def si(self, role: str) -> Any:

@@ -49,14 +49,17 @@ class Simulation(SimulationFields):
 
     @property
     def success(self) -> bool:
+        """Does the path go to the end of its programme? If not, `message` says why."""
         return not self._kept["message"]
 
     @property
     def message(self) -> str:
+        """Why the path ends before its programme does; empty if it goes to the end."""
         return str(self._kept["message"])
 
     @property
     def remarks(self) -> tuple[str, ...]:
+        """What there is to say besides."""
         return tuple(self._kept["remarks"])
 
     def to_frame(self) -> pandas.DataFrame:
@@ -101,6 +104,7 @@ class Profile(ProfileFields):
 
     @property
     def success(self) -> bool:
+        """Does a reading tell a friction? If not, `message` says why."""
         return not self.message
 
     def to_frame(self) -> pandas.DataFrame:

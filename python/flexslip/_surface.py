@@ -51,20 +51,24 @@ class Surface(SurfaceFields):
 
     @property
     def profile(self) -> TraceRowsTable:
+        """The heights, levelled, and what an edge sees of them."""
         table: TraceRowsTable = table_of(self._part("trace_table"), ANSWERS["surface --profile"]["entries"])
         return table
 
     @property
     def spectrum(self) -> SpectrumRowsTable:
+        """The power spectral density of the heights."""
         table: SpectrumRowsTable = table_of(self._part("spectrum_table"), ANSWERS["surface --spectrum"]["entries"])
         return table
 
     @property
     def success(self) -> bool:
+        """Is a surface seen in the noise? If not, `message` says so."""
         return bool(self._data["status"] == "ok")
 
     @property
     def message(self) -> str:
+        """Why no surface is seen; empty if one is."""
         return "" if self.success else str(self._part("in_short"))
 
     def summary(self) -> str:

@@ -46,6 +46,7 @@ class Sweep(SweepFields):
 
     @property
     def designs(self) -> Table[Any]:
+        """A row a design: the inputs and the outcomes, as NumPy arrays; `status` is a word."""
         kept = self._read()
         table: Table[Any] = table_of(kept["table"], kept["entries"], self._reduced)
         return table

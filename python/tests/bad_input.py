@@ -4,6 +4,7 @@ import math
 import os
 import pickle
 import tempfile
+import traceback
 import unittest
 
 import hypothesis
@@ -266,6 +267,74 @@ class Faults(unittest.TestCase):
                 call()
             self.assertIn(told, str(raised.exception))
             self.assertIn("spam", str(raised.exception))
+
+    def test_outside_a_name_that_is_nearly_right_is_told(self):
+        fit = flexslip.fit(CASE)
+        for call, error, told in ((lambda: fit.parms, AttributeError, "'params'"), (lambda: fit.mu0, AttributeError, "params.mu0"), (lambda: fit["mu0"], KeyError, "params.mu0"),
+                                  (lambda: fit.params.mu, AttributeError, "'mu0'"), (lambda: fit.params["mu"], KeyError, "'mu0'"), (lambda: fit.params.mu0.valeu, AttributeError, "'value'"),
+                                  (lambda: fit.friction_share, AttributeError, "energy.friction_share")):
+            with self.assertRaises(error) as raised:
+                call()
+            self.assertIn(f"did you mean {told}?", str(raised.exception))
+        self.assertFalse(hasattr(fit, "spam") or hasattr(fit, "_spam") or hasattr(fit.params, "spam"))
+        no_answer = flexslip.fit(CASE, modulus="1 GPa")
+        self.assertFalse(no_answer.success)
+        pickle.loads(pickle.dumps(fit.params)), repr(no_answer.parameters)
+
+    def test_outside_a_value_that_is_given_twice_is_refused(self):
+        for call, told in ((lambda: flexslip.Case(rig={"span": 1.278e-3}, span="2 mm"), "^span: expected one value, found rig={'span': 0.001278} and span='2 mm'; leave one out"),
+                           (lambda: flexslip.fit(CASE, stiffness=90.0, set={"rig.stiffness": "91 N/m"}), r"^stiffness: .* rig={'stiffness': 90.0} and set={'rig.stiffness': '91 N/m'}")):
+            self.assertRegex(str(self.fault(call)), told)
+        self.assertEqual(flexslip.Case(rig={"span": None, "stiffness": 90.0}, span="2 mm")["rig.span"], "2 mm")
+
+    def test_outside_a_row_as_a_float_is_told_from_a_position(self):
+        for key in "first", "until":
+            error = self.fault(lambda: flexslip.Case("test.csv", **{key: np.float64(267)}))
+            self.assertRegex(str(error), f'^{key}: expected a row, which is an int, .* found 267.0; write 267 for that row, or "267 m"')
+            self.assertEqual(flexslip.Case("test.csv", **{key: np.int64(267)})[f"record.{key}"], 267)
+            self.assertEqual(flexslip.Case("test.csv", **{key: 267e-6})[f"record.{key}"], {"stage": "267 um"})
+
+    def test_outside_keys_are_taken_out_of_a_case(self):
+        case = flexslip.Case(PLANNED)
+        constant = {"model": "constant", "mu0": 0.4}
+        self.assertEqual(case.replace(friction=constant)["friction"], constant)
+        self.assertEqual(flexslip.simulate(PLANNED, friction=constant), flexslip.simulate(case.replace(friction=constant)))
+        rest = {"model": "sinusoid", "mu0": 0.5, "amplitude": 0.15, "wavelength": "10.9 um"}
+        for given in {"friction": {"phase": None}}, {"set": {"friction.phase": None}}, {"friction.phase": None}:
+            self.assertEqual(case.replace(**given)["friction"], rest)
+        self.assertEqual(case.replace(friction={"mu0": 0.3})["friction"], {**rest, "mu0": 0.3, "phase": 1})
+        self.assertEqual(flexslip.Case(PLANNED, set={"friction.phase": None})["friction"], rest)
+        self.assertIn("did you mean 'friction.phase'", str(self.fault(lambda: case.replace(set={"friction.phaze": None}))))
+        self.assertNotIn("friction", case.replace(friction=None).to_dict())
+        self.assertEqual(case.replace(modulus=None, bending_stiffness="2 mN mm^2")["specimen"], {"diameter": "34.8 um", "bending_stiffness": "2 mN mm^2"})
+        self.assertEqual(case.replace(stiffness="40 N/m").replace(stiffness=None).to_dict()["rig"], {"span": "1.278 mm"})
+        two = flexslip.Case(friction={**rest, "other": constant})
+        self.assertEqual(two.replace(friction={"other": None})["friction"], rest)
+        self.assertEqual(two.replace(friction=constant)["friction"], constant)
+        self.assertIn("[friction] amplitude is missing", str(self.fault(lambda: case.replace(friction={"amplitude": None}))))
+        self.assertRaisesRegex(TypeError, "did you mean 'span'", lambda: case.replace(spam=None))
+        text = '[stage]\nprogram = [  # of one loading\n  "0 mm",\n  "2 mm",\n]\n[friction]\nmodel = "constant"\nmu0 = 0.3\nbuild_up_length = "1 um"\n'
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "lines.toml")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            changed = flexslip.Case(path).replace(stage={"program": ["0 mm", "3 mm"]})
+            error = self.fault(lambda: changed.replace(stage=None, friction={"static_excess": 0.1}))
+            self.assertEqual((error.key, error.line), ("friction.build_up_length", 9))  # where it stands in the file
+
+    def test_outside_exceptions_have_names_that_read_well(self):
+        error = self.fault(lambda: flexslip.fit("nothing.toml"))
+        self.assertIs(type(error), flexslip.MissingFileError)
+        self.assertEqual(traceback.format_exception_only(error)[-1].split(":")[0], "flexslip.MissingFileError")
+        self.assertIs(type(self.fault(lambda: flexslip.read("examples"))), flexslip.FolderError)
+
+    def test_outside_a_list_of_values_is_the_values(self):
+        case = flexslip.Case(PLANNED)
+        for values in [10, 100, 1000], np.linspace(20, 100, 5), [50.0, 60.0], range(100, 400, 100), np.geomspace(3, 300, 4):
+            np.testing.assert_allclose(flexslip.design(case, over={"stiffness": values}).designs.stiffness, list(values), rtol=1e-12)  # of a rounding or a few
+        for values in [10, 20, 100], [10.0], [], np.linspace(10, 100, 5), ["10 N/m", "20 N/m", "30 N/m"], np.ones((2, 2)):
+            error = self.fault(lambda: flexslip.design(case, over={"stiffness": values}))
+            self.assertTrue(error.field == "over['stiffness']" and "flexslip.sweep(case, axes={'stiffness': [...]})" in error.remedy, error)
 
     def test_outside_keywords_that_are_none(self):
         for call in (lambda: flexslip.fit(CASE, spam=3), lambda: flexslip.simulate(CASE, diametre="3 um"), lambda: flexslip.Case(span="1 mm", spam=3)):

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """outside: frames and arrays are data, as files are: the same readings give the same answer, however they are handed over."""
 import os
+import pickle
+import shutil
 import tempfile
 import unittest
 
@@ -41,6 +43,63 @@ class Records(unittest.TestCase):
         frame = pandas.DataFrame({"stage": stage, "force": force})
         self.assertEqual(flexslip.modulus(frame, **SPECIMEN), flexslip.modulus(stage, force, **SPECIMEN))
 
+    def test_identity_a_frame_of_three_columns_is_fitted_as_its_file(self):
+        three = pandas.DataFrame({"w_s_m": self.stage, "w0_m": self.stage - self.force / 90.65, "F_N": self.force})
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "three.csv")
+            three.to_csv(path, index=False)
+            for keywords in {}, {"displacement": "crosshead"}, {"displacement": "deflection"}:
+                with self.subTest(**keywords):
+                    of_frame, of_file = flexslip.fit(three, **keywords, **SPECIMEN), flexslip.fit(path, **keywords, **SPECIMEN)
+                    self.assertEqual(of_frame, of_file)
+                    self.assertEqual("the stage is the column" in of_frame.preparation.done[0], keywords.get("displacement") == "crosshead")
+        self.assertEqual(flexslip.fit(three, stage="w_s_m", **SPECIMEN), self.usual)
+        with self.assertRaisesRegex(flexslip.InputError, "all three; leave one out"):
+            flexslip.fit(three, stage="w_s_m", deflection="w0_m", force="F_N", **SPECIMEN)
+
+    def test_outside_a_record_in_memory_has_the_name_that_it_is_given(self):
+        frame = pandas.DataFrame({"stage": self.stage, "force": self.force})
+        self.assertEqual(self.usual.name, "arrays")
+        for name in "SS14", "SS14 run 2.1":
+            fit = flexslip.fit(frame, name=name, **SPECIMEN)
+            self.assertEqual((fit.name, fit.summary().split("  ")[0], pickle.loads(pickle.dumps(fit.case)).replace(span="1278 um")), (name, name, fit.case))
+            self.assertEqual(fit, self.usual)
+            self.assertEqual(flexslip.fit(fit.case).name, name)
+        with self.assertRaisesRegex(flexslip.InputError, "^SS15: expected at least 30 rows"):
+            flexslip.fit(self.stage[:5], self.force[:5], name="SS15", **SPECIMEN)
+        for data, name in (("examples/simulated/case.toml", "SS14"), (frame, "a/b"), (frame, ""), (frame, 3)):
+            with self.assertRaisesRegex(flexslip.InputError, "^name: expected"):
+                flexslip.fit(data, name=name)
+
+    def test_outside_cells_without_a_number_are_named(self):
+        usual = pandas.DataFrame({"w_s_m": self.stage, "F_N": self.force}, index=[f"r{i}" for i in range(len(self.stage))])
+        for cell, found in ((float("nan"), "nan"), (None, "None"), (pandas.NA, "<NA>"), ("n/a", "'n/a'"), (float("inf"), "inf")):
+            with self.subTest(found):
+                frame = usual.astype({"F_N": object})
+                frame.loc["r17", "F_N"] = cell
+                told = f"column 'F_N', row 'r17': expected a finite number, found {found}; leave such rows out, as in frame.drop(index='r17')"
+                for data in (frame,), (frame.w_s_m, frame.F_N):
+                    with self.assertRaises(flexslip.InputError) as raised:
+                        flexslip.fit(*data, **SPECIMEN)
+                    self.assertEqual((str(raised.exception), raised.exception.key), (told, "record.force"))
+                with self.assertRaisesRegex(flexslip.InputError, r"^force\[17\]: expected a finite number"):
+                    flexslip.fit(frame.w_s_m.to_numpy(), frame.F_N.to_numpy(), **SPECIMEN)
+        self.assertEqual(flexslip.fit(usual.astype(object), **SPECIMEN), self.usual)
+        self.assertEqual(flexslip.fit(usual.astype("Float64"), **SPECIMEN), self.usual)
+
+    def test_outside_what_is_no_data_is_told_what_to_pass(self):
+        simulation = flexslip.simulate("examples/simulated/truth.toml")
+        for data, told in (((np.column_stack([self.stage, self.stage, self.force]),), r"one array of the shape \(426, 3\); write fit\(data\[:, 0\]"),
+                           ((self.stage,), r"found an array; write fit\(stage, force\)"), ((self.export,), r"found Export; write fit\(export.to_frame\(\)\)"),
+                           ((simulation,), r"found Simulation; write fit\(simulation.to_frame\(\)\)"), ((self.usual,), r"found Fit; write fit\(fit.case\)"),
+                           ((self.stage.astype(object).astype(str), self.force), "as in numpy.asarray")):
+            with self.assertRaisesRegex(TypeError, told):
+                flexslip.fit(*data, **SPECIMEN)
+        self.assertEqual(flexslip.fit(self.export.to_frame(), **SPECIMEN), self.usual)
+        self.assertEqual(flexslip.fit(self.usual.case), self.usual)
+        with self.assertRaisesRegex(TypeError, r'found list; pass pandas.DataFrame\({"file": \[...\]}\)'):
+            flexslip.campaign(["examples/simulated/test.csv"])
+
     def test_outside_frames_that_are_no_record_are_refused_in_their_own_words(self):
         stage, force = self.stage, self.force
         for frame, keywords, told in (
@@ -77,7 +136,8 @@ class Campaigns(unittest.TestCase):
             of_file = flexslip.campaign(path, "examples/simulated/case.toml")
             campaign = flexslip.campaign(frame, "examples/simulated/case.toml")
             np.testing.assert_array_equal(campaign.table.mu0, of_file.table.mu0)
-            self.assertEqual(list(campaign.tests.file), ["frame:2", "frame:3"])
+            self.assertEqual(list(campaign.tests.file), ["examples/simulated/test.csv"] * 2)
+            self.assertEqual(list(campaign.to_frame()["file"]), ["examples/simulated/test.csv"] * 2)
             report = os.path.join(folder, "report")
             flexslip.campaign(frame, "examples/simulated/case.toml", report=report, figures=False)
             again = flexslip.campaign(frame, "examples/simulated/case.toml", report=report, figures=False)
@@ -86,7 +146,59 @@ class Campaigns(unittest.TestCase):
             flexslip.campaign(frame.rename(columns={"diameter": "diametre [um]"}).drop(columns="name"), "examples/simulated/case.toml")
 
 
+    def test_identity_bare_numbers_of_a_frame_are_in_si_and_its_index_names_the_tests(self):
+        common = "examples/simulated/case.toml"
+        said = pandas.DataFrame({"name": ["a", "b"], "file": ["examples/simulated/test.csv"] * 2, "diameter": ["34.8 um ± 0.1 um", "34.9 um ± 0.1 um"],
+                                 "span": ["1.278 mm", "1.279 mm"], "stiffness": ["90 N/m", "91 N/m"], "until": [400, 410], "first": ["10 um", "20 um"]})
+        bare = pandas.DataFrame({"file": said.file, "diameter": [34.8e-6, 34.9e-6], "diameter uncertainty": [1e-7, 1e-7], "rig.span": [1.278e-3, np.float64(1.279e-3)],
+                                 "stiffness": [90, 91], "until": [400.0, 410.0], "first": [10e-6, 20e-6]}).set_index(pandas.Index(["a", "b"], name="test"))
+        of_words, of_numbers = flexslip.campaign(said, common), flexslip.campaign(bare, common)
+        self.assertEqual(list(of_numbers.table.test), ["a", "b"])
+        self.assertTrue(of_words.success and of_numbers.success, of_numbers)
+        np.testing.assert_array_equal(of_words.table.mu0, of_numbers.table.mu0)
+        self.assertEqual(len({*of_numbers.table.mu0}), 2)
+        by_file = flexslip.campaign(bare.set_index("file")[:1], common)
+        self.assertEqual((list(by_file.table.test), list(by_file.tests.file)), (["test"], ["examples/simulated/test.csv"]))
+        of_common = flexslip.campaign(bare.drop(columns="file"), common)  # whose file it is
+        self.assertEqual((list(of_common.table.test), list(of_common.tests.file)), (["a", "b"], ["row 'a'", "row 'b'"]))
+
+    def test_outside_a_campaign_without_an_answer_says_the_first_cause(self):
+        table = pandas.DataFrame({"file": ["examples/simulated/test.csv"] * 3, "span": ["1 mm", "2 N", "3 N"]}, index=["a", "b", "c"])
+        for frame, success, told in ((table, True, r"^3 tests: (.|\n)*\nb: column 'span': expected a length, found a force '2 N'.* \(alike in 2 tests\)$"),
+                                     (table.assign(span=["1 N"] * 3, until=[1, 2, 3]), False, r"^No answer: none of the 3 tests could be evaluated.\na: column 'span'.*'1 N'.*\(alike in 3 tests\)$")):
+            campaign = flexslip.campaign(frame, "examples/simulated/case.toml")
+            self.assertEqual(campaign.success, success)
+            self.assertRegex(campaign.message, told)
+            self.assertEqual(campaign.message, repr(campaign))
+            self.assertIn("column &#x27;span&#x27;", campaign._repr_html_())
+            self.assertRegex(campaign.failures[-1].reason, "^row 'c': column 'span'")
+            self.assertNotIn("frame.csv", campaign.to_json() + campaign.summary() + str(campaign.to_frame().to_dict()))
+
+    def test_outside_rows_that_repeat_another_are_named(self):
+        with tempfile.TemporaryDirectory() as folder:
+            copy = os.path.join(folder, "copy.csv")
+            shutil.copy("examples/simulated/test.csv", copy)
+            table = pandas.DataFrame({"name": list("abcd"), "file": ["examples/simulated/test.csv"] * 3 + [copy], "#note": range(4), "diameter": 34.8e-6})
+            with self.assertRaisesRegex(flexslip.InputError, "the readings and keys of row 'a' again in row 'b', row 'c', row 'd'; drop"):
+                flexslip.campaign(table, "examples/simulated/case.toml")
+            table.loc[1:, "diameter"] += 1e-7
+            with self.assertRaisesRegex(flexslip.InputError, "of row 'b' again in row 'c', row 'd'"):
+                flexslip.campaign(table, "examples/simulated/case.toml")
+            self.assertEqual(len(flexslip.campaign(table[:2], "examples/simulated/case.toml").tests), 2)
+
+
 class Equality(unittest.TestCase):
+    def test_identity_fits_are_equal_wherever_their_readings_were(self):
+        export = flexslip.read("examples/simulated/test.csv")
+        of_file = flexslip.fit("examples/simulated/test.csv", stage="stage", force="force", **SPECIMEN)
+        of_frame, of_arrays = flexslip.fit(export.to_frame(), **SPECIMEN), flexslip.fit(export.si("crosshead"), export.si("force"), name="other", **SPECIMEN)
+        self.assertTrue(of_file == of_frame == of_arrays and hash(of_file) == hash(of_frame) == hash(of_arrays))
+        self.assertNotEqual(of_file.name, of_frame.name)
+        self.assertNotEqual(of_file.provenance, of_frame.provenance)
+        other = export.si("force").copy()
+        other[100] += 1e-9
+        self.assertNotEqual(of_file, flexslip.fit(export.si("crosshead"), other, **SPECIMEN))
+
     def test_identity_equal_fits_are_equal(self):
         fit, again = (flexslip.fit("examples/simulated/case.toml") for _ in range(2))
         other = flexslip.fit("examples/simulated/case.toml", stiffness="100 N/m")

@@ -76,7 +76,7 @@ class Docstrings(unittest.TestCase):
                 self.assertIn("Examples", thing.__doc__, name)
                 continue
             for attribute, member in vars(thing).items():
-                if not attribute.startswith("_") and callable(member):
+                if not attribute.startswith("_") and (callable(member) or isinstance(member, property)):
                     self.assertTrue(member.__doc__, f"{name}.{attribute}")
 
 

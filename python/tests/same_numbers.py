@@ -375,5 +375,30 @@ class Running(unittest.TestCase):
                 self.assertIn("KeyboardInterrupt", self.interrupted(call))
 
 
+class Errors(unittest.TestCase):
+    """How the errors of the parameters go together."""
+
+    def test_identity_a_bending_stiffness_that_is_held_leaves_of_an_error_what_goes_with_nothing(self):
+        # Of two that are Gaussian together, the one given the other has sqrt(1 - r^2) of its deviation.
+        for name in ("simulated", "cyclic"):
+            fit = flexslip.fit(case(name))
+            stiffness, r = fit.params.bending_stiffness, fit.correlation().loc["mu0", "bending_stiffness"]
+            held = flexslip.fit(case(name), set={"specimen.bending_stiffness": {"value": stiffness.value, "uncertainty": "0.001 %"}, "specimen.modulus": None})
+            with self.subTest(name):
+                self.assertLess(r, -0.3)
+                self.assertAlmostEqual(held.params.mu0.stderr / fit.params.mu0.stderr, math.sqrt(1 - r * r), delta=0.08)
+
+    def test_limit_a_covariance_is_that_of_something(self):
+        for name in ("simulated", "cyclic"):
+            fit = flexslip.fit(case(name))
+            correlation, covariance = fit.correlation(), fit.covariance()
+            with self.subTest(name):
+                self.assertGreater(np.linalg.eigvalsh(correlation.to_numpy()).min(), -1e-12)
+                self.assertEqual(list(correlation.index), list(covariance.columns))
+                for parameter in covariance.index:
+                    self.assertEqual(covariance.loc[parameter, parameter], fit.params[parameter].stderr ** 2)
+        self.assertEqual(flexslip.fit(case("simulated"), model="constant").covariance().shape, (0, 0))
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -72,6 +72,13 @@ class Figures(unittest.TestCase):
         for name in ("simulated teeth", "cyclic loops", "cyclic boxes", "equilibrium", "region", "surface with friction"):
             self.assertIn(name, names)
 
+    def test_outside_matplotlib_finds_every_font(self):
+        fit = flexslip.fit(case("simulated"))
+        with self.assertNoLogs("matplotlib", "WARNING"):
+            for figure in fit._part("figures"):
+                with tempfile.TemporaryFile() as file:
+                    np.atleast_1d(np.asarray(fit.plot(figure["name"]), dtype=object)).ravel()[0].figure.savefig(file)
+
     def test_outside_a_fit_has_the_figures_of_its_report(self):
         for name in EXAMPLES:
             with tempfile.TemporaryDirectory() as folder:
@@ -215,6 +222,27 @@ class Words(unittest.TestCase):
         told = [text.get_text() for legend in campaign.plot()[0].figure.legends for text in legend.get_texts()]
         self.assertNotIn("Suspect", told)  # whose friction cannot be told
 
+    def test_outside_tables_are_shown_in_units_that_suit_them(self):
+        fit = flexslip.fit(case("simulated"))
+        def shown(thing):
+            return " ".join(re.sub("<[^>]*>", " ", html.unescape(thing._repr_html_())).split())
+
+        self.assertRegex(shown(fit.drops), r"row_before row_after stage \[µm\] .* force_fall \[(µ|m)N\] .* pulled_in .* \d\.\d\d ± 0\.\d\d µm ")
+        self.assertRegex(shown(flexslip.design(DESIGN, over={"stiffness": (10, 40, 3)})), r"stiffness \[N/m\] .* largest_drop \[[µm]N\]")
+        self.assertIn("work_of_fracture [µJ]", [*flexslip.campaign("examples").table._shown()])
+        for table in fit.drops, fit.curves, fit.sensitivities:
+            cells = [float(cell) for column in table._shown() for cell in table._shown()[column] if re.fullmatch(r"-?[\d.]+(e-?\d+)?", cell)]
+            self.assertGreater(len(cells), 10)
+        forces = fit.curves._shown()["force [mN]"]
+        np.testing.assert_allclose(forces.astype(float), 1e3 * fit.curves.force, atol=0.005)  # four digits of 10 mN
+        self.assertIn("<caption>Fitted parameters of the friction model</caption>", fit.params._repr_html_())
+        for part in fit.params, fit.energy, fit.judgement, fit.measurement, flexslip.design(DESIGN), fit.drops[0]:
+            self.assertRegex(part._repr_html_(), "<caption>([A-Z][a-z-]*) ")  # a sentence, no name of a class
+
+    def test_outside_an_estimate_is_formatted_as_its_value(self):
+        mu0 = flexslip.fit(case("simulated")).params.mu0
+        self.assertEqual((f"{mu0:.3f}", f"{mu0:>8.1e}", f"{mu0}"), (f"{mu0.value:.3f}", f"{mu0.value:>8.1e}", str(mu0)))
+
     def test_outside_numbers_are_rounded_by_their_errors_in_units_that_read_well(self):
         fit = flexslip.fit(case("simulated"))
         self.assertRegex(str(fit.params.wavelength), r"^10\.9\d\d ± 0\.0\d\d µm$")
@@ -270,7 +298,11 @@ class Frames(unittest.TestCase):
                 if values.dtype == object and isinstance(values[0], flexslip.Estimate):
                     values = [each.value for each in values]
                 np.testing.assert_array_equal(frame[name].to_numpy(), values)
+        frame = fit.draws.to_frame()
+        self.assertEqual([frame.attrs["units"][name] for name in ("length", "mu", "draw_20")], ["m", "1", "1"])
+        self.assertEqual({*frame.attrs["units"]}, {*frame.columns})
         frame = fit.to_frame()
+        self.assertEqual(frame.attrs["units"], {name: value.unit for name, value in fit.params.items() if name in frame.index})
         self.assertEqual(frame.loc["mu0", "value"], fit.params.mu0.value)
         self.assertEqual((frame.loc["wavelength", "low95"], frame.loc["wavelength", "high95"]), fit.params.wavelength.ci95)
 
