@@ -76,3 +76,14 @@ test("the page makes no element of words: no source assigns markup", { skip }, a
   const { readdirSync } = await import("node:fs");
   for (const name of readdirSync(join(page, "src")).filter((n) => n.endsWith(".ts"))) assert.doesNotMatch(readFileSync(join(page, "src", name), "utf8"), /innerHTML|outerHTML|insertAdjacentHTML|document\.write|\beval\(|new Function|javascript:/, name);
 });
+
+test("a file that is read otherwise is fitted with the columns that were chosen, the force as well; an error stays with its quantity", { skip }, async () => {
+  const [{ Test }, { partsOf }] = [await source("test"), await source("settings")], femur = new Test("femur", {}, "femur.txt", "femur.txt");
+  femur.read = { columns: [{ number: 1, name: "Ch 1 Displacement", unit: "mm", role: "crosshead" }, { number: 2, name: "Ch 1 Force", unit: "kN", role: "force" }, { number: 4, name: "Aux", unit: "V", role: "other" }] };
+  femur.settings = { read: { force: "2" }, displacement: "crosshead", span: 0.01, stiffness: 90.65, stiffnessOff: "0.3 N/m" };
+  const [read, fit] = femur.commands(), said = (args, flag) => args[args.indexOf(flag) + 1];
+  assert.equal(said(read, "--force"), "2");
+  assert.equal(said(fit, "--force"), "Ch 1 Force");
+  assert.equal(said(fit, "--stiffness"), "90.65 N/m ± 0.3 N/m");
+  assert.deepEqual([partsOf("90.65 N/m ± 0.3 %"), partsOf("90.65 N/m+-3 N/m"), partsOf("1e+3 mm")].map(({ value, off }) => [value, off]), [["90.65 N/m", "0.3 %"], ["90.65 N/m", "3 N/m"], ["1e+3 mm", null]]);
+});

@@ -15,7 +15,7 @@ const glyph = (mark: CheckLine["mark"]): SVGElement =>
 export function drawAnswer(studio: Studio): void {
   const { fit, test } = studio, host = byId("answer");
   if (!fit) {
-    const busy = studio.isBusy(test), words = !test ? "" : test.refusal ? inPageWords(test.refusal, test) : busy ? "" : "Say what is asked at the left, then press Fit.";
+    const busy = studio.isBusy(test), words = !test ? "" : test.refusal ? inPageWords(test.refusal, test) : busy ? "" : `Say what is asked under “How ${test.data} was read”, then press Fit.`;
     fill(host, el("p", { class: "lead" }, test?.read ? `${test.name}: ${test.read.rows} rows read.` : ""), el("h1", {}, studio.fitting?.test === test && test ? "Fitting…" : busy ? "Waits to be fitted…" : !test ? "" : test.read ? "Not fitted yet." : "Not read yet."),
       el("p", { class: "say" }, words));
     return;

@@ -9,7 +9,7 @@ import { messageOf, type Studio } from "./studio";
 import type { Test } from "./test";
 import { withBoxes } from "./words";
 
-interface Choice { words: string; change: () => void; chosen?: boolean }
+interface Choice { words: string; change: () => void; chosen?: boolean; wanted?: boolean /* that this is chosen yet */ }
 /** A box: what it is called, what it holds now, an example, and what is done with what is written; throws the sentence why not. */
 interface Entry { name: string; value: string; example: string; wanted: boolean; yours: boolean; take: (words: string) => void }
 
@@ -53,6 +53,7 @@ export class CardView {
     const select = el("select", { class: `pick${yours ? " yours" : ""}`, "aria-label": name, change: () => choices[select.selectedIndex]?.change() }, ...choices.map((c) => el("option", {}, c.words)));
     select.selectedIndex = Math.max(0, choices.findIndex((c) => c.chosen));
     select.title = choices[select.selectedIndex]?.words ?? "";
+    if (choices[select.selectedIndex]?.wanted) select.classList.add("wanted");
     list.append(el("dt", {}, name), el("dd", {}, select));
   }
 
@@ -128,8 +129,6 @@ export class CardView {
     }
     if (!stage?.unit || settings.read["displacement-unit"] !== undefined) reading("stage unit", "displacement-unit", "mm", "a length");
     if (!settings.calibration && (!force?.unit || settings.read["force-unit"] !== undefined)) reading("force unit", "force-unit", "N", "a force");
-    if (settings.calibration !== undefined || !read || (!settings.read["force-unit"] && /V/.test(force?.unit ?? "V")))
-      all.push({ name: "volts", example: "222 N/V", wanted: false, yours: settings.calibration !== undefined, value: settings.calibration ?? "", take: (words) => this.decide({ calibration: words === "" ? undefined : words }, true) });
     const { test: stated } = read ?? { test: { span: null, diameter: null, width: null, thickness: null } };
     const section = settings.section ?? (stated.width && !settings.diameter ? "rectangle" : "round");
     all.push({ line: ["section", (["round", "tube", "rectangle"] as const).map((each) => ({ words: each, change: () => this.decide({ section: each }), chosen: each === section })), settings.section !== undefined] });
@@ -148,6 +147,9 @@ export class CardView {
       { words: "edges", change: () => this.decide({ supports: "edges", tipRadius: undefined }), chosen: supports === "edges" }, { words: "rollers", change: () => this.decide({ supports: "rollers" }), chosen: supports === "rollers" },
     ], settings.supports !== undefined && !test.taken.has("supports")] });
     if (supports === "rollers") quantity("radius", "tipRadius", "a length", "length", "5 mm", null, true);
+    // Last, so that no box moves as it comes or goes.
+    if (settings.calibration !== undefined || !read || (!settings.read["force-unit"] && /V/.test(force?.unit ?? "V")))
+      all.push({ name: "volts", example: "222 N/V", wanted: false, yours: settings.calibration !== undefined, value: settings.calibration ?? "", take: (words) => this.decide({ calibration: words === "" ? undefined : words }, true) });
     return all;
   }
 
@@ -179,7 +181,7 @@ export class CardView {
         const of = read.columns.filter((c) => roles.includes(c.role)), at = of.find((c) => c.role === flag) ?? of[0], open = flag === "crosshead" && !settings.read.crosshead && of.filter((c) => c.role === flag).length > 1;
         const words = (c: ReadColumn): string => `${c.name || `column ${c.number}`}${c.unit ? `, in ${c.unit}` : ""}`, told = settings.read[flag] !== undefined;
         lines.push([title, [
-          { words: open ? `one of ${of.length}: choose` : at ? words(at) : "not found: choose", change: nothing, chosen: true },
+          { words: open ? `one of ${of.length}: choose` : at ? words(at) : "not found: choose", change: nothing, chosen: true, wanted: open || !at },
           ...read.columns.filter((c) => open || c !== at).map((c) => ({ words: words(c), change: again(flag, String(c.number)) })),
           ...(told ? [{ words: "as found", change: again(flag, undefined) }] : []),
         ], told]);
@@ -191,7 +193,7 @@ export class CardView {
         this.decide({ displacement, ...(chosen ? { read: { ...rest, [displacement]: chosen } } : {}) }, chosen !== undefined);
       };
       lines.push(["moves", [
-        ...(moves ? [] : [{ words: "not said: choose", change: nothing, chosen: true }]),
+        ...(moves ? [] : [{ words: "not said: choose", change: nothing, chosen: true, wanted: true }]),
         { words: "crosshead, less F/k", change: move("crosshead"), chosen: moves === "crosshead" },
         { words: "deflection", change: move("deflection"), chosen: moves === "deflection" },
       ], settings.displacement !== undefined && !test.taken.has("displacement")]);

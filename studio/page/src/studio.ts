@@ -139,9 +139,20 @@ export class Studio {
       if (!test.isCase && (test.refusal || missingOf(test).length)) short.push(test);
       else fits.push(this.runFit(test));
     }
-    if (short.length) this.report(askedOf(short));
+    if (short.length) this.ask(short);
     this.tell("fitting");
     await Promise.all(fits);
+  }
+  private asked: { of: readonly Test[]; words: string } = { of: [], words: "" };
+  /** Says what these files must still be told; where that is nothing, the line goes. */
+  private ask(tests: readonly Test[]): void {
+    const of = tests.filter((test) => !test.fit && !this.removed.has(test) && (test.refusal !== "" || missingOf(test).length > 0));
+    this.asked = { of, words: of.length ? askedOf(of) : "" };
+    this.report(this.asked.words);
+  }
+  /** Whether the line says what files must be told. */
+  private get isAsking(): boolean {
+    return this.asked.of.length > 0 && this.error === this.asked.words;
   }
   select(test: Test | null): void {
     this.test = test;
@@ -267,6 +278,7 @@ export class Studio {
       test.taken.delete(unit);
       this.pass(test, unit, read![unit], (other) => (sameColumns(test, other) ? other.settings.read : null));
     }
+    if (this.isAsking) this.ask(this.asked.of);
     this.tell("tests", "card", "rows", "fitting", "parameters");
   }
   /** Hands on what this file was told to those that have nothing there, or what they have from it. */
@@ -287,7 +299,8 @@ export class Studio {
     const tests = this.tests.filter((test) => test.isReadOtherwise);
     for (const test of tests) await test.open(this.reader);
     if (!tests.length) return;
-    this.report(this.test?.refusal ? inPageWords(this.test.refusal, this.test) : "");
+    if (this.isAsking) this.ask(this.asked.of);
+    else this.report(this.test?.refusal ? inPageWords(this.test.refusal, this.test) : "");
     this.tell("tests", "card", "answer", "rows", "view", "model");
   }
   /** Settings were changed since the last fit. */
@@ -312,7 +325,7 @@ export class Studio {
   async fitAll(): Promise<void> {
     const tests = this.tests.filter((test) => isStale(test)), short = tests.filter((test) => !test.isCase && (test.refusal ? !test.read : missingOf(test).length > 0));
     const fits = tests.filter((test) => !short.includes(test)).map((test) => this.runFit(test));
-    if (short.length) this.report(askedOf(short));
+    if (short.length) this.ask(short);
     await Promise.all(fits);
   }
   isBusy(test: Test | null): boolean {
@@ -511,5 +524,5 @@ function askedOf(tests: readonly Test[]): string {
   if (unread) return inPageWords(unread.refusal, unread);
   const missing = [...new Set(tests.flatMap(missingOf))], it = missing.length === 1 ? "it" : "them";
   return tests.length === 1 ? `${first.data} does not say ${list(missing)}. Enter ${it} under “How ${first.data} was read”, then press Fit.`
-    : `${tests.length} files do not say ${list(missing)}. Enter ${it} at the left, once for all of them, then press Fit all.`;
+    : `${tests.length} files do not say ${list(missing)}. Enter ${it} in the boxes of one of them, once for all, then press Fit all.`;
 }
