@@ -56,8 +56,8 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
     found.length_w = length_w + length_q * found.q_w;
     // At rest the least deflections have no friction that could be told.
     if (!std::isfinite(step)) break;
-    constexpr double last =
-        1e-8;  // the square of which is rounding: what is left of the way to the state is its tangent
+    // The square of the last step is rounding: what is left of the way to the state is its tangent.
+    constexpr double last = 1e-8;
     if (std::abs(step) <= last * (1 + std::abs(q))) {
       found.at.move_by(step);
       break;

@@ -35,7 +35,7 @@ struct JointPart {
   static constexpr std::size_t normal = 3;  // of the first so many it tells a covariance, too
 
   double weight;
-  std::array<double, count> value;
+  std::array<double, count> value;  // [1], [1/L], ln of four, [1], [L], [rad]
   std::array<std::array<double, normal>, normal> covariance{};
 };
 
