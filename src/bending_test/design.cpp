@@ -145,6 +145,29 @@ Rest rest_at(const Rig& rig, double S, double q) {
           rig.fibre.length_between_contacts(state), 1 - rolled * (slopes.theta0_S + slopes.theta0_q * q_slope)};
 }
 
+// The greatest force of a loading: where polynomials have their tops, states are computed, but only of those tops that may be the highest.
+class GreatestForce {
+ public:
+  void see(double F) { most_ = std::max(most_, F); }
+  void see_top(double F, double S) {
+    constexpr double error = 1e-6;  // of the polynomial, at most
+    if (!(F > (1 - error) * most_top_)) return;
+    if (F > (1 + error) * most_top_) S_of_tops_.clear();
+    most_top_ = std::max(most_top_, F);
+    S_of_tops_.push_back(S);
+  }
+  template <class ForceAt>
+  double value(const ForceAt& force_at) const {
+    double most = most_;
+    for (const double S : S_of_tops_) most = std::max(most, force_at(S));
+    return most;
+  }
+
+ private:
+  double most_ = 0, most_top_ = 0;
+  std::vector<double> S_of_tops_;
+};
+
 // Walks along the curve of a loading, from one stable part to the next.
 class Loading {
  public:
@@ -160,6 +183,7 @@ class Loading {
     outcome_.drops = drops_.count();
     outcome_.largest_drop = drops_.largest();
     outcome_.mean_drop = drops_.mean();
+    outcome_.greatest_force = greatest_.value([&](double S) { return fibre().state(S, curve_.friction.at(S).mu).F; });
     return outcome_;
   }
 
@@ -214,7 +238,7 @@ class Loading {
     breaks_ = sees(fibre().bent(here.w, here.q).state);
     outcome_.stage_reached = here.stage;
     outcome_.w_reached = here.w;
-    see(here.F);
+    greatest_.see(here.F);
     if (readings_) next_ = readings_->first_beyond(here.stage);
     drops_.read(here.F);
     return !breaks_ && here.stage < design_.travel && begin.stage < design_.travel;
@@ -266,7 +290,7 @@ class Loading {
     outcome_.friction_heat += outcome_.work - work_before - (reached.U - rest_from.state.U);
     outcome_.stage_reached = is_held ? to.stage : reached.w + reached.F / design_.rig.stiffness;
     outcome_.w_reached = reached.w;
-    see(reached.F);
+    greatest_.see(reached.F);
     return is_held;
   }
 
@@ -281,9 +305,9 @@ class Loading {
       return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
     if (!piece.exists()) return false;
     const auto turns = piece.turns();
-    see(piece.force_from());  // friction may have a corner there
-    see(piece.force_to());
-    for (const auto& turn : turns) see(turn.F);
+    greatest_.see(piece.force_from());  // friction may have a corner there
+    greatest_.see(piece.force_to());
+    for (const auto& turn : turns) greatest_.see_top(turn.F, fibre().length_at(turn.way));
     if (readings_)
       read_in_steps(piece, turns);
     else
@@ -315,8 +339,6 @@ class Loading {
     }
     read(last);
   }
-
-  void see(double F) { outcome_.greatest_force = std::max(outcome_.greatest_force, F); }
 
   // ∫ μ Pn dS of a snap. At a fixed stage position the force at the supports is a smooth function of the length, whatever the
   // friction, and so is where it touches: cubics between lengths that are near one another for the elastica. None if the fibre is not held all the way.
@@ -379,6 +401,7 @@ class Loading {
   SlidingCurve curve_;
   DesignOutcome outcome_{};
   ForceFalls drops_;
+  GreatestForce greatest_;
   double next_ = 0;     // reading
   double slid_to_ = 1;  // [L]
   bool breaks_ = false;

@@ -252,16 +252,12 @@ struct SlopeOf {
 }  // namespace
 
 SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to)
-    : compliance_(1 / rig.stiffness) {
+    : from_(rig.fibre.way(S_from)), to_(rig.fibre.way(S_to)), compliance_(1 / rig.stiffness) {
   if (!(S_from >= 1 && S_to > S_from))
     throw std::invalid_argument("no piece leads from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
-  const double low = rig.fibre.way(S_from);
-  const double high = rig.fibre.way(S_to);
   Values S{};
-  for (std::size_t j = 0; j <= degree; ++j) {
-    const double sigma = 0.5 * (low + high) + 0.5 * (high - low) * Polynomial::node(j);
-    S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(sigma);
-  }
+  for (std::size_t j = 0; j <= degree; ++j)
+    S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(way_at(Polynomial::node(j)));
   const auto states = rig.fibre.tabulated_states(FibrePoints(S, friction.at(S).mu));
   double most = 0;
   for (std::size_t j = 0; j <= degree; ++j) {
@@ -301,7 +297,7 @@ std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {
   std::vector<Turn> turns;
   turns.reserve(zeros.size());
   for (const double x : zeros)
-    turns.push_back({std::clamp(series_at(stage_, x), stage_from(), stage_to()), series_at(F_, x)});
+    turns.push_back({way_at(x), std::clamp(series_at(stage_, x), stage_from(), stage_to()), series_at(F_, x)});
   return turns;
 }
 

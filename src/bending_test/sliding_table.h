@@ -135,6 +135,7 @@ class SlidingPiece {
 
   // Where the force turns from rising to falling or back, in the order of the way.
   struct Turn {
+    double way;    // [√L] Fibre::way
     double stage;  // [L]
     double F;      // [EI/L^2]
   };
@@ -144,8 +145,11 @@ class SlidingPiece {
   using Values = std::array<double, degree + 1>;
 
  private:
+  double way_at(double x) const { return 0.5 * (from_ + to_) + 0.5 * (to_ - from_) * x; }
+
   Values stage_at_{}, F_at_{};  // at the nodes
   Values stage_, F_;            // Chebyshev coefficients
+  double from_, to_;            // [√L] Fibre::way
   double compliance_;           // [L^3/EI]
   double error_ = 0;
   bool exists_ = true;

@@ -86,7 +86,7 @@ struct ShapePoint {
 
 // The deformed shape at the arc length s from the left support, as a fraction of S.
 // Domain:     state.status ok, 0 <= s <= 1; std::invalid_argument otherwise.
-// Max error:  8 ulp of w in y, of S in x, of theta0 in theta.
+// Max error:  16 ulp of w in y, 20 of S in x, 8 of theta0 in theta; at midspan 12.8 and 15.4 were the worst of 10^7 states, 0 in theta.
 ShapePoint fibre_shape(const FibreState& state, double s);
 
 }  // namespace flexslip

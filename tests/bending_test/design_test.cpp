@@ -273,6 +273,19 @@ TEST_CASE("design, limit: no rig stiffer than the critical one of a loading snap
   }));
 }
 
+TEST_CASE(
+    "design, oracle: the greatest force is that of a state, where the polynomial of its tooth is off by more than "
+    "1e-7") {
+  const Friction friction = Friction::sinusoid(1.15744, 0.378589, 0.0350599, 3.0662);
+  const auto outcome = outcome_of({friction, {185.1}, 0.5, 0});
+  double most = 0;
+  for (int i = 0; i <= 100'000; ++i) {
+    const double S = 1.2 + 0.05 * i / 100'000;
+    most = std::max(most, fibre_state(S, friction.at(S).mu).F);
+  }
+  CHECK(outcome.greatest_force == to(1e-9, most));
+}
+
 TEST_CASE("design, limit: the greatest force may stand at a corner of the friction") {
   const Friction ramp = Friction::table({{1.1, 1.3}, {0.2, 1.0}});
   const auto outcome = outcome_of({ramp, {1000}, 0.9, 0});
