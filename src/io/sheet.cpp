@@ -10,6 +10,7 @@
 
 #include "io/input_error.h"
 #include "io/text.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -126,6 +127,7 @@ Sheet::Sheet(std::string text, char separator, std::size_t most) : text_(std::mo
 }
 
 void Sheet::cut(std::string_view line, bool may_be_quoted, std::size_t most) {
+  effort_spent += 1;
   const auto at = static_cast<std::uint32_t>(line.data() - text_.data());
   const std::size_t first = begins_.size();
   const auto add = [&](std::size_t begin, std::size_t /*end*/) {
@@ -200,6 +202,7 @@ std::size_t Sheet::stray_quote(std::size_t line) const {
 }
 
 std::string_view Sheet::raw(std::size_t cell) const {
+  effort_spent += 1;
   const char* begin = text_.data() + begins_[cell];
   const char* end = text_.data() + begin_of(cell + 1) - 1;
   while (begin < end && (*begin == ' ' || *begin == '\t')) ++begin;
