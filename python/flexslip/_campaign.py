@@ -2,7 +2,6 @@
 from __future__ import annotations
 
 import contextlib
-import hashlib
 import os
 import re
 import tempfile
@@ -109,12 +108,14 @@ class Campaign(CampaignFields):
         return f"{answer}\n{first.name}: {_cause(first)}" + (f" (alike in {alike} tests)" if alike > 1 else "")
 
     def __repr__(self) -> str:
-        return self.message
+        return "\n".join([self.message, *self.notes])
 
     def _repr_html_(self) -> str:
         import html
 
-        return "".join(f"<p><b>{html.escape(line)}</b></p>" for line in self.message.split("\n")) + self.table._repr_html_()
+        answer = [f"<p><b>{html.escape(line)}</b></p>" for line in self.message.split("\n")]
+        notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
+        return "".join(answer + notes) + self.table._repr_html_()
 
 
 def _cause(failure: Any) -> str:
@@ -174,24 +175,6 @@ def _names_of_rows(frame: Any) -> list[str]:
     return [f"row {name!r}" for name in names]
 
 
-def _refuse_repeated(frame: Any) -> None:
-    """Refuses rows with the readings and keys of another: the program counts such a specimen once, and would leave them out."""
-    first: dict[tuple[str, ...], str] = {}
-    repeated: dict[str, list[str]] = {}
-    titles = [title for title in frame.columns if title != "name"]
-    for row, cells in zip(_names_of_rows(frame), frame[titles].itertuples(index=False, name=None)):
-        said = dict(zip(titles, map(str, cells)))
-        if os.path.isfile(said.get("file", "")):
-            with open(said["file"], "rb") as file:
-                said["file"] = hashlib.sha256(file.read()).hexdigest()
-        before = first.setdefault(tuple(said.values()), row)
-        if before is not row:
-            repeated.setdefault(before, []).append(row)
-    for before, rows in repeated.items():
-        raise wrong("DataFrame", "each specimen once", f"the readings and keys of {before} again in {', '.join(rows)}",
-                    "drop what repeats it, or let a column say in what they differ")
-
-
 @contextlib.contextmanager
 def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     """The tests of a frame as a file, in the folder of its report, where a later call finds it again, or in one that goes; and what tells of that file in
@@ -201,7 +184,6 @@ def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Calla
     if "file" in frame.columns:
         files = [os.fsdecode(file) if isinstance(file, (str, os.PathLike)) else row for row, file in zip(rows, frame["file"])]
         frame["file"] = [os.path.abspath(os.fsdecode(file)) if isinstance(file, (str, os.PathLike)) else file for file in frame["file"]]
-    _refuse_repeated(frame)
     with tempfile.TemporaryDirectory() as folder:
         if report is not None:
             os.makedirs(report, exist_ok=True)
@@ -255,12 +237,12 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     Returns
     -------
     Campaign
-        A test that gives no answer is listed under `failures`, with its reason.
+        A test that gives no answer is listed under `failures`, with its reason; what was left out or counts once under `notes`.
 
     Raises
     ------
     InputError
-        For a folder without tests, a table with a column that is no key, a common case that cannot be read; for rows of a frame that repeat another.
+        For a folder without tests, a table with a column that is no key, a common case that cannot be read.
     KeyboardInterrupt
         For Ctrl-C. With `report`, the same call goes on from there.
 

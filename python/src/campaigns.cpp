@@ -37,7 +37,7 @@ struct Options {
 std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::string>& common,
                               const std::vector<std::string>& changes, const Options& asked) {
   return interruptible([&](const std::atomic<bool>& stop) -> std::shared_ptr<Campaign> {
-    const auto plan = plan_campaign(path, common, changes).tests;
+    const CampaignPlan plan = plan_campaign(path, common, changes);
     AnalysisChoice choice{.model = asked.model};
     choice.options.drops.false_alarms_per_test = asked.false_alarms;
     choice.options.suspect_limit = asked.suspect_limit;

@@ -299,6 +299,7 @@ Fields<Campaign> all_fields() {
       .list("failures", "tests without a fit: without an answer, or bent too little to tell friction", failure_fields(),
             failures_of)
       .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
+      .words("notes", "files left out, records that several tests have, sections that are not stated", &Campaign::notes)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }
 

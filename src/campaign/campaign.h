@@ -79,6 +79,7 @@ struct Campaign {
   CracksTogether cracks{};
   double shared_error = 0;  // [1] of mean friction, from the rig that tests share
   std::vector<SharedParameter> shared;
+  std::vector<std::string> notes;  // of its plan: what was left out or counts once
 };
 
 // Parameters that the tests of a campaign share: one value from what all their records say.

@@ -369,7 +369,7 @@ struct KeptRecord {
   const PlannedTest* test;
   const RecordInput* record;
   std::uintmax_t size;
-  std::string hash{};
+  std::string hash{}, stated{};  // once they are asked for
 };
 
 const std::string& hash_of(KeptRecord& kept) {
@@ -377,10 +377,14 @@ const std::string& hash_of(KeptRecord& kept) {
   return kept.hash;
 }
 
-// All that a test states but where its record lies.
-std::string stated_in(Test test) {
-  test.record->file = "same";
-  return to_toml(std::move(test));
+// All that its test states but where the record lies.
+const std::string& stated_of(KeptRecord& kept) {
+  if (kept.stated.empty()) {
+    Test test = std::get<Test>(kept.test->input);
+    test.record->file = "same";
+    kept.stated = to_toml(std::move(test));
+  }
+  return kept.stated;
 }
 
 // Tests whose records are the same: of one file, or of files with the same bytes. They are one specimen, and one test where all else is the same, too.
@@ -395,21 +399,24 @@ void count_same_records_once(CampaignPlan& plan) {
     std::error_code error;
     KeptRecord kept{&test, &*input->record, fs::file_size(input->record->file, error)};
     if (error) continue;
-    const auto same = std::find_if(all.begin(), all.end(), [&](KeptRecord& other) {
+    const auto is_of_kept = [&](KeptRecord& other) {
       return other.size == kept.size && is_same_part(*other.record, *kept.record) && hash_of(other) == hash_of(kept);
-    });
-    if (same == all.end()) {
-      all.push_back(std::move(kept));
-    } else if (stated_in(*input) == stated_in(std::get<Test>(same->test->input))) {
+    };
+    const auto same = std::find_if(all.begin(), all.end(), is_of_kept);
+    const auto again = std::find_if(
+        same, all.end(), [&](KeptRecord& other) { return is_of_kept(other) && stated_of(other) == stated_of(kept); });
+    if (again != all.end()) {
       plan.notes.push_back(fmt::format("{} is left out, as it has the record of {}, to the byte", in_quotes(test.name),
-                                       in_quotes(same->test->name)));
+                                       in_quotes(again->test->name)));
       tests.pop_back();
-    } else {
+      continue;
+    }
+    if (same != all.end())
       plan.notes.push_back(
           fmt::format("{} has the record of {}, to the byte, and counts as another specimen, as its "
                       "case states something else",
                       in_quotes(test.name), in_quotes(same->test->name)));
-    }
+    all.push_back(std::move(kept));
   }
   plan.tests = std::move(tests);
 }

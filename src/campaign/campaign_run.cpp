@@ -335,8 +335,10 @@ class Runner {
 
 }  // namespace
 
-CampaignRun run_campaign(const std::vector<PlannedTest>& plan, const CampaignOptions& options) {
-  return Runner(plan, options).run();
+CampaignRun run_campaign(const CampaignPlan& plan, const CampaignOptions& options) {
+  CampaignRun run = Runner(plan.tests, options).run();
+  run.campaign.notes = plan.notes;
+  return run;
 }
 
 }  // namespace flexslip

@@ -70,6 +70,6 @@ struct CampaignRun {
 
 // Domain:     threads >= 1.
 // Fails:      stopped; InputError if a folder or a file of it cannot be written. A test that fails is listed with its reason.
-CampaignRun run_campaign(const std::vector<PlannedTest>& plan, const CampaignOptions& options);
+CampaignRun run_campaign(const CampaignPlan& plan, const CampaignOptions& options);
 
 }  // namespace flexslip

@@ -41,8 +41,7 @@ CampaignOptions options_of(const CampaignRequest& request) {
 }
 
 void run_campaign_command(const CampaignRequest& request) {
-  const CampaignPlan planned = plan_campaign(request.path, request.common, request.changes);
-  const std::vector<PlannedTest>& plan = planned.tests;
+  const CampaignPlan plan = plan_campaign(request.path, request.common, request.changes);
   const CampaignOptions options = options_of(request);
   const auto run = [&] {
     const WhileInterruptible guard;
@@ -52,12 +51,12 @@ void run_campaign_command(const CampaignRequest& request) {
     return computed;
   }();
   if (run.status == CampaignStatus::stopped)
-    throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.size(),
+    throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.tests.size(),
                                   request.report.empty() ? "; with --report FOLDER they would be kept"
                                                          : "; the same command continues from there"));
-  for (const std::string& remark : planned.notes) note(request.output, remark);
+  for (const std::string& remark : run.campaign.notes) note(request.output, remark);
   if (run.found > 0)
-    note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.size()));
+    note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.tests.size()));
   if (!request.report.empty())
     note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
   write_words(
@@ -72,7 +71,7 @@ void run_campaign_command(const CampaignRequest& request) {
                         shared.name, shared.tests, needed_for(parameter)));
   if (without_answer > 0)
     throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
-                                        without_answer, plan.size()));
+                                        without_answer, plan.tests.size()));
 }
 
 }  // namespace

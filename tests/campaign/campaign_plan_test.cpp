@@ -88,13 +88,16 @@ TEST_CASE("table: the same record under another case is a test of its own, and s
   folder.file("a.csv", "w [mm],F [N]\n0,0\n1,2\n2,4\n");
   const auto table = folder.file("tests.csv",
                                  "name,file,span,stiffness [N/m],stage,force\none,a.csv,1 mm,90,w [mm],F [N]\n"
-                                 "two,a.csv,1 mm,90,w [mm],F [N]\nthree,a.csv,1 mm,80,w [mm],F [N]\n");
+                                 "two,a.csv,1 mm,90,w [mm],F [N]\nthree,a.csv,1 mm,80,w [mm],F [N]\n"
+                                 "four,a.csv,1 mm,80,w [mm],F [N]\n");
   const CampaignPlan plan = plan_campaign(table, std::nullopt);
   REQUIRE(plan.tests.size() == 2);
+  REQUIRE(plan.notes.size() == 4);
   CHECK(plan.tests[1].name == "three");
   CHECK(has(plan.notes[0], "'two' is left out"));
   CHECK(has(plan.notes[1], "'three' has the record of 'one'"));
   CHECK(has(plan.notes[1], "counts as another specimen"));
+  CHECK(has(plan.notes[2], "'four' is left out, as it has the record of 'three'"));
 }
 
 TEST_CASE("table: units in titles of a table as in those of a record") {

@@ -56,7 +56,7 @@ std::string text_of(const Campaign& campaign) {
 TEST_CASE("identity: one thread or several, kept in a folder or not, the answers are the same bytes") {
   const TemporaryFolder folder;
   write_campaign(folder);
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
   const auto alone = run_campaign(plan, options(1));
   REQUIRE(alone.status == CampaignStatus::ok);
   REQUIRE(alone.campaign.tests.size() == tests);
@@ -73,7 +73,7 @@ TEST_CASE("identity: one thread or several, kept in a folder or not, the answers
 TEST_CASE("identity: a test that fails is listed with its reason, and the others are as without it") {
   const TemporaryFolder folder;
   write_campaign(folder);
-  const auto campaign = run_campaign(plan_campaign(folder.path().string(), std::nullopt).tests, options(2)).campaign;
+  const auto campaign = run_campaign(plan_campaign(folder.path().string(), std::nullopt), options(2)).campaign;
   const auto& broken = campaign.tests.back();
   CHECK(broken.name == "broken");
   CHECK(broken.status == "failed");
@@ -87,7 +87,7 @@ TEST_CASE(
     "was") {
   const TemporaryFolder folder;
   write_campaign(folder);
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
   const std::string text = text_of(run_campaign(plan, options(1)).campaign);
 
   auto stopping = options(1, (folder.path() / "kept").string());
@@ -110,7 +110,7 @@ TEST_CASE(
 TEST_CASE("identity: another setting, or another byte in a data file, is computed anew") {
   const TemporaryFolder folder;
   write_campaign(folder);
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
   auto kept = options(2, (folder.path() / "kept").string());
   run_campaign(plan, kept);
   kept.analysis = [quick = kept.analysis](const Test& input) {
@@ -128,7 +128,7 @@ TEST_CASE("identity: another setting, or another byte in a data file, is compute
 TEST_CASE("identity: what a test presents is there before the test counts as done, and a failure to write ends all") {
   const TemporaryFolder folder;
   write_campaign(folder);
-  const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
+  const auto plan = plan_campaign(folder.path().string(), std::nullopt);
   auto presenting = options(2, (folder.path() / "kept").string());
   presenting.present = [](const FittedTest& test, const std::string& into) {
     std::ofstream(into + "/name.txt") << test.name;

@@ -92,7 +92,7 @@ inline Campaign campaign_of(std::vector<CampaignTest> tests) {
   std::vector<TestSummary> summaries;
   for (const auto& test : tests)
     if (test.summary) summaries.push_back(*test.summary);
-  return {.tests = std::move(tests), .categories = summarise(summaries), .shared = {}};
+  return {.tests = std::move(tests), .categories = summarise(summaries), .shared = {}, .notes = {}};
 }
 
 inline Campaign no_tests() { return campaign_of({}); }
