@@ -74,10 +74,9 @@ void add_fits(py::module_& module) {
       .def("why_no_answer", why_no_answer)
       .def("screen", [](Fitted test) { return fit_screen(test.name, answer_of(test)); })
       .def("text", fit_text)
-      .def(
-          "write_report",
-          [](Fitted test, const std::string& folder) { return write_report(folder, test) == DrawStatus::drawn; },
-          py::call_guard<py::gil_scoped_release>());
+      .def("write_report", [](Fitted test, const std::string& folder) {
+        return interruptible([&](const std::atomic<bool>&) { return write_report(folder, test) == DrawStatus::drawn; });
+      });
   module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
              py::arg("check_stability"), py::arg("surface"));
   module.attr("model_names") = model_names();

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "data/no_readings.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
@@ -76,6 +77,7 @@ std::vector<StepSlope> step_slopes(const Record& record) {
 // The g that minimises Σ weight |slope - g|, a weighted median, of a window whose slopes are straightened by a bend [N/m per step] first: without that,
 // the median of a curve that bends by more than its noise is the middle step itself, noise and all.
 double middle_slope(std::span<const StepSlope> window, double bend) {
+  effort_spent += 1;
   std::array<double, 2 * half_window + 1> slopes{}, below{};  // the weight of lesser slopes
   const std::size_t n = window.size();
   const double middle = 0.5 * static_cast<double>(n - 1);

@@ -6,9 +6,13 @@
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "numerics/effort.h"
 
 namespace flexslip {
 namespace {
@@ -33,15 +37,46 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
-std::string read_all(int pipe) {
-  std::string text;
-  std::array<char, 4096> piece{};
-  for (;;) {
-    const ssize_t got = read(pipe, piece.data(), piece.size());
-    if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
-    if (got == 0 || (got < 0 && errno != EINTR)) return text;
+// A child and what it writes. It does not outlive this.
+class Child {
+ public:
+  Child(pid_t id, int pipe) : id_(id), pipe_(pipe) {}
+  ~Child() {
+    close(pipe_);
+    if (ended_) return;
+    kill(id_, SIGKILL);
+    while (waitpid(id_, nullptr, 0) < 0 && errno == EINTR) {
+    }
   }
-}
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  std::string output() {
+    constexpr int heard_every = 20;  // [ms]
+    std::string text;
+    std::array<char, 4096> piece{};
+    for (pollfd ready{pipe_, POLLIN, 0};;) {
+      effort_spent += 1;  // whoever waits may be stopped
+      if (poll(&ready, 1, heard_every) <= 0) continue;
+      const ssize_t got = read(pipe_, piece.data(), piece.size());
+      if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
+      if (got == 0 || (got < 0 && errno != EINTR)) return text;
+    }
+  }
+
+  int exit_code() {
+    int status = 0;
+    while (waitpid(id_, &status, 0) < 0)
+      if (errno != EINTR) fail(errno);
+    ended_ = true;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+
+ private:
+  pid_t id_;
+  int pipe_;
+  bool ended_ = false;
+};
 
 }  // namespace
 
@@ -60,20 +95,17 @@ ChildResult run_child(const std::vector<std::string>& command, const std::string
   arguments.reserve(words.size() + 1);
   for (auto& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, arguments.front(), actions.get(), nullptr, arguments.data(), environ);
+  pid_t id = 0;
+  const int error = posix_spawnp(&id, arguments.front(), actions.get(), nullptr, arguments.data(), environ);
   close(writing);
   if (error != 0) {
     close(reading);
     if (error == ENOENT || error == EACCES) return {ChildStatus::not_found, 0, ""};
     fail(error);
   }
-  std::string output = read_all(reading);
-  close(reading);
-  int ended = 0;
-  while (waitpid(child, &ended, 0) < 0)
-    if (errno != EINTR) fail(errno);
-  return {ChildStatus::exited, WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended), std::move(output)};
+  Child child(id, reading);
+  std::string output = child.output();
+  return {ChildStatus::exited, child.exit_code(), std::move(output)};
 }
 
 }  // namespace flexslip

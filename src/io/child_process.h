@@ -19,7 +19,7 @@ struct ChildResult {
 
 // Runs a program found on PATH in a folder and waits for it. Its standard input is empty.
 // Domain:     at least the name of the program.
-// Fails:      not_found; std::runtime_error if the system cannot start processes.
+// Fails:      not_found; std::runtime_error if the system cannot start processes; Stopped (effort.h), the child being ended then.
 ChildResult run_child(const std::vector<std::string>& command, const std::string& folder);
 
 }  // namespace flexslip

@@ -1,10 +1,17 @@
 #include "io/child_process.h"
 
+#include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <doctest/doctest.h>
+#include <signal.h>
+
+#include "numerics/effort.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 
@@ -28,6 +35,21 @@ TEST_CASE("outside: more output than a pipe holds does not hang") {
 
 TEST_CASE("outside: a signal counts as shells count it") {
   CHECK(run_child({"sh", "-c", "kill -TERM $$"}, "/").exit_code == 128 + 15);
+}
+
+TEST_CASE("outside: a child is ended with the wait for it") {
+  const TemporaryFolder folder;
+  std::atomic<bool> stop = false;
+  pid_t id = 0;
+  std::thread stopper([&] {
+    while (!(std::ifstream(folder.path() / "id") >> id)) std::this_thread::yield();
+    stop = true;
+  });
+  const Stoppable stoppable(&stop);
+  CHECK_THROWS_AS(run_child({"sh", "-c", "echo $$ > written; mv written id; exec sleep 60"}, folder.path().string()),
+                  Stopped);
+  stopper.join();
+  CHECK(kill(id, 0) != 0);  // there is no such process
 }
 
 TEST_CASE("limit: a program that is not there") {
