@@ -76,7 +76,10 @@ test("several files: what one is told of the rig the others are told; Fit all, t
   await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 4);
   assert.match(await tab.locator("#error").innerText(), /^3 files do not say the support span and the stiffness of the load train\. Enter them in the boxes of one of them, once for all, then press Fit all\./);
   await say(tab, RIG);
-  const at = (box) => tab.locator(`#card [aria-label="${box}"]`), show = (name) => tab.locator("#tests li").nth(1 + names.indexOf(name)).click();
+  const at = (box) => tab.locator(`#card [aria-label="${box}"]`), show = async (name) => {
+    await tab.locator("#tests li").nth(1 + names.indexOf(name)).click();
+    await painted(tab);
+  };
   await show("a.csv");
   assert.equal(await at("span").inputValue(), "1278 µm", "the rig is that of all");
   assert.equal(await at("diameter").inputValue(), "", "a specimen is that of its file");

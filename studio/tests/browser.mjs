@@ -34,7 +34,10 @@ export async function open({ width = 1280, height = 800, theme = "light", hash =
   tab.on("dialog", (dialog) => said.push(`dialog: ${dialog.message()}`) && dialog.dismiss());
   if (visited) await tab.addInitScript(() => { try { localStorage.setItem("flexslip-studio-visited", "yes"); } catch {} });
   await tab.goto(pathToFileURL(file).href + hash);
-  if (wait) await tab.waitForSelector("body[data-ready]");
+  if (wait) {
+    await tab.waitForSelector("body[data-ready]");
+    await painted(tab);  // its views are drawn once more at the size that they have with the answer
+  }
   return Object.assign(tab, { said, asked, end: () => context.close() });
 }
 

@@ -54,7 +54,7 @@ test("of a case with three faults each is said, by its line, and the file once",
 
 test("what a data file does not say is asked for by boxes: units, a radius; no key of a case, no flag", { skip }, async () => {
   const { sentence } = await pageWords("answers.ts"), { inPageWords } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
-  const rows = Array.from({ length: 40 }, (_, i) => `${i},${0.02 * i}`).join("\n"), file = { isCase: false, name: "run", data: "run.csv", main: "run.csv", plainName: "run.plain.csv" };
+  const rows = Array.from({ length: 40 }, (_, i) => `${i},${0.02 * i}`).join("\n"), file = { isCase: false, name: "run", data: "run.csv", main: "run.csv", plainName: "run.plain" };
   const askedBy = (titles, ...flags) => {
     writeFileSync(join(cwd, "run.csv"), `${titles}\n${rows}\n`);
     return inPageWords(sentence(spawnSync(program, ["fit", "run.csv", ...flags], { cwd, encoding: "utf8" }).stderr), file);

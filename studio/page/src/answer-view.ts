@@ -1,4 +1,4 @@
-// The answer above the views: what was seen, the verdict, five numbers, the checks; and the strip of the marked moment.
+// The answer above the views: the verdict, five numbers, the checks, what to do next; and the strip of the marked moment.
 
 import { answerOf, dropInWords, slipOf, tellsFriction, type CheckLine } from "./answer";
 import { byId, el, fill, rich, svg } from "./dom";
@@ -20,12 +20,14 @@ export function drawAnswer(studio: Studio): void {
       el("p", { class: "say" }, words));
     return;
   }
-  const answer = answerOf(fit.answer, fit.text);
+  const answer = answerOf(fit.answer, fit.text), passed = answer.checks.filter((c) => c.mark === "passed");
   fill(host, test?.refusal ? el("p", { class: "say" }, inPageWords(test.refusal, test), " Below stands the answer before that.") : null,
-    el("h1", {}, answer.verdict, " ", el("span", {}, withBoxes(answer.rest))),
+    el("h1", {}, answer.verdict, el("span", {}, answer.rest && `: ${withBoxes(answer.rest)}`)),
     el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
-    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, ...answer.checks.map((c) => el("li", { class: c.mark, tabindex: c.reason ? 0 : null }, glyph(c.mark), el("span", {}, rich(c.words)), c.reason ? el("div", { class: "reason" }, withBoxes(c.reason)) : null))),
-    el("p", { class: fit.answer.status === "ok" ? "lead" : "say", title: withBoxes(answer.next) || null }, answer.next ? withBoxes(`Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}`) : "", studio.changed ? " By the last fit, not by hand." : ""));
+    el("ul", { class: "checks", "aria-label": "Checks of the fit" }, 
+      ...answer.checks.filter((c) => c.mark !== "passed").map((c) => el("li", { class: c.mark, tabindex: 0 }, glyph(c.mark), el("span", {}, rich(c.words)), el("div", { class: "reason" }, withBoxes(c.reason)))),
+      passed.length ? el("li", { class: "passed", tabindex: 0 }, glyph("passed"), el("span", {}, `${passed.length} ${passed.length === 1 ? "check" : "checks"} passed`), el("ul", { class: "reason" }, ...passed.map((c) => el("li", {}, glyph("passed"), el("span", {}, withBoxes(c.reason)))))) : null),
+    el("p", { class: "lead" }, answer.next ? withBoxes(`Next: ${answer.next[0]!.toLowerCase()}${answer.next.slice(1)}`) : ""));
 }
 
 /** One line: the row, its numbers, and what can be said of the drop. */
@@ -46,7 +48,7 @@ export function drawMoment(studio: Studio): void {
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name, "narrow-keep"),
     cell("force", number(moment.force, force.factor, 2), 34, force.name), cell("*μ*", moment.used && told ? mu : "–", 78, ""),
     cell("drawn in, each side", number(moment.drawn / 2, length.factor), 34, length.name, "wider"),
-    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wide" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
+    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wider" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
 }
 
 /** For a screen reader, when the moment was moved by a key. */

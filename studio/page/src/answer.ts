@@ -29,9 +29,6 @@ export function estimate(value: number, error: number, unit: Unit, most = 4): [s
 /** Where the verdict tells no friction, nothing of it is shown: no share of the work, no spacing, no slips. */
 export const tellsFriction = (fit: FitAnswer): boolean => !["crack", "check_input", "no_answer"].includes(fit.verdict.code);
 
-/** What the program says under this label of its answer; null if it says nothing. */
-const saidOf = (fit: FitAnswer, label: string): string | null => fit.answer.find((each) => each.label === label)?.words ?? null;
-
 function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, read = fit.friction_read, { slips, energy } = fit;
   const I = text.secondMoment;
@@ -41,18 +38,19 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   if (!told) friction.condition = "none can be read off";
   else if (mu0?.bound) Object.assign(friction, { value: `≤ ${significant(mu0.interval95[1], 2)}`, rest: "(95 %)" });
   else if (mu0) [friction.value, friction.rest] = estimate(mu0.value, mu0.standard_error, { name: "", command: "", factor: 1 });
-  const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: fit.verdict.code === "undecided" ? "if the drops are slips" : fit.judgement?.stiffness_lost == null ? "if no stiffness was lost" : "" };
-  const ofWork = saidOf(fit, "work");
-  if (energy?.friction_share != null && ofWork) Object.assign(work, { value: `${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
-  else work.condition = "";
-  if (ofWork?.startsWith("at least ")) work.condition = `at least, ${work.condition}`.replace(/, $/, "");
+  const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: "" };
+  if (told && energy?.friction_share != null) {
+    const least = fit.findings.some((each) => each.code === "no_reload");
+    Object.assign(work, { value: `${least ? "≥ " : ""}${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
+    work.condition = fit.verdict.code === "undecided" ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
+  }
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
   if (slips?.median_spacing && told) {
     const u = unitFor(slips.median_spacing, "length");
     Object.assign(spacing, { value: significant(slips.median_spacing / u.factor, 2), rest: u.name });
   }
   const stiffness: KeyNumber = { label: "Bending stiffness *EI*", value: NOTHING, rest: "", condition: "" };
-  const modulus: KeyNumber = { label: "Modulus *E*", value: NOTHING, rest: "", condition: I === null ? "no section stated" : "" };
+  const modulus: KeyNumber = { label: "Fitted modulus *E*", value: NOTHING, rest: "", condition: I === null ? "no section stated" : "" };
   if (EI) {
     const u = unitFor(EI.value, "bending"), [value, error] = estimate(EI.value, EI.standard_error, u);
     Object.assign(stiffness, { value, rest: `${error} ${u.name}` });

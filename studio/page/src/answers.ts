@@ -17,8 +17,8 @@ export interface FitAnswer {
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   friction_read: { median: number | null; low80: number | null; high80: number | null } | null;
   residual_rms: number | null; wave: Wave | null;
-  judgement: { stiffness_lost: number | null; cracks_alone: number | null } | null;
-  verdict: { code: string; sentence: string }; answer: { label: string; words: string }[]; findings: Finding[]; next: string;
+  judgement: { cracks_alone: number | null } | null;
+  verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   energy: { work_of_fracture: number; friction_share: number | null } | null;
   sensitivities: Sensitivity[];

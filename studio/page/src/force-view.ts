@@ -5,7 +5,8 @@ import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomTransform } from "d3-zoo
 import { slipOf } from "./answer";
 import type { Drop } from "./answers";
 import { byId, el, fill, label, svg } from "./dom";
-import type { Curve } from "./model";
+import type { Loading } from "./engine";
+import { seenTo, type Curve } from "./model";
 import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, rangeIn, sized, sizeOf, type Frame, type Scale } from "./plot";
 import { fixed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
@@ -96,7 +97,7 @@ export class ForceView {
     const dx = t.rescaleX(sx).domain() as [number, number], dy = t.rescaleY(sy).domain() as [number, number];
     this.frame = { ...base, x: sx.domain(dx), y: sy.domain(dy) };
     const { x, y } = this.si();
-    const key = JSON.stringify([studio.axis, base.width, base.height, dx, dy, studio.bandReady && !studio.changed, farthest]);
+    const key = JSON.stringify([studio.axis, base.width, base.height, dx, dy, studio.bandReady, studio.changed, farthest]);
     if (this.still?.fit !== fit || this.still.key !== key || !this.moving.contains(this.model)) {
       this.still = { fit, key };
       byId("force-unit").textContent = `(${this.units.y.name})`;
@@ -125,12 +126,23 @@ export class ForceView {
     if (programmed) this.model.append(path(lineThrough(this.of(programmed), programmed.force, x, y), "var(--model)", 1.2, { "stroke-dasharray": "5 3" }));
     const ended = studio.loading;
     if (ended) {
-      this.model.append(path(lineThrough(this.of(ended), ended.force, x, y), "var(--model)", 1.6));
-      const end = ended.force.length - 1, ex = x(this.of(ended)[end] ?? 0);
-      const words = ended.status === "ok" || end < 0 ? "" : { slipped_through: "slips through the supports", contact_lost: "contact is lost", branch_ended: "no state beyond" }[ended.status];
+      this.model.append(...this.modelOf(fit, ended, x, y, 1.6));
+      const end = ended.force.length - 1, ex = x(this.of(ended)[end] ?? 0), unseen = ex - x(this.of(ended)[this.seenOf(fit, ended) - 1] ?? 0) > 40;
+      const words = end < 0 ? "" : ended.status === "ok" ? (unseen ? "beyond the friction seen" : "") : { slipped_through: "slips through the supports", contact_lost: "contact is lost", branch_ended: "no state beyond" }[ended.status];
       if (words) this.model.append(haloed(words, Math.min(ex + 4, base.width - MARGINS.right - 4), y(ended.force[end]!) - 6, ex > base.width - 220 ? "end" : "start", "var(--model)"));
     }
     this.mark();
+  }
+
+  /** Of how many states of the model the fit has seen the friction. */
+  private seenOf(fit: Fit, { drawn }: Loading): number {
+    const to = seenTo(fit), first = drawn.findIndex((each) => each > to);
+    return first < 0 ? drawn.length : first;
+  }
+  /** The model's curve, pale beyond. */
+  private modelOf(fit: Fit, loading: Loading, x: Scale, y: Scale, width: number): SVGElement[] {
+    const xs = this.of(loading), seen = this.seenOf(fit, loading), part = (from: number, to: number, more = {}): SVGElement => path(lineThrough(xs, loading.force, x, y, ...rangeIn(xs, x, from, to)), "var(--model)", width, more);
+    return [part(0, seen), part(Math.max(0, seen - 1), xs.length, { "stroke-opacity": 0.4 })];
   }
 
   /** Scales from SI to pixels. */
@@ -227,9 +239,9 @@ export class ForceView {
     const mark = (words: string, ...shapes: SVGElement[]): HTMLElement => el("span", {}, svg("svg", { width: 20, height: 12 }, ...shapes), words);
     const kinds = new Set(fit.answer.drops.map(slipOf));
     const drops: [("could" | "undecided" | "no"), string][] = [["could", "could be a slip"], ["undecided", "cannot tell"], ["no", "no slip does it"]];
-    const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `load line of a drop; ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
+    const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `drop: ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
     fill(byId("force-marks"), mark("data", dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3)), mark("model", path("M0 6h20", "var(--model)", 1.6)),
-      this.studio.bandReady && !this.studio.changed ? mark("draws", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
+      this.studio.changed ? el("span", {}, "by hand") : fit.friction.draws.length ? mark("draws", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
   }
 
   /** The marked moment alone, for the pointer. */
@@ -296,7 +308,7 @@ export class ForceView {
       inside.append(path(`M${ax} ${ay}L${lx(w0 + dw)} ${ly(f0 - reach)}`, dropColour(slip), 1.1, { "stroke-dasharray": "4 3" }), dropMark(slip, ax, ay - 8));
     }
     const { loading } = this.studio;
-    if (loading) inside.append(path(lineThrough(this.of(loading), loading.force, lx, ly, ...rangeIn(this.of(loading), lx)), "var(--model)", 1.5));
+    if (loading) inside.append(...this.modelOf(fit, loading, lx, ly, 1.5));
     inside.append(dotted(dots(xs, f, lx, ly, ...rangeIn(xs, lx)), "var(--data)", 3.4), svg("circle", { cx: lx(at), cy: ly(force), r: 5.5, fill: "none", stroke: "var(--moment)", "stroke-width": 2 }));
     this.marker.append(
       svg("defs", {}, clip), svg("rect", { x: left, y: top, width: w, height: h, fill: "var(--surface)", stroke: "var(--line2)" }), inside,

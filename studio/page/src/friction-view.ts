@@ -2,6 +2,7 @@
 
 import { tellsFriction } from "./answer";
 import { byId, el, fill, label, svg } from "./dom";
+import { seenTo } from "./model";
 import { area, axes, dots, dotted, frameOf, greatest, haloed, lineThrough, path, placeIn, sized, sizeOf, type Frame } from "./plot";
 import { signed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
@@ -65,7 +66,7 @@ export class FrictionView {
       const a = x((slip[0] - fit.fitted.L) / 2), b = x((slip[1] - fit.fitted.L) / 2);
       inside.append(svg("rect", { x: a, y: bottom - 6, width: Math.max(1.5, b - a), height: 5, fill: "var(--ok)" }));
     }
-    if (hand) inside.append(path(lineThrough(this.past(fit, hand.length), hand.mu, x, y), "var(--model)", 1.4));
+    if (hand) for (const [from, to, opacity] of [[0, seen, 1], [seen - 1, hand.length.length, 0.4]] as const) inside.append(path(lineThrough(this.past(fit, hand.length), hand.mu, x, y, from, to), "var(--model)", 1.4, { "stroke-opacity": opacity }));
     inside.append(dotted(dots(px, mu, x, y), "var(--data)", px.length > 600 ? 1.8 : 2.4));
     const side = svg("g"), mu0 = fit.answer.parameters.mu0;
     if (mu0 && !mu0.bound && told) {
@@ -83,8 +84,7 @@ export class FrictionView {
   private reach(): number {
     const { loading, fit, changed } = this.studio;
     if (!changed || !loading || !fit || !fit.friction.seen) return 1;
-    const seen = (fit.friction.length[fit.friction.seen - 1]! - fit.fitted.L) / 2;
-    return Math.max(1, Math.min(1.375, Math.ceil((8 * greatest(loading.drawn)) / 2 / seen - 0.4) / 8));
+    return Math.max(1, Math.min(1.375, Math.ceil((8 * greatest(loading.drawn)) / seenTo(fit) - 0.4) / 8));
   }
   private slips(fit: Fit): [number, number][] {
     return (fit.answer.slips?.slips ?? []).map((s) => [s.length_before, s.length_after]);

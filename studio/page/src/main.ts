@@ -45,14 +45,13 @@ async function start(): Promise<void> {
 
   // ---- views
   const has = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
-  let changed = false, analysed = false;
+  let analysed = false;
   studio.listen(ERROR_LINE, ["error"], () => drawError(studio));
   studio.listen("The list of tests", ["tests", "fitting"], () => drawTests(studio));
   studio.listen("The line at the top", ["tests", "card", "view"], () => drawHead(studio));
   studio.listen("How the file was read", ["tests", "card", "fitting"], () => card.draw());
-  studio.listen("The answer", ["answer", "tests", "model", "fitting", "card"], (topics) => {
-    if (has(topics, "answer", "tests") || studio.changed !== changed || !studio.fit) drawAnswer(studio);
-    changed = studio.changed;
+  studio.listen("The answer", ["answer", "tests", "fitting", "card"], (topics) => {
+    if (has(topics, "answer", "tests") || !studio.fit) drawAnswer(studio);
     if (studio.fit && !analysed) {
       analysed = true;
       requestAnimationFrame(() => performance.mark("analysed"));  // for the benchmark

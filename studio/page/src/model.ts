@@ -19,6 +19,9 @@ export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
   return { span: values.L, diameter: values.D, bendingStiffness: values.EI, stiffness: values.kc, tipRadius: values.R, friction: tableOf(fit, values, mu) };
 }
 
+/** How far the fibre was drawn in, over both supports [m], where the fit last saw its friction: beyond, friction is continued as in a mirror. */
+export const seenTo = (fit: Fit): number => (fit.friction.length[fit.friction.seen - 1] ?? 0) - fit.fitted.L;
+
 const LIVE_KNOTS = 280;  // of friction while a slider moves: a curve costs by the knots that it passes
 
 /** Every few of the knots, the last one among them. */
@@ -113,10 +116,10 @@ export function forceAt(loading: Curve, stage: Float64Array): Float64Array {
   return out;
 }
 
-/** Root mean square of data less model [N], over the rows that the model reaches. */
+/** Root mean square of data less model [N], over the rows that the model reaches and whose friction the fit has seen. */
 export function misfit(fit: Fit, loading: Curve): { rms: number; residual: Float64Array } {
-  const stage = fit.curves.column("w_s")!, force = fit.curves.column("F")!, model = forceAt(loading, stage);
-  const residual = force.map((f, i) => f - model[i]!);
+  const stage = fit.curves.column("w_s")!, force = fit.curves.column("F")!, S = fit.curves.column("S")!, model = forceAt(loading, stage), last = fit.fitted.L + seenTo(fit);
+  const residual = force.map((f, i) => (S[i]! > last ? NaN : f - model[i]!));
   let sum = 0, count = 0;
   for (const r of residual)
     if (!Number.isNaN(r)) {

@@ -61,7 +61,7 @@ function manyThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Scale, y: 
   };
   for (let i = from; i < to; ++i) {
     const a = Math.round(x(xs[i]!) * 2) / 2, b = y(ys[i]!);
-    if (Number.isNaN(a) || Number.isNaN(b)) continue;
+    if (!Number.isFinite(a) || !Number.isFinite(b)) continue;
     if (a !== column) {
       close();
       column = a;
@@ -82,7 +82,7 @@ export function lineThrough(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Sca
   let pen = false;
   for (let i = from; i < to; ++i) {
     const a = x(xs[i]!), b = y(ys[i]!);
-    if (Number.isNaN(a) || Number.isNaN(b)) {
+    if (!Number.isFinite(a) || !Number.isFinite(b)) {
       pen = false;
       continue;
     }
@@ -97,7 +97,7 @@ export function dots(xs: ArrayLike<number>, ys: ArrayLike<number>, x: Scale, y: 
   const parts: string[] = [], taken = to - from > MANY ? new Set<number>() : null;
   for (let i = from; i < to; ++i) {
     const a = x(xs[i]!), b = y(ys[i]!);
-    if (Number.isNaN(a) || Number.isNaN(b)) continue;
+    if (!Number.isFinite(a) || !Number.isFinite(b)) continue;
     if (taken) {
       const pixel = Math.round(a) * 100_000 + Math.round(b);
       if (taken.has(pixel)) continue;
@@ -154,14 +154,14 @@ export function sized(drawing: SVGSVGElement, host: Element, ...children: Child[
   drawing.replaceChildren(...(children.filter((c) => c instanceof Node) as Node[]));
 }
 
-/** From the first of the values within a scale's domain to behind the last, with a neighbour of each. */
-export function rangeIn(values: ArrayLike<number>, x: Scale): [number, number] {
+/** From the first of these values within a scale's domain to behind the last, with a neighbour of each. */
+export function rangeIn(values: ArrayLike<number>, x: Scale, begin = 0, end = values.length): [number, number] {
   const [low, high] = x.domain() as [number, number];
-  let from = 0, to = values.length;
+  let from = begin, to = end;
   const outside = (i: number): boolean => !(values[i]! >= low && values[i]! <= high);
   while (from < to && outside(from)) ++from;
   while (to > from && outside(to - 1)) --to;
-  return [Math.max(0, from - 1), Math.min(values.length, to + 1)];
+  return [Math.max(begin, from - 1), Math.min(end, to + 1)];
 }
 
 /** Index of the value nearest to `at` among ascending values. */

@@ -41,9 +41,9 @@ export class ProgrammeView {
     byId("play").addEventListener("click", () => this.play());
   }
 
-  /** Stage positions [m]: that of the contact, the record's greatest, then what is tried. */
+  /** Stage positions [m]: that of the contact, the greatest of the rows used, then what is tried. */
   private get points(): number[] {
-    return this.studio.programme ?? [0, this.studio.fit?.greatestStage ?? 0];
+    return this.studio.programme ?? [0, this.studio.greatestStage];
   }
   private stageAt(event: PointerEvent | MouseEvent): number {
     return Math.max(0, Math.min(this.y.domain()[1]!, this.y.invert(placeIn(event, this.host)[1]))) * this.unit.factor;
@@ -66,9 +66,9 @@ export class ProgrammeView {
     if (at !== null) {
       if (at < 2 && points.length <= 2) return;
       points.splice(at, 1);
-      if (points.length < 2) points.push(studio.fit.greatestStage);
+      if (points.length < 2) points.push(studio.greatestStage);
     } else points.splice(Math.max(1, Math.min(points.length, Math.ceil(this.x.invert(placeIn(event, this.host)[0])))), 0, this.stageAt(event));
-    studio.setProgramme(points.length === 2 && points[1] === studio.fit.greatestStage ? null : points);
+    studio.setProgramme(points.length === 2 && points[1] === studio.greatestStage ? null : points);
   }
 
   draw(): void {
@@ -76,7 +76,7 @@ export class ProgrammeView {
     this.label();
     const { width, height } = sizeOf(this.host);
     if (!fit || width < 40) return sized(this.drawing, this.host, svg("g"));
-    const greatest = fit.greatestStage, most = Math.max(greatest, ...points) * 1.15;
+    const most = Math.max(fit.greatestStage, ...points) * 1.15;
     this.unit = unitFor(most, "length");
     this.x = scaleLinear([0, Math.max(2, points.length) - 1], [LEFT, width - RIGHT - 4]);
     this.y = scaleLinear([0, most / this.unit.factor], [height - BOTTOM, TOP]);
@@ -85,7 +85,6 @@ export class ProgrammeView {
     g.append(svg("line", { x1: LEFT, x2: LEFT, y1: TOP - 4, y2: bottom, stroke: "var(--line2)" }), svg("line", { x1: LEFT, x2: width - RIGHT, y1: bottom, y2: bottom, stroke: "var(--line2)" }));
     for (const tick of y.ticks(4)) g.append(svg("line", { x1: LEFT - 4, x2: LEFT, y1: y(tick), y2: y(tick), stroke: "var(--line2)" }), svg("text", { x: LEFT - 6, y: y(tick) + 4, "text-anchor": "end" }, String(tick)));
     g.append(svg("text", { x: LEFT + 6, y: 10 }, `stage (${unit.name})`));
-    const measured = points.length > 2 || points[1] === greatest;
     g.append(path(`M${at(0)}L${at(1)}`, "var(--ink)", 1.6));
     if (points.length > 2) g.append(path(`M${points.slice(1).map((_, i) => at(i + 1)).join("L")}`, "var(--model)", 1.5, { "stroke-dasharray": "5 3" }));
     const say = (words: string, from: number, to: number): void => {
@@ -94,7 +93,7 @@ export class ProgrammeView {
       text.style.fill = "var(--ink3)";
       g.append(text);
     };
-    say(measured && Math.abs(points[1]! - greatest) < 1e-12 ? "measured" : "to try", 0, 1);
+    say(points[1] === studio.greatestStage ? "measured" : "to try", 0, 1);
     if (points.length > 2) say(points.length === 4 ? "to try: unload, reload" : "to try", 1, points.length - 1);
     points.forEach((stage, i) => {
       const px = x(i), py = y(stage / unit.factor), colour = i < 2 ? "var(--ink)" : "var(--model)";
@@ -158,8 +157,8 @@ export class ProgrammeView {
       return this.label();
     }
     if (!fit) return;
-    const last = fit.answer.measurement.last_row, path = studio.programmed;
-    if (studio.tried !== null || (studio.row >= last && !path)) studio.row = fit.answer.measurement.first_row;
+    const [first, last] = studio.used, path = studio.programmed;
+    if (studio.tried !== null || (studio.row >= last && !path)) studio.row = first;
     studio.tried = null;
     const stop = (): void => {
       clearInterval(this.timer);
@@ -173,7 +172,7 @@ export class ProgrammeView {
         if (studio.row === row) stop();
       }, 900);
     } else {
-      let at = studio.row, then = performance.now(), state = path ? path.stage.findIndex((s) => s >= fit.greatestStage * 0.999) : -1;
+      let at = studio.row, then = performance.now(), state = path ? path.stage.findIndex((s) => s >= studio.greatestStage * 0.999) : -1;
       const step = (now: number): void => {
         const passed = ((now - then) * ROWS_A_SECOND) / 1000;
         then = now;

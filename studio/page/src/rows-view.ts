@@ -25,12 +25,6 @@ export class RowsView {
     this.host.addEventListener("pointercancel", () => (this.grip = null));
   }
 
-  /** The rows used: as decided, else as the fit found. */
-  used(): [number, number] {
-    const { test, fit } = this.studio, settings = test?.settings;
-    return [settings?.first ?? fit?.answer.measurement.first_row ?? 1, settings?.until ?? fit?.answer.measurement.last_row ?? this.last];
-  }
-
   draw(): void {
     const { studio } = this, { test, fit } = studio;
     const force = test?.rows?.force ?? fit?.curves.column("F") ?? null;
@@ -40,7 +34,7 @@ export class RowsView {
     this.x = scaleLinear([1, this.last], [LEFT, Math.max(LEFT + 1, width - RIGHT)]);
     const f = fit && isReversed(force, fit) ? force.map((v) => -v) : force, most = greatest(f), low = Math.min(0, least(f));
     const y = scaleLinear([low, most > low ? most : low + 1], [bottom - 1, TOP + 3]), rows = Float64Array.from({ length: this.last }, (_, i) => i + 1);
-    const [first, last] = this.used(), x1 = this.x(first), x2 = this.x(last);
+    const [first, last] = studio.used, x1 = this.x(first), x2 = this.x(last);
     const children: SVGElement[] = [
       svg("rect", { x: x1, y: TOP, width: Math.max(0, x2 - x1), height: bottom - TOP, fill: "var(--band)" }),
       svg("line", { x1: LEFT, x2: width - RIGHT, y1: bottom, y2: bottom, stroke: "var(--line2)" }),
@@ -80,7 +74,7 @@ export class RowsView {
     return Math.max(1, Math.min(this.last, Math.round(this.x.invert(placeIn(event, this.host)[0]))));
   }
   private begin(event: PointerEvent): void {
-    const [px] = placeIn(event, this.host), [first, last] = this.used(), a = Math.abs(px - this.x(first)), b = Math.abs(px - this.x(last));
+    const [px] = placeIn(event, this.host), [first, last] = this.studio.used, a = Math.abs(px - this.x(first)), b = Math.abs(px - this.x(last));
     this.grip = Math.min(a, b) <= 12 ? (b <= a ? "last" : "first") : "row";
     if (this.grip !== "row") this.studio.remember();
     this.host.setPointerCapture(event.pointerId);
@@ -95,7 +89,7 @@ export class RowsView {
     } else this.set(this.grip, row);
   }
   set(which: "first" | "last", row: number): void {
-    const [first, last] = this.used();
+    const [first, last] = this.studio.used;
     if (which === "first") this.studio.decide({ first: Math.max(1, Math.min(row, last - 10)) });
     else this.studio.decide({ until: Math.min(this.last, Math.max(row, first + 10)) });
   }
@@ -105,7 +99,7 @@ export class RowsView {
     event.preventDefault();
     event.stopPropagation();
     this.studio.remember();
-    this.set(which, this.used()[which === "first" ? 0 : 1] + by * (event.shiftKey ? 10 : 1));
+    this.set(which, this.studio.used[which === "first" ? 0 : 1] + by * (event.shiftKey ? 10 : 1));
     requestAnimationFrame(() => this.host.querySelector<SVGElement>(`[data-handle=${which}]`)?.focus());
   }
 }

@@ -124,14 +124,15 @@ export class Studio {
   }
   /** Reads these tests, so that they are seen, and fits those that say all a fit needs; of the others it is said what is missing, once for all. */
   async open(...tests: Test[]): Promise<void> {
-    const fits: Promise<void>[] = [], short: Test[] = [];
+    const fits: Promise<void>[] = [], short: Test[] = [], refused: string[] = [];
     this.reading += tests.length;
     this.tell("fitting");
     for (const test of tests) {
       await test.open(this.reader);
       --this.reading;
       if (test.refusal && !test.isCase && !test.canBeTold) {
-        this.report(inPageWords(test.refusal, test));
+        refused.push(inPageWords(test.refusal, test));
+        this.report(refused.join("; "));
         continue;
       }
       this.all.push(test);
@@ -267,7 +268,7 @@ export class Studio {
   decide(change: Partial<Settings>): void {
     const { test } = this;
     if (!test) return;
-    const { read } = change, units = read ? OF_ITS_COLUMNS.filter((unit) => read[unit] !== test.settings.read[unit]) : [];
+    const { read } = change, { greatestStage } = this, units = read ? OF_ITS_COLUMNS.filter((unit) => read[unit] !== test.settings.read[unit]) : [];
     for (const [name, value] of Object.entries(change)) {
       const key = name as keyof Settings;
       put(test.settings, key, value);
@@ -279,7 +280,8 @@ export class Studio {
       this.pass(test, unit, read![unit], (other) => (sameColumns(test, other) ? other.settings.read : null));
     }
     if (this.isAsking) this.ask(this.asked.of);
-    this.tell("tests", "card", "rows", "fitting", "parameters");
+    if (this.programme?.[1] === greatestStage) this.setProgramme(this.programme.map((stage, i) => (i === 1 ? this.greatestStage : stage)));
+    this.tell("tests", "card", "rows", "programme", "fitting", "parameters");
   }
   /** Hands on what this file was told to those that have nothing there, or what they have from it. */
   private pass(from: Test, key: string, value: unknown, settingsOf: (other: Test) => object | null): void {
@@ -392,6 +394,19 @@ export class Studio {
     this.tell("fitting");
   }
 
+  /** The rows used, first and last: as decided, else as the fit found. */
+  get used(): [number, number] {
+    const { test, fit } = this, measurement = fit?.answer.measurement;
+    return [test?.settings.first ?? measurement?.first_row ?? 1, test?.settings.until ?? measurement?.last_row ?? test?.rows?.force.length ?? 1];
+  }
+  /** Of these rows [m], from the contact. */
+  get greatestStage(): number {
+    const { fit, test } = this, [first, last] = this.used, raw = test?.rows?.stage;
+    if (!fit) return 0;
+    const beyond = raw && last > fit.answer.measurement.last_row ? asUsed(raw, fit, "w_s", last) : 0;
+    return fit.curves.column("w_s")!.reduce((most, stage, i) => (fit.rows[i]! >= first && fit.rows[i]! <= last ? Math.max(most, stage) : most), beyond);
+  }
+
   // ---- the moment
   setRow(row: number): void {
     const last = this.test?.rows?.force.length ?? this.fit?.answer.measurement.rows ?? 1;
@@ -459,7 +474,7 @@ export class Studio {
   /** By how much friction would be told larger, were the quantity pointed at stated larger by what it may be off; or, to first order, were the rig stated as its sliders are. Null: as told. */
   get restated(): { friction: number; words: string } | null {
     const { fit, values, doubted } = this;
-    if (doubted) return { friction: doubted.friction_moves, words: `${doubted.title} ${doubted.may_be_off.replace(/^say |,.*$/g, "")} larger` };
+    if (doubted) return { friction: doubted.friction_moves, words: `${doubted.title} larger by ${doubted.may_be_off}` };
     if (!fit || !values) return null;
     const moved = fit.answer.sensitivities.flatMap((each) => {
       const key = SLIDERS[each.quantity];

@@ -69,9 +69,9 @@ export class Test {
     if (!span) return null;
     return { span, diameter: settings.diameter ?? settings.height ?? text?.quantity("specimen.diameter") ?? text?.quantity("specimen.height") ?? read?.test.diameter ?? 0, stiffness, tipRadius: settings.tipRadius ?? text?.quantity("rig.roller_radius") ?? 0 };
   }
-  /** The table that `read` writes of a file that is read otherwise than found. */
+  /** The table that `read` writes of a file that is read otherwise than found: the program calls a test by its file's name without the last ending. */
   get plainName(): string {
-    return this.data.replace(/\.[^.]*$/, "") + ".plain.csv";
+    return this.data.replace(/\.[^.]*$/, "") + ".plain";
   }
   /** The commands that come to this answer, without what the page adds to see the numbers behind it. */
   commands(): string[][] {
