@@ -750,6 +750,7 @@ Fields<FittedTest> every_fit_field() {
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
+      .count("readings", "rows that tell of friction, over which residual_rms is taken", of_fit(&FrictionFit::readings))
       .anywhere()
       .list("sensitivities",
             "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "

@@ -106,6 +106,12 @@ Fields<CurvePoint> curve_fields() {
       return is_fitted(p.test) && p.i < values.size() ? std::optional(values[p.i]) : std::nullopt;
     };
   };
+  const auto correction = [](double Shift::*part) {
+    return [part](P p) {
+      const TestAnalysis& a = p.test.analysis;
+      return is_fitted(p.test) ? std::optional(a.fit.correction.at(a.reduced.stage[p.i]).*part) : std::nullopt;
+    };
+  };
   const auto read = [](auto value) {
     return [value](P p) { return p.read ? std::optional<double>(std::invoke(value, *p.read)) : std::nullopt; };
   };
@@ -121,6 +127,10 @@ Fields<CurvePoint> curve_fields() {
               there([](const TestAnalysis& a) -> const auto& { return a.fit.force; }))
       .number("replay_force", kind::force, "force of the measured profile, run forward as a table",
               there([](const TestAnalysis& a) -> const auto& { return a.replay.force; }))
+      .number("deflection_off", kind::length,
+              "what the fit adds to the deflection read, as the rig is found to be off by it",
+              correction(&Shift::deflection))
+      .number("force_off", kind::force, "likewise, to the force read", correction(&Shift::force))
       .number("length", kind::length, "length between the contacts", read(&ProfilePoint::length))
       .titled("S")
       .number("mu", "friction read off at this row", read(&ProfilePoint::mu))

@@ -10,15 +10,15 @@
 namespace flexslip {
 namespace {
 
-template <auto member, class Section>
-void point_at(Slot& slot, Section& section) {
-  if constexpr (requires { section.*member; }) slot = &(section.*member);
+template <class Section, class Value>
+void point_at(Slot& slot, Value Section::*member, const TestPart& part) {
+  if (Section* const* section = std::get_if<Section*>(&part)) slot = &((*section)->*member);
 }
 
 template <auto... members>
 Slot slot_of(const TestPart& part) {
   Slot slot;
-  std::visit([&](auto* section) { (point_at<members>(slot, *section), ...); }, part);
+  (point_at(slot, members, part), ...);
   return slot;
 }
 

@@ -452,8 +452,10 @@ Found misses_force(T test) {
   const Check* check = check_of(test, CheckKind::residuals);
   if (!check) return std::nullopt;
   const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
-  const std::string misses = fmt::format("The fit, run forward, misses the force by {} of its greatest (limit {:g} %).",
-                                         format_relative(share), 100 * max_residual);
+  const std::string misses = fmt::format(
+      "The fit, run forward, misses the force by {} of its greatest (limit {:g} %), over the {} of {} rows that tell "
+      "of friction.",
+      format_relative(share), 100 * max_residual, test.analysis.fit.readings, test.analysis.record.force.size());
   return checked(test, *check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
 }

@@ -1,8 +1,13 @@
 // What can be read off the rows of some type: the part of Fields<Row> that does not know the type.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <cstring>
 #include <functional>
 #include <string_view>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "io/quantity.h"
@@ -57,6 +62,32 @@ struct Field {
   // With numbers in the unit of the test.
   Json of(const void* row, const Frame& frame) const { return read(row, frame, reduced); }
 };
+
+// A read by a function that is given something kept for it. What takes a few bytes, as nearly all does, is kept in one type: compilers take longer
+// over a std::function of each.
+using ReadKept = Json (*)(const void* kept, const void* row, const Frame& frame, const Kind& reduced);
+
+struct SmallRead {
+  alignas(void*) std::array<std::byte, 4 * sizeof(void*)> kept;
+  ReadKept function;
+
+  Json operator()(const void* row, const Frame& frame, const Kind& reduced) const {
+    return function(kept.data(), row, frame, reduced);
+  }
+};
+
+template <class Kept>
+Field::Read read_by(Kept kept, ReadKept function) {
+  if constexpr (std::is_trivially_copyable_v<Kept> && sizeof kept <= sizeof SmallRead::kept) {
+    SmallRead read{{}, function};
+    std::memcpy(read.kept.data(), &kept, sizeof kept);
+    return read;
+  } else {
+    return [kept = std::move(kept), function](const void* row, const Frame& frame, const Kind& reduced) {
+      return function(&kept, row, frame, reduced);
+    };
+  }
+}
 
 // Reads the unit of a kind.
 Field::Read unit_in(const Kind& kind);

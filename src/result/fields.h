@@ -21,9 +21,10 @@ struct Getter {
 
   template <class Get>
   Getter(Get get)  // NOLINT(google-explicit-constructor): it stands where a function is written
-      : read([get](const void* row, const Frame& frame, const Kind& as) {
-          return read_off(get, *static_cast<const Row*>(row), frame, as);
-        }),
+      : read(read_by(std::move(get),
+                     [](const void* kept, const void* row, const Frame& frame, const Kind& as) {
+                       return read_off(*static_cast<const Get*>(kept), *static_cast<const Row*>(row), frame, as);
+                     })),
         may_be_missing(MayBeMissing<Given<Get, Row>>),
         is_several(SeveralWords<Given<Get, Row>>) {}
 };
