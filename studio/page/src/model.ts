@@ -1,6 +1,7 @@
 // The mechanics behind the views: the model at the values of the sliders, the reference curves, the band of the draws.
 
-import type { Loading, Mechanics, QuantityKind, Rig, Shape } from "./engine";
+import { bisectLeft } from "d3-array";
+import type { Loading, Mechanics, QuantityKind, Rig, Shape, State } from "./engine";
 import { frictionOf, type Values } from "./parameters";
 import type { Fit } from "./test";
 
@@ -33,6 +34,34 @@ function thinned(friction: Rig["friction"]): Rig["friction"] {
   return { length: Float64Array.from(kept, (i) => length[i]!), mu: Float64Array.from(kept, (i) => mu[i]!) };
 }
 
+interface Off { stage: number; deflection: number; force: number }
+
+/** What the fit found a rig to be off by, and what it reads of a loading therefore. */
+class OffRig {
+  private readonly stage: Float64Array; private readonly deflection: Float64Array; private readonly force: Float64Array;
+
+  constructor({ curves }: Fit, private readonly rig: Rig) {
+    [this.stage, this.deflection, this.force] = ["w_s", "deflection_off", "force_off"].map((name) => curves.column(name)!) as [Float64Array, Float64Array, Float64Array];
+  }
+  /** The stage position that is read as the farthest. */
+  get farthest(): number {
+    return this.stage.reduce((most, stage, i) => Math.max(most, stage + this.deflection[i]! + this.force[i]! / this.rig.stiffness), 0);
+  }
+  read(loading: Loading): Loading {
+    const { stage, deflection, force, snaps } = loading, offs = Array.from(stage, (at) => this.at(at));
+    const less = (state: State, off: Off): State => ({ ...state, deflection: state.deflection - off.deflection, force: state.force - off.force });
+    return {
+      ...loading, stage: stage.map((at, i) => at - offs[i]!.stage), deflection: deflection.map((w, i) => w - offs[i]!.deflection), force: force.map((F, i) => F - offs[i]!.force),
+      snaps: snaps.map(({ stage: at, from, to }) => ({ stage: at - this.at(at).stage, from: less(from, this.at(at)), to: less(to, this.at(at)) })),
+    };
+  }
+  /** By the row read there: it changes slowly. */
+  private at(stage: number): Off {
+    const row = bisectLeft(this.stage, stage, 0, this.stage.length - 1), deflection = this.deflection[row]!, force = this.force[row]!;
+    return { stage: deflection + force / this.rig.stiffness, deflection, force };
+  }
+}
+
 export class Model {
   private memory = new Map<string, unknown>();  // of what does not follow the sliders
 
@@ -58,13 +87,14 @@ export class Model {
   loading(rig: Rig, programme: number[], live = false): Loading {
     return live ? this.mechanics.simulate({ ...rig, friction: thinned(rig.friction) }, programme, 2 * this.stepOf(programme)) : this.mechanics.simulate(rig, programme, this.stepOf(programme));
   }
-  /** The record's own loading, at the values given. While a slider moves it is a sketch, where one can be made. */
+  /** The record's own loading, at the values given, as its rig reads it. While a slider moves it is a sketch, where one can be made. */
   monotone(fit: Fit, rig: Rig, live = false): Loading {
+    const off = new OffRig(fit, rig);
     if (live)
       try {
-        return this.mechanics.sketch(rig, fit.greatestStage, STEPS);
+        return off.read(this.mechanics.sketch(rig, off.farthest, STEPS));
       } catch { /* it slips through, or is bent too far for a sketch */ }
-    return this.loading(rig, [0, fit.greatestStage], live);
+    return off.read(this.loading(rig, [0, off.farthest], live));
   }
   /** Makes the tables of states on these supports, and lets the browser compile what runs through them, while there is nothing else to do: of any specimen on them. */
   prepare({ span, diameter, stiffness, tipRadius }: { span: number; diameter: number; stiffness: number; tipRadius: number }): void {

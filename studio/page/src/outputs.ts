@@ -63,12 +63,12 @@ async function pngOf(figure: Drawn): Promise<Blob> {
 const YTITLES: Readonly<Record<string, string>> = { force: "*F*", friction: "friction *μ*" };
 const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the fibre"], ["fibre", "fibre-plot", "The fibre"]] as const;
 
-/** A case that simulates what the sliders say, to be run with the table of friction beside it: the page's curve, bit by bit. */
+/** A case that simulates what the sliders say, to be run with the table of friction beside it, and what comes of it, bit by bit: on a rig that is as stated. */
 export function simulationOf(studio: Studio, test: Test, fit: Fit): { toml: string; friction: string; curve: string } {
   studio.settle();
   studio.flush();
-  const values = studio.values!, rig = studio.model.rig(fit, values, studio.wave), loading = studio.loading!;
-  const programme = [0, fit.greatestStage], step = studio.model.stepOf(programme);
+  const values = studio.values!, rig = studio.model.rig(fit, values, studio.wave);
+  const programme = [0, fit.greatestStage], step = studio.model.stepOf(programme), loading = studio.model.loading(rig, programme);
   const toml = [
     `# What the sliders of the studio said of ${test.name.replace(/[\r\n]/g, " ")}: flexslip simulate ${test.name}-model.toml`,
     "[specimen]", ...(values.D > 0 ? [`diameter = "${values.D} m"`] : []), `bending_stiffness = "${values.EI} N m^2"`, "",
