@@ -2,21 +2,17 @@
 // and with LIMITS=1 it fails beyond 33 ms, 16 ms (95th percentile) and 1.5 s.
 //   node studio/tests/latency_bench.mjs
 import assert from "node:assert/strict";
-import { close, drop, fitted, missing, native, open, RIG, say } from "./browser.mjs";
+import { close, drop, fitted, longRecord, missing, open, RIG, say } from "./browser.mjs";
 
 if (missing) {
   console.log(missing);
   process.exit(77);
 }
-const simulated = native(["simulate", "long.toml", "--noise", "8 uN", "--seed", "3"], { "long.toml": '[specimen]\ndiameter = "34.8 um"\nmodulus = "29.6 GPa"\n[rig]\nspan = "1278 um"\nstiffness = "90.65 N/m"\n[friction]\nmodel = "rough"\nmu0 = 0.5\nrms = 0.15\ncorrelation_length = "6 um"\nseed = 4\n[stage]\nprogram = ["0 um", "560 um"]\nstep = "0.28 um"\n' }).out;
-const lines = simulated.trim().split("\n").filter((line) => !line.startsWith("#")).map((line) => line.split(",").slice(0, 3));
-const titles = lines[0].join(","), csv = [titles.replace(/w_s( \[m\])?/, "stage [m]").replace(/(^|,)w( \[m\])?(?=,)/, "$1unused [m]").replace(/F( \[N\])?$/, "force [N]"), ...lines.slice(1).map((line) => line.join(","))].join("\n");
-
 await (await open()).end();  // the browser is there, and has read the file once
 const tab = await open();
 await fitted(tab);
 const first = await tab.evaluate(() => performance.getEntriesByName("analysed")[0].startTime);  // [ms] from navigation
-await drop(tab, { name: "long.csv", bytes: Buffer.from(csv) });
+await drop(tab, { name: "long.csv", bytes: longRecord() });
 await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "long");
 await say(tab, RIG);
 await tab.keyboard.press("Escape");

@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { close, data, drop, errorOf, fitted, missing, open, page, painted, program, RIG, root, say } from "./browser.mjs";
+import { close, data, drop, errorOf, fitted, longRecord, missing, open, page, painted, program, RIG, root, say } from "./browser.mjs";
 
 const skip = missing || false, cycles = join(data, "instruments/bluehill_blades/cyclic_Specimen_RawData_1.csv"), offRig = join(data, "cracked/K03.csv");
 after(close);
@@ -379,8 +379,8 @@ test("fit: while it runs, what it is at is said, and the pointer and the keys ar
 });
 
 test("fit: the bar shows the share that the program tells beside the stage, never goes back, and is empty at the end", { skip }, async () => {
-  const tab = await open(), record = readFileSync(join(root, "examples/simulated/test.csv"), "utf8").replace("stage [um]", "crosshead [um]");
-  await drop(tab, { name: "slow.csv", bytes: Buffer.from(record) });
+  const tab = await open();
+  await drop(tab, { name: "slow.csv", bytes: longRecord() });
   await tab.waitForFunction(() => document.querySelector("#what b")?.textContent === "slow");
   await tab.evaluate(() => {
     window.seen = [];
