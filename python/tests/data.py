@@ -125,6 +125,32 @@ class Records(unittest.TestCase):
         np.testing.assert_array_equal(residual[told] + self.usual.curves.model_force[told], self.usual.curves.force[told])
 
 
+    def test_identity_the_fit_run_forward_is_what_the_rig_reads_less_what_it_is_off_by(self):
+        curves, stiffness = self.usual.curves, 90.65
+        with tempfile.TemporaryDirectory() as folder:
+            self.usual.draws.to_frame()[["length", "mu"]].to_csv(os.path.join(folder, "mean.csv"), index=False)
+            case = os.path.join(folder, "mean.toml")
+            stage = curves.stage + curves.deflection_off + curves.force_off / stiffness
+            with open(case, "w") as file:
+                file.write(f"""[specimen]
+diameter = "34.8 um"
+bending_stiffness = "{self.usual.parameters["bending_stiffness"].value} N m^2"
+[rig]
+span = "1278 um"
+stiffness = "{stiffness} N/m"
+[friction]
+model = "table"
+file = "mean.csv"
+length = "length [m]"
+[stage]
+program = ["0 um", "{stage.max()} m"]
+step = "0.1 um"
+""")
+            path = flexslip.simulate(case).path
+        off = np.abs(np.interp(stage, path.stage, path.force) - curves.force_off - curves.model_force)
+        self.assertLess(np.median(off), 0.02 * np.abs(curves.force_off).max())  # the median: between two steps the force may snap
+
+
 class Campaigns(unittest.TestCase):
     def test_identity_a_frame_is_a_table(self):
         frame = pandas.DataFrame({"name": ["a", "b"], "file": ["examples/simulated/test.csv"] * 2, "diameter": [34.8, 34.9]})
