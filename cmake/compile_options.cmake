@@ -15,6 +15,6 @@ target_compile_options(flexslip_arithmetic INTERFACE -ffp-contract=off)
 
 add_library(flexslip_options INTERFACE)
 target_link_libraries(flexslip_options INTERFACE flexslip_warnings flexslip_arithmetic)
-# GCC collects its garbage whenever its heap has doubled since it last did, from 128 MB on, which the precompiled headers reach at once:
-# a twentieth of all compiling or more. From 256 MB on only the largest sources do.
-target_compile_options(flexslip_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=262144>")
+# GCC collects its garbage whenever its heap has doubled since it last did, from 128 MB on, which the precompiled headers reach at once: a tenth of
+# all compiling or more. From 512 MB on hardly any source does, at 1.2 GB of memory for the largest.
+target_compile_options(flexslip_options INTERFACE "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=524288>")

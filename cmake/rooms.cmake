@@ -10,5 +10,5 @@ set(FLEXSLIP_EIGEN EIGEN_NO_CPUID EIGEN_DONT_VECTORIZE
   EIGEN_DEFAULT_L1_CACHE_SIZE=32768 EIGEN_DEFAULT_L2_CACHE_SIZE=262144 EIGEN_DEFAULT_L3_CACHE_SIZE=2097152)
 
 # Headers that cost most, read once.
-set(FLEXSLIP_CORE_HEADERS <algorithm> <array> <cmath> <functional> <limits> <optional> <span> <stdexcept> <string> <variant> <vector> <Eigen/Dense>)
+set(FLEXSLIP_CORE_HEADERS <algorithm> <array> <cmath> <functional> <limits> <optional> <span> <stdexcept> <string> <variant> <vector> <Eigen/Cholesky> <Eigen/LU>)
 set(FLEXSLIP_EDGE_HEADERS <algorithm> <functional> <optional> <string> <variant> <vector> <fmt/format.h> <nlohmann/json.hpp>)

@@ -236,9 +236,9 @@ double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
 
 namespace {
 
-constexpr std::size_t degree = 8;
-using Polynomial = Interpolant<degree>;
-using Values = Polynomial::Values;
+constexpr std::size_t cell_degree = 8;
+using CellPolynomial = Interpolant<cell_degree>;
+using CellValues = CellPolynomial::Values;
 
 // Halvings of a cell, after which two folds in one piece are taken for none: 1e-6 of the roughness's period.
 constexpr int max_halvings = 20;
@@ -254,7 +254,7 @@ struct Bracket {
 };
 
 // Samples at the nodes between two points of the way.
-using Nodes = std::span<const CurveSample, degree + 1>;
+using Nodes = std::span<const CurveSample, cell_degree + 1>;
 struct Cell {
   double a, b;
   bool ends_at_corner = false;
@@ -267,7 +267,7 @@ struct Corner {
 };
 
 double node_in(const Cell& cell, std::size_t j) {
-  return j == 0 ? cell.a : j == degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + Polynomial::node(j));
+  return j == 0 ? cell.a : j == cell_degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + CellPolynomial::node(j));
 }
 
 // Walks a sliding curve and gathers its folds.
@@ -346,9 +346,9 @@ class FoldSearch {
   // Adjacent cells. x follows to the end of the last that is wholly on the branch.
   std::optional<double> search(const std::vector<Cell>& cells, double& x) {
     std::vector<double> at;
-    at.reserve(cells.size() * degree + 1);
+    at.reserve(cells.size() * cell_degree + 1);
     for (const Cell& cell : cells)
-      for (std::size_t j = 0; j < degree; ++j) at.push_back(node_in(cell, j));
+      for (std::size_t j = 0; j < cell_degree; ++j) at.push_back(node_in(cell, j));
     at.push_back(cells.back().b);
     const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
     looked_at_ += at.size();
@@ -356,7 +356,7 @@ class FoldSearch {
       const auto corner = corner_at_end(cells[i]);
       const auto ended = corner || x != cells[i].a
                              ? isolate_in({x, corner ? corner->before : cells[i].b}, source(), 0)
-                             : isolate(cells[i], Nodes(&samples[i * degree], degree + 1), source(), 0);
+                             : isolate(cells[i], Nodes(&samples[i * cell_degree], cell_degree + 1), source(), 0);
       if (ended) return ended;
       if (corner && corner->fold) brackets_.push_back(*corner->fold);
       x = corner ? corner->behind : cells[i].b;
@@ -378,8 +378,8 @@ class FoldSearch {
   const Source& finest() const { return rig_.fibre.on_edges() ? exact : table_alone; }
 
   std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
-    std::array<double, degree + 1> at;
-    for (std::size_t j = 0; j <= degree; ++j) at[j] = node_in(cell, j);
+    std::array<double, cell_degree + 1> at;
+    for (std::size_t j = 0; j <= cell_degree; ++j) at[j] = node_in(cell, j);
     const auto samples = source.sampler(friction_, rig_, sliding_, at);
     looked_at_ += at.size();
     return isolate(cell, Nodes(samples), source, halvings);
@@ -388,16 +388,16 @@ class FoldSearch {
   // Brackets the folds between two points of the way; or, if the branch ends there, gives a point beyond its end. What the table resolves
   // but cannot decide is looked at again on the exact map.
   std::optional<double> isolate(const Cell& cell, Nodes samples, const Source& source, int halvings) {
-    Values values;
+    CellValues values;
     double scale = 0;
-    for (std::size_t j = 0; j <= degree; ++j) {
+    for (std::size_t j = 0; j <= cell_degree; ++j) {
       if (!samples[j].exists) return node_in(cell, j);
       values[j] = samples[j].slope;
       scale = std::max(scale, samples[j].scale);
     }
-    const Values coefficients = Polynomial::chebyshev(values);
-    const double tail = std::abs(coefficients[degree]) + std::abs(coefficients[degree - 1]);
-    const Values bernstein = Polynomial::bernstein(values);
+    const CellValues coefficients = CellPolynomial::chebyshev(values);
+    const double tail = std::abs(coefficients[cell_degree]) + std::abs(coefficients[cell_degree - 1]);
+    const CellValues bernstein = CellPolynomial::bernstein(values);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
 
     constexpr double accuracy = 1e-6;
@@ -428,17 +428,17 @@ class FoldSearch {
 
   // May friction begin or end to be held at zero in a cell?
   bool may_have_kink(const Cell& cell) const {
-    Values mu;
-    for (std::size_t j = 0; j <= degree; ++j) {
+    CellValues mu;
+    for (std::size_t j = 0; j <= cell_degree; ++j) {
       const double x = node_in(cell, j);
       mu[j] = friction_.unheld(rig_.fibre.length_at(x));
     }
-    const Values bernstein = Polynomial::bernstein(mu);
+    const CellValues bernstein = CellPolynomial::bernstein(mu);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
     return *least <= 0 && *greatest >= 0;
   }
 
-  void add_bracket(const Cell& cell, bool rising, const Values& bernstein) {
+  void add_bracket(const Cell& cell, bool rising, const CellValues& bernstein) {
     constexpr double close = 1e-7;  // below what the interpolant is worth
     const auto slope_at = [&](double t) { return bernstein_at(bernstein, t); };
     const double t = zero_between(slope_at, rising ? 0.0 : 1.0, rising ? 1.0 : 0.0, 0.5, close);

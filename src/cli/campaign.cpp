@@ -30,7 +30,7 @@ struct CampaignRequest {
   Output output;
 };
 
-CampaignOptions options_of(const CampaignRequest& request) {
+CampaignOptions campaign_options(const CampaignRequest& request) {
   CampaignOptions options;
   options.analysis = [&request](const Test& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
@@ -42,7 +42,7 @@ CampaignOptions options_of(const CampaignRequest& request) {
 
 void run_campaign_command(const CampaignRequest& request) {
   const CampaignPlan plan = plan_campaign(request.path, request.common, request.changes);
-  const CampaignOptions options = options_of(request);
+  const CampaignOptions options = campaign_options(request);
   const auto run = [&] {
     const WhileInterruptible guard;
     CampaignRun computed = run_campaign(plan, options);

@@ -43,7 +43,7 @@ Supports supports_of(const InvertRequest& request, const Kind& kind, const Scale
   return within_limits(supports);
 }
 
-void require_domain(const Table& table) {
+void require_none_negative(const Table& table) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     for (const Column& column : table.columns)
       if (!(column.values[row] >= 0))
@@ -52,7 +52,7 @@ void require_domain(const Table& table) {
 
 void invert_states(const InvertRequest& request) {
   const Table table = read_table(request.test.file, {{"w", kind::number}, {"F", kind::number}});
-  require_domain(table);
+  require_none_negative(table);
   const std::vector<double>& w = table.columns[0].values;
   const std::vector<double>& F = table.columns[1].values;
   std::vector<InvertedState> states;

@@ -91,9 +91,9 @@ InitialLine initial_line(const Record& record) {
 
 namespace {
 
-constexpr double band = 4;                // [noise] one row in 16,000 of a level force leaves it
-constexpr std::size_t min_points = 10;    // before the contact: fewer tell neither an offset nor its error
-constexpr double max_correlation = 0.95;  // of neighbouring rows: beyond it a mean tells no error
+constexpr double band = 4;                      // [noise] one row in 16,000 of a level force leaves it
+constexpr std::size_t min_before_contact = 10;  // before the contact: fewer tell neither an offset nor its error
+constexpr double max_correlation = 0.95;        // of neighbouring rows: beyond it a mean tells no error
 
 // The rows from the first on whose force stays within the band about the mean of those before.
 std::size_t level_rows(std::span<const double> force, double noise) {
@@ -114,10 +114,10 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
                                 std::to_string(force.size()) + " points");
   if (!(noise >= 0)) throw std::invalid_argument("noise = " + std::to_string(noise) + " N is negative");
   const ForceZero none{ForceZeroStatus::no_free_rows, 0, 0, 0};
-  if (force.size() < min_points) return none;
+  if (force.size() < min_before_contact) return none;
 
   const std::size_t level = level_rows(force, noise);
-  if (level < min_points || level == force.size()) return none;
+  if (level < min_before_contact || level == force.size()) return none;
   // The force that the way through the level rows would have raised, at the mean slope from there to the greatest force.
   const auto greatest = static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
   const double free_way = displacement[level - 1] - displacement.front();
@@ -128,9 +128,9 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
 
   const double half = displacement.front() + 0.5 * free_way;
   const auto points = std::max<std::size_t>(
-      min_points / 2, static_cast<std::size_t>(
-                          std::find_if(displacement.begin(), displacement.end(), [=](double x) { return x > half; }) -
-                          displacement.begin()));
+      min_before_contact / 2, static_cast<std::size_t>(std::find_if(displacement.begin(), displacement.end(),
+                                                                    [=](double x) { return x > half; }) -
+                                                       displacement.begin()));
   const auto free = force.first(std::min(points, level));
   const auto n = static_cast<double>(free.size());
   const double mean = mean_of(free);
@@ -162,7 +162,7 @@ std::size_t rows_before_contact(std::span<const double> displacement, std::span<
     while (last < force.size() && over(last) <= up_to * most) ++last;
     std::size_t first = last;
     while (first > 0 && over(first - 1) >= from * most) --first;
-    if (last - first < 3 || first < min_points) return 0;
+    if (last - first < 3 || first < min_before_contact) return 0;
     const Line rise = line_through(
         last - first, [&](std::size_t i) { return displacement[first + i]; },
         [&](std::size_t i) { return over(first + i); });
@@ -171,7 +171,7 @@ std::size_t rows_before_contact(std::span<const double> displacement, std::span<
     const double margin = 0.5 * (displacement[first] - contact);  // the curve bends, and a seat gives way
     before = static_cast<std::size_t>(std::lower_bound(displacement.begin(), displacement.end(), contact - margin) -
                                       displacement.begin());
-    if (before < min_points) return 0;
+    if (before < min_before_contact) return 0;
     level = line_through(displacement.first(before), force.first(before));
   }
   return before;

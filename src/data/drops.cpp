@@ -2,27 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "numerics/require.h"
 #include "numerics/root.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_points = 30;
-constexpr std::size_t longest = 3;  // [steps] a drop may take that long
+constexpr std::size_t shortest_record = 30;
+constexpr std::size_t longest_drop = 3;  // [steps]
 constexpr double of_resolution =
     2.5;  // a fall by two of its steps may be two roundings and a little noise that they hide
-
-void require(const DropOptions& options) {
-  if (options.false_alarms_per_test > 0 && std::isfinite(options.false_alarms_per_test)) return;
-  std::ostringstream message;
-  message << "false alarms per test = " << options.false_alarms_per_test << " is out of range";
-  throw std::invalid_argument(message.str());
-}
 
 void require_faultless(const Record& record) {
   const RecordCheck check = check_record(record);
@@ -34,7 +27,7 @@ void require_faultless(const Record& record) {
 double noise_freedom(std::size_t points) { return 5 + static_cast<double>(points) / 10; }
 
 // A stretch of successive falling steps, from point `from` to point `to`.
-struct Stretch {
+struct FallingSteps {
   std::size_t from, to;
   double significance;
 };
@@ -42,14 +35,15 @@ struct Stretch {
 }  // namespace
 
 Drops find_drops(const Record& record, const DropOptions& options) {
-  require(options);
+  require(options.false_alarms_per_test > 0 && std::isfinite(options.false_alarms_per_test), "false alarms per test",
+          options.false_alarms_per_test);
   require_faultless(record);
   const auto& force = record.force;
   const std::size_t points = force.size();
-  if (points < min_points) return {DropStatus::too_short, {}, 0};
+  if (points < shortest_record) return {DropStatus::too_short, {}, 0};
 
   double stretches = 0;
-  for (std::size_t length = 1; length <= longest; ++length) stretches += static_cast<double>(points - length);
+  for (std::size_t length = 1; length <= longest_drop; ++length) stretches += static_cast<double>(points - length);
   const auto false_alarms = [&](double x) { return stretches * student_tail(x, noise_freedom(points)); };
 
   const auto is_enough = [&](double x) { return !(false_alarms(x) > options.false_alarms_per_test); };
@@ -65,8 +59,8 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   };
   const StepNoise noise_of(record, smooth);
   const double coarse = of_resolution * noise_of.resolution();
-  std::vector<Stretch> found;
-  for (std::size_t length = 1; length <= longest; ++length) {
+  std::vector<FallingSteps> found;
+  for (std::size_t length = 1; length <= longest_drop; ++length) {
     const double noise = noise_of.over(length);
     std::size_t falling = 0;  // steps up to here
     for (std::size_t to = 1; to < points; ++to) {
@@ -80,11 +74,11 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     }
   }
 
-  std::sort(found.begin(), found.end(), [](const Stretch& a, const Stretch& b) {
+  std::sort(found.begin(), found.end(), [](const FallingSteps& a, const FallingSteps& b) {
     return a.significance != b.significance ? a.significance > b.significance : a.from < b.from;
   });
   std::vector<double> significance(points, 0);  // of the stretch that holds the step to point i
-  for (const Stretch& stretch : found) {
+  for (const FallingSteps& stretch : found) {
     const auto begin = significance.begin() + static_cast<std::ptrdiff_t>(stretch.from) + 1;
     const auto end = significance.begin() + static_cast<std::ptrdiff_t>(stretch.to) + 1;
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);

@@ -12,11 +12,11 @@
 namespace flexslip {
 namespace {
 
-constexpr double far_enough = 1.0 / 3;  // [greatest force of the first loading] where a reload must get
-constexpr double farthest_bent = 2;     // [first loading] where a reload may be at the same force
-constexpr std::size_t min_points = 6;   // twice what a line with a scatter needs, for the two halves
+constexpr double far_enough = 1.0 / 3;       // [greatest force of the first loading] where a reload must get
+constexpr double farthest_bent = 2;          // [first loading] where a reload may be at the same force
+constexpr std::size_t min_on_a_loading = 6;  // twice what a line with a scatter needs, for the two halves
 
-void require(const Record& record, std::span<const LoadingRange> loadings) {
+void require_apart(const Record& record, std::span<const LoadingRange> loadings) {
   const std::size_t rows = record.force.size();
   require_readings(record);
   std::size_t reached = 0;
@@ -71,7 +71,8 @@ MeasuredLoading measure(const Record& record, const LoadingRange& loading, const
   std::size_t middle = first;
   while (middle < last && record.force[middle] <= window.middle) ++middle;
   result.status = LoadingStatus::too_few_points;
-  if (last - first < min_points || middle - first < min_points / 2 || last - middle < min_points / 2) return result;
+  if (last - first < min_on_a_loading || middle - first < min_on_a_loading / 2 || last - middle < min_on_a_loading / 2)
+    return result;
 
   result.deflection = mean_of(std::span(record.deflection).subspan(first, last - first));
   result.whole = slope_of(record, first, last);
@@ -90,7 +91,7 @@ double freedom_of(const MeasuredLoading& loading) {
 }  // namespace
 
 std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings) {
-  require(record, loadings);
+  require_apart(record, loadings);
   if (loadings.empty()) return {};
   const auto greatest_force = [&](const LoadingRange& loading) {
     const auto rows = std::span(record.force).subspan(loading.first, loading.last - loading.first);

@@ -11,7 +11,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t longest = 3;  // points of one spike
+constexpr std::size_t longest_spike = 3;  // [points]
 constexpr double errors = 6;
 
 class Spikes {
@@ -58,14 +58,14 @@ class Spikes {
 
   // The point that can follow that before the rise again; the rise itself if none does soon.
   std::size_t end_of_peak(std::size_t rise) const {
-    for (std::size_t end = rise + 1; end < force_.size() && end - rise <= longest; ++end)
+    for (std::size_t end = rise + 1; end < force_.size() && end - rise <= longest_spike; ++end)
       if (can_follow(rise - 1, end) && force_[end - 1] - force_[end] > noise_) return end;
     return rise;
   }
 
   // The first of the points before a rise that lie below what it comes back to; the rise itself if there are none.
   std::size_t begin_of_dip(std::size_t rise) const {
-    for (std::size_t begin = rise - 1; begin > 0 && rise - begin <= longest; --begin)
+    for (std::size_t begin = rise - 1; begin > 0 && rise - begin <= longest_spike; --begin)
       if (can_follow(begin - 1, rise) && force_[begin - 1] - force_[begin] > noise_) return begin;
     return rise;
   }
@@ -124,7 +124,7 @@ class StrayPositions {
 
   // The point at which it is back soon; the jump itself if it is not.
   std::size_t end_of_stray(std::size_t jump) const {
-    for (std::size_t end = jump + 1; end < stage_.size() && end - jump <= longest; ++end)
+    for (std::size_t end = jump + 1; end < stage_.size() && end - jump <= longest_spike; ++end)
       if (is_back(jump, end)) return end;
     return jump;
   }

@@ -6,20 +6,19 @@
 #include <numbers>
 #include <numeric>
 #include <span>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "data/drops.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
+#include "numerics/require.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_points = 3;     // of a line that shows whether it is one
+constexpr std::size_t min_on_a_line = 3;  // of a line that shows whether it is one
 constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
 constexpr double least_rise = 0.25;       // [greatest force] of a stretch that is looked for
 constexpr double errors_off = 3;          // of a slope, by which the steepest of many is steep by chance
@@ -29,13 +28,6 @@ constexpr double largest_error = 0.5;     // [stiffness] beyond it a record tell
 constexpr double max_deflection = 0.1;    // [span] beyond it a deflection is not small, where the span is known
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
 constexpr double clearly = 3;                               // errors
-
-void require(bool holds, const char* what, double value) {
-  if (holds) return;
-  std::ostringstream message;
-  message << what << " = " << value << " is out of its range";
-  throw std::invalid_argument(message.str());
-}
 
 struct PointRange {
   std::size_t first, last;  // [first, last)
@@ -80,7 +72,7 @@ std::optional<StraightPart> straight_in(const Record& record, std::size_t points
   std::size_t first = last;
   while (first > 0 && force[first - 1] >= window.from * most) --first;
   // A window that the record does not leave above is not covered; the one up to the greatest force is left by none.
-  if (last - first < min_points || (last == points && window.up_to < 1)) return std::nullopt;
+  if (last - first < min_on_a_line || (last == points && window.up_to < 1)) return std::nullopt;
   auto straight = line_of(record, first, last, noise, load_train_error);
   if (straight) straight->window = window;
   return straight;
@@ -170,7 +162,7 @@ std::optional<StraightPart> steepest(const Record& record, std::size_t points, d
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = ends.size(); j-- > i;) {
       const std::size_t first = ends[i], last = ends[j];
-      if (last < first + min_points || force[last - 1] - force[first] < least_rise * most) continue;
+      if (last < first + min_on_a_line || force[last - 1] - force[first] < least_rise * most) continue;
       const auto slope = stretches.least_slope(first, last);
       if (!slope || *slope <= steepness * (1 + alike)) continue;
       best = PointRange{first, last};
@@ -254,14 +246,14 @@ std::optional<StraightPart> straight_part(const Record& record, const BeamGeomet
     require(options.window->up_to <= 1, "window up to", options.window->up_to);
   }
   if (geometry.span) require(*geometry.span > 0 && std::isfinite(*geometry.span), "span", *geometry.span);
-  if (record.force.size() < min_points) return std::nullopt;
+  if (record.force.size() < min_on_a_line) return std::nullopt;
   auto small = std::max_element(record.force.begin(), record.force.end()) - record.force.begin() + 1;
   if (geometry.span)  // the points before the deflection is large
     small = std::find_if(record.deflection.begin(), record.deflection.begin() + small,
                          [limit = max_deflection * *geometry.span](double w) { return w > limit; }) -
             record.deflection.begin();
   const auto points = static_cast<std::size_t>(small);
-  if (points < min_points) return std::nullopt;
+  if (points < min_on_a_line) return std::nullopt;
   const double most = *std::max_element(record.force.begin(), record.force.begin() + small);
   if (!(most > 0)) return std::nullopt;
   const double noise = noise_of(record);
@@ -283,7 +275,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options) {
   SmallDeflection result{};
   result.status = SmallDeflectionStatus::no_straight_part;
-  if (record.force.size() < min_points) return result;
+  if (record.force.size() < min_on_a_line) return result;
   const auto greatest =
       static_cast<std::size_t>(std::max_element(record.force.begin(), record.force.end()) - record.force.begin());
   if (!(record.force[greatest] > 0)) return result;

@@ -25,12 +25,9 @@ using HWY_NAMESPACE::HalfFibre;
 using HWY_NAMESPACE::is_common;
 using HWY_NAMESPACE::state_slopes;
 
-using Line = ForceLine<double>;
-using Half = HalfFibre<double>;
+double end_of_branch(const ForceLine<double>& line) { return complete_elliptic({line.m, line.m1}).K; }
 
-double end_of_branch(const Line& line) { return complete_elliptic({line.m, line.m1}).K; }
-
-Half half_fibre_at(double u, const Line& line) {
+HalfFibre<double> half_fibre_at(double u, const ForceLine<double>& line) {
   return half_fibre<double>(u, line.s0, line.c0, line.m, line.m1,
                             arc_by_doubling<double>(u, doublings_for(u), line.m, line.m1));
 }
@@ -39,7 +36,7 @@ Half half_fibre_at(double u, const Line& line) {
 struct Drawn {
   static constexpr int order = 4;
   double value, slope, curvature;
-  Drawn(double u, const Line& line, const Half& half) {
+  Drawn(double u, const ForceLine<double>& line, const HalfFibre<double>& half) {
     const double bend = line.s0 * half.sd;  // dθ0/du, whose own slope is sin b
     value = half.gap / u;
     slope = (bend * half.z - value) / u;
@@ -51,7 +48,7 @@ struct Drawn {
 struct Deflection {
   static constexpr int order = 2;
   double value, slope, curvature;
-  Deflection(double u, const Line& line, const Half& half) {
+  Deflection(double u, const ForceLine<double>& line, const HalfFibre<double>& half) {
     const double bend = line.s0 * half.sd;
     const double a = u - half.gap;
     const double z = half.z;
@@ -66,13 +63,13 @@ struct Deflection {
 struct Phase {
   bool exists;
   double u;
-  Half half;
+  HalfFibre<double> half;
 };
 
 // The u in (0, K] at which a quantity that rises as u^order takes the value `target`, by Halley's iteration on its root of
 // that order, which is nearly linear in u. If the quantity stays below the target, u is K, the end of the branch.
 template <class Quantity>
-Phase solve_phase(double target, double u, const Line& line) {
+Phase solve_phase(double target, double u, const ForceLine<double>& line) {
   effort_spent += effort_of_general_state;
   double K = infinity;  // until an iterate comes near it: K >= π/2 always
   const auto limited = [&](double candidate) {
@@ -83,7 +80,7 @@ Phase solve_phase(double target, double u, const Line& line) {
   double low = 0;
   double high = infinity;
   u = limited(u);
-  Half half = half_fibre_at(u, line);
+  HalfFibre<double> half = half_fibre_at(u, line);
   // A step below 2^-20 u leaves, by cubic convergence, an error below the rounding. Bisection between bounds, which only
   // states near the end of the branch ever need, gains a bit a step: 60 steps suffice for it.
   for (int iteration = 0; iteration < 60; ++iteration) {
@@ -109,7 +106,7 @@ Phase solve_phase(double target, double u, const Line& line) {
 }
 
 // Expansion of u^2 in sqrt(1 - 1/S) to first order, continued by a fit: within 0.1 % (median) for q in [-1, 2], S < 1.55.
-double guess_phase(double drawn, const Line& line) {
+double guess_phase(double drawn, const ForceLine<double>& line) {
   const double t0 = std::sqrt(15 * drawn) / line.s0;
   const double a = line.c0 * t0;
   const double b = line.s0 * t0;
@@ -135,7 +132,7 @@ FibreState no_state(FibreStatus status, double S, double q, double w, double F) 
   return {.status = status, .S = S, .q = q, .w = w, .F = F, .theta0 = nan, .Pn = nan, .U = nan, .u = nan};
 }
 
-FibreState assemble(double S, double q, double u, const Line& line, const Half& half) {
+FibreState assemble(double S, double q, double u, const ForceLine<double>& line, const HalfFibre<double>& half) {
   const double a = u / S;
   return {.status = FibreStatus::ok,
           .S = S,
@@ -149,7 +146,7 @@ FibreState assemble(double S, double q, double u, const Line& line, const Half& 
 }
 
 // The general case, which finds where the branch ends.
-FibreState general_state(double S, double q, const Line& line) {
+FibreState general_state(double S, double q, const ForceLine<double>& line) {
   const double drawn = (S - 1) / S;
   const auto [exists, u, half] = solve_phase<Drawn>(drawn, guess_phase(drawn, line), line);
   if (!exists) return no_state(FibreStatus::beyond_branch, S, q, not_a_number, not_a_number);
@@ -162,7 +159,7 @@ FibreState fibre_state(double S, double q) {
   require_S(S);
   require_q(q);
   if (S == 1) return straight(q);
-  const Line line = force_line(q);
+  const ForceLine<double> line = force_line(q);
   const auto state = common_state<double>(S, q, line);
   if (!is_common(S, state)) return general_state(S, q, line);
   const auto& [u, step, w, F, half] = state;
@@ -216,7 +213,7 @@ FibreState fibre_state_from_force(double w, double F) {
   double q = std::clamp((F / (48 * w) - 1 + 7 * w * w) / (2.1 * w), -1.0, 2.0);
   double u = std::sqrt(6 * w / force_line(q).s0);
   for (int iteration = 0; iteration < 100; ++iteration) {
-    const Line line = force_line(q);
+    const ForceLine<double> line = force_line(q);
     const auto [exists, phase, half] = solve_phase<Deflection>(w, u, line);
     u = phase;
     const double a = u - half.gap;
@@ -238,7 +235,7 @@ FibreState fibre_state_from_force(double w, double F) {
   }
   if (std::abs(q) <= largest_q * (1 + border)) {
     q = std::clamp(q, -largest_q, largest_q);
-    const Line line = force_line(q);
+    const ForceLine<double> line = force_line(q);
     const auto [exists, phase, half] = solve_phase<Deflection>(w, u, line);
     if (exists && phase > half.gap) return assemble(phase / (phase - half.gap), q, phase, line, half);
   }
@@ -247,7 +244,7 @@ FibreState fibre_state_from_force(double w, double F) {
 
 BranchEnd fibre_branch_end(double q) {
   require_q(q);
-  const Line line = force_line(q);
+  const ForceLine<double> line = force_line(q);
   const double K = end_of_branch(line);
   const auto half = half_fibre_at(K, line);
   const double a = K - half.gap;
@@ -271,7 +268,7 @@ ShapePoint fibre_shape(const FibreState& state, double s) {
     return {1 - mirrored.x, mirrored.y, -mirrored.theta};
   }
   if (state.u == 0) return {s, 0, 0};
-  const Line line = force_line(state.q);
+  const ForceLine<double> line = force_line(state.q);
   const auto turned = [&](const EllipticArc& arc) {
     return 2 * elementary::angle(0.5 * line.s0 * arc.one_minus_cn, line.m1 + line.m * arc.cn);
   };

@@ -64,13 +64,13 @@ struct Pendulum {
   }
 };
 
-struct Phase {
+struct ContactPhase {
   double v;
   EllipticArc arc;
 };
 
 // The phase at which sd = value, in [0, K).
-Phase phase_of(double value, const Pendulum& pendulum) {
+ContactPhase phase_of(double value, const Pendulum& pendulum) {
   const EllipticParameter parameter{pendulum.m, pendulum.m1};
   // Of the series of sd, inverted; large, fewer terms keep short of K.
   const double square = value * value, c = pendulum.m1 - pendulum.m;
@@ -89,7 +89,7 @@ Phase phase_of(double value, const Pendulum& pendulum) {
 }
 
 // What a phase u between contact and midspan makes of a half span a, in units in which the arc length is u.
-struct Half {
+struct SupportedHalf {
   double gap, rise;    // u less the projection on the span; deflection below the contact
   Turn theta0;         // slope at the contact
   double sin_b;        // of the force line at midspan
@@ -99,7 +99,7 @@ struct Half {
   double phase_slope;  // how the phase of the contact grows with a
 };
 
-std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const Supports& supports) {
+std::optional<SupportedHalf> half_of(double u, double a, const ForceAngle& angle, const Supports& supports) {
   const double e = -2 * a * supports.half_depth * angle.cosine;  // curvature at the contact [2a]
   const double m = angle.m + 0.25 * e * e, m1 = angle.m1 - 0.25 * e * e;
   if (!(m1 > 0)) return std::nullopt;
@@ -114,17 +114,17 @@ std::optional<Half> half_of(double u, double a, const ForceAngle& angle, const S
   const EllipticArc middle = elliptic_arc(v1, {m, m1});
   const Turn theta = pendulum.turn(middle);  // at the inflection
   const Integrals whole = pendulum.integrals(v1, middle, theta), before = pendulum.integrals(v0, contact, theta);
-  return Half{.gap = whole.gap - side * before.gap,
-              .rise = whole.rise - side * before.rise,
-              .theta0 = theta.less(pendulum.turn(contact)),
-              .sin_b = pendulum.swing * middle.cn / pendulum.dn2(middle),
-              .squares = pendulum.swing * pendulum.swing * (whole.squares - side * before.squares),
-              .curvature = pendulum.swing * pendulum.sd(middle),
-              .at_contact = e,
-              .phase_slope = e * pendulum.dn2(contact) / (a * pendulum.swing * contact.cn)};
+  return SupportedHalf{.gap = whole.gap - side * before.gap,
+                       .rise = whole.rise - side * before.rise,
+                       .theta0 = theta.less(pendulum.turn(contact)),
+                       .sin_b = pendulum.swing * middle.cn / pendulum.dn2(middle),
+                       .squares = pendulum.swing * pendulum.swing * (whole.squares - side * before.squares),
+                       .curvature = pendulum.swing * pendulum.sd(middle),
+                       .at_contact = e,
+                       .phase_slope = e * pendulum.dn2(contact) / (a * pendulum.swing * contact.cn)};
 }
 
-SupportedState state_of(const Half& half, double u, double a, const ForceAngle& angle, double q,
+SupportedState state_of(const SupportedHalf& half, double u, double a, const ForceAngle& angle, double q,
                         const Supports& supports) {
   const double R = supports.radius + supports.half_depth;
   const Turn& slope = half.theta0;
@@ -145,7 +145,7 @@ SupportedState state_of(const Half& half, double u, double a, const ForceAngle& 
           .curvature = 2 * a * half.curvature};
 }
 
-// Phase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
+// ContactPhase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
 // depth; of more, so little that Newton's iteration comes from below.
 PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Supports& supports) {
   const double R = supports.radius + supports.half_depth, theta0 = 3 * w;
@@ -159,7 +159,7 @@ PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Support
   return {u, u / (ell * (1 + 2.4 * w1 * (w1 - 2.5 * supports.half_depth * q)))};
 }
 
-// Phase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
+// ContactPhase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
 // of its slopes.
 SupportedState state_nearby(double w, double q, const Supports& supports, PhaseAndSpan& from) {
   const ForceAngle angle = force_angle(q);
@@ -202,7 +202,7 @@ SupportedState state_nearby(double w, double q, const Supports& supports, PhaseA
 SupportedState state_at_phase(double u, double q, const Supports& supports) {
   const ForceAngle angle = force_angle(q);
   const double R = supports.radius + supports.half_depth;
-  std::optional<Half> half;
+  std::optional<SupportedHalf> half;
   const auto next = [&](double a) {
     half = half_of(u, a, angle, supports);
     return half ? (u - half->gap) / (1 - 2 * R * half->theta0.sine) : not_a_number;

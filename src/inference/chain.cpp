@@ -13,12 +13,11 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Cholesky>
-
 #include "data/names.h"
 #include "inference/matern.h"
 #include "numerics/effort.h"
 #include "numerics/elementary.h"
+#include "numerics/require.h"
 
 namespace flexslip {
 
@@ -194,10 +193,6 @@ Result with_state_of(Kernel kernel, Function function) {
 }
 
 constexpr double log_two_pi = 1.8378770664093454836;
-
-void require(bool ok, const char* name, double value) {
-  if (!ok) throw std::invalid_argument(std::string(name) + " = " + std::to_string(value) + " is out of range");
-}
 
 }  // namespace
 

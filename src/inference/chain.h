@@ -11,7 +11,7 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 
 #include "inference/matern.h"
 #include "numerics/elementary.h"

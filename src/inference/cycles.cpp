@@ -20,6 +20,7 @@
 #include "inference/profile.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
+#include "numerics/require.h"
 #include "numerics/state_space.h"
 #include "numerics/statistics.h"
 
@@ -360,10 +361,6 @@ std::vector<Eigen::Vector2d> smooth(const Block& block, const Noise& noise) {
 
 constexpr double lost_degrees = 6;  // of freedom: three for the trend, three of Fisher's transform
 
-void require(bool holds, const char* what, double value) {
-  if (!holds) throw std::invalid_argument(std::string(what) + ": " + std::to_string(value));
-}
-
 std::vector<double> without_trend(std::span<const double> S, std::span<const double> values,
                                   std::span<const double> weights) {
   const auto n = static_cast<Eigen::Index>(S.size());
@@ -480,11 +477,11 @@ Noise likely_noise(const Estimator& estimator, const Noise& start, double readin
   return noise_at(at);
 }
 
-constexpr std::size_t min_points = 20;
+constexpr std::size_t min_sliding = 20;
 constexpr std::size_t settling = 5;  // iterations after which it is fixed which points slide
 constexpr std::size_t max_iterations = 40;
 
-Estimate root_mean_square(std::span<const double> values) {
+Estimate rms_with_error(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value * value;
   const double rms = std::sqrt(sum / static_cast<double>(values.size()));
@@ -515,7 +512,7 @@ FrictionLoop with_directions(FrictionLoop loop, const Block& block, const Noise&
   loop.mu_out = mean_with_error(pairs.out, pairs.out_slopes);
   std::vector<double> difference(loop.places);
   for (std::size_t i = 0; i < loop.places; ++i) difference[i] = pairs.in[i] - pairs.out[i];
-  loop.rms_difference = root_mean_square(difference);
+  loop.rms_difference = rms_with_error(difference);
   std::vector<double> variance;
   variance.reserve(loop.places);
   for (const double unit : pairs.noise_of_unit) variance.push_back(noise.force * noise.force * unit);
@@ -657,7 +654,7 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   mark_stuck(fit.points, legs, reading);
   const auto sliding =
       std::count_if(fit.points.begin(), fit.points.end(), [](const Point& point) { return point.slides; });
-  if (static_cast<std::size_t>(sliding) < min_points) return fit;
+  if (static_cast<std::size_t>(sliding) < min_sliding) return fit;
   fit.blocks = make_blocks(fit.points, fit.loops, legs.size(), reading);
   const auto mirrored = find_mirrors(fit.blocks);
   fit.calibration.contact.assign(assign_contacts(fit.loops, mirrored), 0.0);
@@ -760,8 +757,8 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
         "bumps are correlated at places with one length, two values and their noise: there are " + std::to_string(n) +
         ", " + std::to_string(in.size()) + ", " + std::to_string(out.size()) + " and " + std::to_string(noise.size()));
   for (std::size_t i = 0; i < n; ++i) {
-    require(i == 0 || S[i] > S[i - 1], "the lengths at which bumps are correlated must rise", S[i]);
-    require(noise[i] >= 0, "a variance of noise must be >= 0", noise[i]);
+    require(i == 0 || S[i] > S[i - 1], "length between the supports, which must rise,", S[i]);
+    require(noise[i] >= 0, "variance of noise", noise[i]);
   }
   if (n < min_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
   std::vector<double> weights(n, 1.0);
@@ -816,10 +813,10 @@ bool is_beyond_friction(const CyclicFriction& friction) {
 
 CyclicFriction measure_cycles(const ReducedRecord& record, const Rig& rig, const CyclesOptions& options) {
   require_readings(record);
-  require(rig.stiffness > 0, "the stiffness of the load train must be > 0", rig.stiffness);
-  require(options.stiffness_error > 0, "the error of ln EI must be > 0", options.stiffness_error);
-  require(options.contact_error > 0, "the error of the contact must be > 0", options.contact_error);
-  require(options.min_deflection > 0, "the least deflection must be > 0", options.min_deflection);
+  require(rig.stiffness > 0, "load-train stiffness", rig.stiffness);
+  require(options.stiffness_error > 0, "error of ln EI", options.stiffness_error);
+  require(options.contact_error > 0, "contact error", options.contact_error);
+  require(options.min_deflection > 0, "least deflection", options.min_deflection);
 
   CyclicFriction result{.status = CyclesStatus::too_few_points,
                         .legs = find_legs(record.stage, options.legs),

@@ -12,7 +12,7 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_points = 6;
+constexpr std::size_t min_of_reversal = 6;
 constexpr double grid = 1.04, shortest = 1.0 / 3000;  // of the longest way seen
 
 struct Reversal {
@@ -33,7 +33,7 @@ std::vector<Reversal> reversals_of(std::span<const Leg> legs, std::span<const Cy
       reversal.way.push_back(direction * (point->S - S));
       reversal.q.push_back(point->q);
     }
-    if (reversal.q.size() >= min_points) found.push_back(std::move(reversal));
+    if (reversal.q.size() >= min_of_reversal) found.push_back(std::move(reversal));
   }
   return found;
 }
@@ -41,7 +41,7 @@ std::vector<Reversal> reversals_of(std::span<const Leg> legs, std::span<const Cy
 // The squares that a + b exp(-way/σ) leaves.
 double misfit(const Reversal& reversal, double sigma, double up_to) {
   double n = 0, e = 0, ee = 0, y = 0, ey = 0, yy = 0;
-  for (std::size_t i = 0; i < reversal.q.size() && (i < min_points || reversal.way[i] <= up_to); ++i) {
+  for (std::size_t i = 0; i < reversal.q.size() && (i < min_of_reversal || reversal.way[i] <= up_to); ++i) {
     const double decay = elementary::exp(-std::max(reversal.way[i], 0.0) / sigma), q = reversal.q[i];
     n += 1;
     e += decay;
@@ -59,11 +59,11 @@ double misfit(const Reversal& reversal, double sigma, double up_to) {
 double resolution(std::span<const Reversal> reversals, double up_to) {
   std::vector<double> steps, bends;
   for (const Reversal& reversal : reversals)
-    for (std::size_t i = 1; i < reversal.way.size() && (i < min_points || reversal.way[i] <= up_to); ++i)
-      if (i < min_points || reversal.way[i] > 0.5 * up_to)
+    for (std::size_t i = 1; i < reversal.way.size() && (i < min_of_reversal || reversal.way[i] <= up_to); ++i)
+      if (i < min_of_reversal || reversal.way[i] > 0.5 * up_to)
         steps.push_back(std::abs(reversal.way[i] - reversal.way[i - 1]));
   for (const Reversal& reversal : reversals) {
-    std::size_t rows = std::min(min_points, reversal.way.size());
+    std::size_t rows = std::min(min_of_reversal, reversal.way.size());
     while (rows < reversal.way.size() && reversal.way[rows] <= up_to) ++rows;
     const auto of_reversal = second_differences(std::span(reversal.way).first(rows));
     bends.insert(bends.end(), of_reversal.begin(), of_reversal.end());

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 
 #include "bending_test/sliding_table.h"
 #include "data/names.h"

@@ -19,8 +19,8 @@
 namespace flexslip {
 namespace {
 
-constexpr double impossible = 1e9;  // of minus ln L
-constexpr double stiffness_error = 0.05;
+constexpr double impossible = 1e9;         // of minus ln L
+constexpr double first_rise_error = 0.05;  // [1] of its stiffness, beforehand
 constexpr double min_w = 0.06, max_w = 0.43;
 
 // A function of one number as a Chebyshev series from `least` to `greatest`, straight on beyond.
@@ -387,7 +387,7 @@ class Rises {
       Block block{sum(x_, z_, j), sum(x_, x_, j), 1};
       rises.push_back(block);
       if (j == 0) {
-        const double known = variance_ / (stiffness_error * stiffness_error);
+        const double known = variance_ / (first_rise_error * first_rise_error);
         block.product += known;
         block.square += known;
       }
@@ -407,7 +407,7 @@ class Rises {
       const double e = block.product / block.square;
       for (std::size_t k = 0; k < block.rises; ++k, ++j) squares_ += e * (e * rises[j].square - 2 * rises[j].product);
     }
-    const double away = (first - 1) / stiffness_error;
+    const double away = (first - 1) / first_rise_error;
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + more);
   }
 
@@ -504,7 +504,7 @@ class Rises {
       squares += sum(y, y, j);
     }
     squares_ = squares - (slope_square > 1e-12 ? slope_product * slope_product / slope_square : 0);
-    const double away = elementary::log(e0) / stiffness_error;
+    const double away = elementary::log(e0) / first_rise_error;
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
   }
 

@@ -4,39 +4,33 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
 
 #include "data/names.h"
 #include "fibre/elastica.h"
 #include "numerics/elementary.h"
+#include "numerics/require.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
-constexpr double stiffness_error = 0.003;  // [1] relative, of the load-train stiffness
-constexpr std::size_t min_rows = 4;        // of a rise that is judged
+constexpr double load_train_error = 0.003;  // [1] relative, of the load-train stiffness
+constexpr std::size_t min_rows = 4;         // of a rise that is judged
 
-void require(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors, std::span<const Drop> drops,
-             const ToothOptions& options) {
-  const auto refuse = [](const char* name, double value) {
-    std::ostringstream message;
-    message << name << " = " << value << " is out of range";
-    throw std::invalid_argument(message.str());
+void require_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
+                   std::span<const Drop> drops, const ToothOptions& options) {
+  const auto require_error = [](const char* name, double value) {
+    require(value >= 0 && std::isfinite(value), name, value);
   };
-  const auto require_error = [&](const char* name, double value) {
-    if (!(value >= 0 && std::isfinite(value))) refuse(name, value);
-  };
-  if (!(rig.stiffness > 0 && std::isfinite(rig.stiffness))) refuse("load-train stiffness", rig.stiffness);
-  if (!(options.min_share > 0 && options.min_share < 1)) refuse("least share", options.min_share);
+  require(rig.stiffness > 0 && std::isfinite(rig.stiffness), "load-train stiffness", rig.stiffness);
+  require(options.min_share > 0 && options.min_share < 1, "least share", options.min_share);
   require_error("force error", errors.force);
   require_error("bending stiffness error", errors.bending_stiffness);
   require_error("contact error", errors.contact);
   require_readings(record);
   std::size_t reached = 0;
   for (const Drop& drop : drops) {
-    if (drop.before < reached || drop.after <= drop.before || drop.after >= record.force.size())
-      refuse("drop after point", static_cast<double>(drop.before));
+    require(drop.before >= reached && drop.after > drop.before && drop.after < record.force.size(), "drop after point",
+            static_cast<double>(drop.before));
     reached = drop.after;
   }
 }
@@ -210,9 +204,9 @@ std::string_view name_of(ToothVerdict verdict) {
 
 Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                   std::span<const Drop> drops, const ToothOptions& options) {
-  require(record, rig, errors, drops, options);
+  require_teeth(record, rig, errors, drops, options);
   const std::array<Shift, 3> shifts{Shift{.log_stiffness = errors.bending_stiffness}, Shift{.contact = errors.contact},
-                                    Shift{.log_load_train = stiffness_error}};
+                                    Shift{.log_load_train = load_train_error}};
   const double one_sided = elementary::gaussian_quantile(tooth_confidence);
 
   Teeth result;

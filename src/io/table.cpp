@@ -297,16 +297,16 @@ struct MissingRow {
 
 // The rows of numbers from one on, those that only hold words for a statistic where numbers are wanted, and those without a number. Lines count
 // from 0.
-struct Rows {
+struct NumberRows {
   std::vector<std::size_t> lines;
   std::vector<std::vector<double>> columns;  // [SI]
   std::vector<std::size_t> statistics;
   std::vector<MissingRow> missing;
 };
 
-Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Header& header,
-               const std::vector<Source>& sources, const std::vector<Unit>& units) {
-  Rows out{{}, std::vector<std::vector<double>>(sources.size()), {}, {}};
+NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const Header& header,
+                     const std::vector<Source>& sources, const std::vector<Unit>& units) {
+  NumberRows out{{}, std::vector<std::vector<double>>(sources.size()), {}, {}};
   std::vector<double> values(sources.size());
   const std::size_t most = opened.sheet().size() - header.line;
   out.lines.reserve(most);
@@ -342,7 +342,7 @@ Rows rows_from(std::optional<std::size_t> row, const Opened& opened, const Heade
 }
 
 // What is said of rows without a number; empty if there are none.
-std::string said_of_missing(const Opened& opened, const Rows& rows) {
+std::string said_of_missing(const Opened& opened, const NumberRows& rows) {
   if (rows.missing.empty()) return "";
   const auto& [first, source] = rows.missing.front();
   const std::string_view says = opened.sheet().at(first, source->cell);
@@ -385,7 +385,7 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     units.push_back(agreed.unit);
     if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
   }
-  Rows rows = rows_from(row, opened, header, sources, units);
+  NumberRows rows = rows_from(row, opened, header, sources, units);
   table.left_out = said_of_missing(opened, rows);
   auto& [lines, columns, statistics, missing] = rows;
   const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));

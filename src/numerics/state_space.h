@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 namespace flexslip {
 

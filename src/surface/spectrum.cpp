@@ -19,7 +19,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // v_k at all points: sin(kx) goes on from sin((k-1)x), sin((k-2)x) no better than by itself.
 std::vector<double> taper(std::size_t k, std::size_t n) {
@@ -284,12 +284,12 @@ class Fitting {
   Bounds bounds_{};
 };
 
-struct Reached {
+struct FittedContinuum {
   Parameters at;
   double likelihood, noise_error;
 };
 
-Reached best_of(const std::vector<Bin>& bins, double folding, bool has_noise, double stated) {
+FittedContinuum best_of(const std::vector<Bin>& bins, double folding, bool has_noise, double stated) {
   Fitting fitting(bins, folding, has_noise, stated);
   const double first = bins.front().frequency, last = bins.back().frequency;
   double low = 0, high = 0, most = 0;
@@ -300,7 +300,7 @@ Reached best_of(const std::vector<Bin>& bins, double folding, bool has_noise, do
   }
   for (const Bin& bin : bins) most = std::max(most, bin.density);
   const auto log = [](double x) { return elementary::log(std::max(x, 1e-300)); };
-  Reached best{Parameters::Zero(), -infinite, 0};
+  FittedContinuum best{Parameters::Zero(), -infinite, 0};
   for (const double share : {0.1, 0.35, 0.6})  // where the knee lies, on the logarithmic axis
     for (const bool gaussian : {false, true}) {
       const double knee = elementary::exp(log(first) + share * (log(last) - log(first)));
@@ -315,13 +315,13 @@ Reached best_of(const std::vector<Bin>& bins, double folding, bool has_noise, do
 }
 
 // White noise alone.
-Reached level_of(const std::vector<Bin>& bins) {
+FittedContinuum level_of(const std::vector<Bin>& bins) {
   double sum = 0, weight = 0;
   for (const Bin& bin : bins) {
     sum += bin.weight * bin.density;
     weight += bin.weight;
   }
-  Reached flat{Parameters::Zero(), 0, 1 / std::sqrt(weight)};
+  FittedContinuum flat{Parameters::Zero(), 0, 1 / std::sqrt(weight)};
   flat.at[log_noise] = elementary::log(std::max(sum / weight, 1e-300));
   for (const Bin& bin : bins) flat.likelihood -= bin.weight * (flat.at[log_noise] + bin.density * weight / sum);
   return flat;
@@ -354,15 +354,15 @@ ContinuumFit fit_continuum(const Spectrum& spectrum, const std::vector<Frequency
   const std::vector<Bin> bins = bins_of(spectrum, without);
   if (bins.size() < 6) throw std::invalid_argument("a spectrum of too few frequencies");
   const double folding = 2 * spectrum.frequency.back();
-  const Reached plain = best_of(bins, folding, false, noise.value_or(0));
+  const FittedContinuum plain = best_of(bins, folding, false, noise.value_or(0));
   ContinuumFit found{continuum_at(plain.at, folding, false, noise.value_or(0)), false, 0, plain.likelihood};
   if (noise) return found;
-  const Reached flat = level_of(bins);
+  const FittedContinuum flat = level_of(bins);
   if (plain.likelihood - flat.likelihood < gain_of_surface) {
     found.continuum = {0, folding, 0, infinite, elementary::exp(flat.at[log_noise]), folding};
     return {found.continuum, true, flat.noise_error, flat.likelihood};
   }
-  const Reached noisy = best_of(bins, folding, true, 0);
+  const FittedContinuum noisy = best_of(bins, folding, true, 0);
   const Continuum with = continuum_at(noisy.at, folding, true, 0);
   if (noisy.likelihood - plain.likelihood > gain_of_noise && with.noise > share_of_noise * with(bins.back().frequency))
     found = {with, true, noisy.noise_error, noisy.likelihood};

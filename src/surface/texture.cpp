@@ -17,7 +17,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 // The root of a mean square whose estimate has so many freedoms.
 Estimate root_of(double square, double variance) {
@@ -97,7 +97,7 @@ std::optional<Estimate> correlation_length_in(const Spectrum& spectrum, double n
   return scaled(exponential(normal_estimate(0, error)), length);
 }
 
-void require(const HeightTrace& trace, const TextureOptions& options) {
+void require_texture(const HeightTrace& trace, const TextureOptions& options) {
   const auto& z = trace.height;
   if (z.size() < fewest_heights || !(trace.step > 0))
     throw std::invalid_argument("a texture of " + std::to_string(z.size()) + " heights, where it takes " +
@@ -124,7 +124,7 @@ double drowns_at(const Continuum& continuum, Band within) {
 }  // namespace
 
 Texture texture_of(const HeightTrace& trace, const TextureOptions& options) {
-  require(trace, options);
+  require_texture(trace, options);
   constexpr std::size_t max_waves_found = 8;
   constexpr double steps_of_shortest = 5;  // ISO 3274: heights to the shortest wave
   Texture out{};
