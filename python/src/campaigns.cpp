@@ -55,7 +55,7 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
   });
 }
 
-py::list figures(const Campaign& campaign) {
+py::list figures_of_campaign(const Campaign& campaign) {
   py::list out;
   for (const CampaignTest& test : campaign.tests)
     if (test.summary) {
@@ -75,7 +75,7 @@ void add_campaigns(py::module_& module) {
       .def("test_table", [](const Campaign& campaign) { return plain(test_table(campaign)); })
       .def("category_table", [](const Campaign& campaign) { return plain(category_table(campaign)); })
       .def("specimen_table", [](const Campaign& campaign) { return plain(specimen_table(campaign)); })
-      .def("figures", figures)
+      .def("figures", figures_of_campaign)
       .def("text", campaign_text);
   module.def("campaign", [](const std::string& path, const std::optional<std::string>& common,
                             const std::vector<std::string>& changes, const std::string& model, double false_alarms,

@@ -29,7 +29,7 @@ struct Map {
   std::vector<MapPoint> points;
 };
 
-py::object told(const DesignAnswer& answer) {
+py::object told_design(const DesignAnswer& answer) {
   const Json json = design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
                                     {answer.scales, answer.input.reduced});
   return plain(json, design_fields().descriptions());
@@ -51,7 +51,7 @@ py::list one_figure(const Type& figure) {
 
 void add_designs(py::module_& module) {
   py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
-      .def("told", told)
+      .def("told", told_design)
       .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
       .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")

@@ -25,7 +25,7 @@ namespace py = pybind11;
 using Fitted = const FittedTest&;
 
 // All of what is told, without the interpreter's lock; then as Python's.
-py::object told(Fitted test) {
+py::object told_fit(Fitted test) {
   const Json json = [&] {
     const py::gil_scoped_release unlocked;
     return fit_json(test);
@@ -40,7 +40,7 @@ py::dict curves(Fitted test) {
   return columns_of_rows(curve_fields(), points, frame_of(test));
 }
 
-py::list figures(Fitted test) {
+py::list figures_of_fit(Fitted test) {
   py::list all;
   for (const Chapter& chapter : document_of(test))
     for (const Block& block : chapter.blocks)
@@ -67,10 +67,10 @@ std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, dou
 void add_fits(py::module_& module) {
   const AnalysisChoice usual;
   py::class_<FittedTest, std::shared_ptr<FittedTest>>(module, "FittedTest")
-      .def("told", told)
+      .def("told", told_fit)
       .def("curves", curves)
       .def("draws", [](Fitted test) { return plain(draw_table(test)); })
-      .def("figures", figures)
+      .def("figures", figures_of_fit)
       .def("why_no_answer", why_no_answer)
       .def("screen", [](Fitted test) { return fit_screen(test.name, answer_of(test)); })
       .def("text", fit_text)

@@ -37,7 +37,7 @@ std::shared_ptr<Simulated> run(const Test& input, int points, const std::string&
   return std::make_shared<Simulated>(Simulated{input, simulate(input, options)});
 }
 
-py::dict told(const Simulated& simulated, bool energies) {
+py::dict told_simulation(const Simulated& simulated, bool energies) {
   const SimulatedTest& test = simulated.test;
   const Frame frame{test.scales, test.reduced};
   const PathColumns columns = columns_of(test.simulation, energies);
@@ -53,7 +53,7 @@ py::dict told(const Simulated& simulated, bool energies) {
   return out;
 }
 
-py::list figures(const Simulated& simulated) {
+py::list figures_of_simulation(const Simulated& simulated) {
   py::list out;
   out.append(plain(simulated_figure(simulated.test, cracks_of(simulated.input, simulated.test.scales))));
   return out;
@@ -71,8 +71,8 @@ py::dict profile(const Test& input) {
 
 void add_simulations(py::module_& module) {
   py::class_<Simulated, std::shared_ptr<Simulated>>(module, "SimulatedTest")
-      .def("told", told)
-      .def("figures", figures)
+      .def("told", told_simulation)
+      .def("figures", figures_of_simulation)
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });
   module.def("simulate", [](const Test& input, int points, const std::string& noise, std::uint64_t seed) {
