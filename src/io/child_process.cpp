@@ -57,10 +57,11 @@ class Child {
     std::array<char, 4096> piece{};
     for (pollfd ready{pipe_, POLLIN, 0};;) {
       effort_spent += 1;  // whoever waits may be stopped
-      if (poll(&ready, 1, heard_every) <= 0) continue;
-      const ssize_t got = read(pipe_, piece.data(), piece.size());
+      const int heard = poll(&ready, 1, heard_every);
+      const ssize_t got = heard > 0 ? read(pipe_, piece.data(), piece.size()) : heard;
+      if (got < 0 && errno != EINTR) fail(errno);
+      if (heard > 0 && got == 0) return text;
       if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
-      if (got == 0 || (got < 0 && errno != EINTR)) return text;
     }
   }
 
