@@ -91,6 +91,7 @@ test("a title without a unit: the file is in the list, the boxes that are asked 
     await tab.waitForFunction((name) => document.querySelector(`#card [aria-label="${name}"]`)?.classList.contains("yours"), box);
   }
   await tab.waitForFunction(() => document.querySelector("#what").textContent.includes("426 rows"));
+  await painted(tab);
   assert.ok(await drawn(tab));
   await say(tab, RIG);
   await tab.locator("#fit").click();
