@@ -92,7 +92,7 @@ InitialLine initial_line(const Record& record) {
 namespace {
 
 constexpr double band = 4;                      // [noise] one row in 16,000 of a level force leaves it
-constexpr std::size_t min_before_contact = 10;  // before the contact: fewer tell neither an offset nor its error
+constexpr std::size_t min_before_contact = 10;  // [rows] fewer tell neither an offset nor its error
 constexpr double max_correlation = 0.95;        // of neighbouring rows: beyond it a mean tells no error
 
 // The rows from the first on whose force stays within the band about the mean of those before.

@@ -145,7 +145,7 @@ SupportedState state_of(const SupportedHalf& half, double u, double a, const For
           .curvature = 2 * a * half.curvature};
 }
 
-// ContactPhase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
+// Phase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
 // depth; of more, so little that Newton's iteration comes from below.
 PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Supports& supports) {
   const double R = supports.radius + supports.half_depth, theta0 = 3 * w;
@@ -159,7 +159,7 @@ PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Support
   return {u, u / (ell * (1 + 2.4 * w1 * (w1 - 2.5 * supports.half_depth * q)))};
 }
 
-// ContactPhase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
+// Phase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
 // of its slopes.
 SupportedState state_nearby(double w, double q, const Supports& supports, PhaseAndSpan& from) {
   const ForceAngle angle = force_angle(q);

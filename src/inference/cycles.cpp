@@ -757,7 +757,7 @@ BumpCorrelation correlate_bumps(std::span<const double> S, std::span<const doubl
         "bumps are correlated at places with one length, two values and their noise: there are " + std::to_string(n) +
         ", " + std::to_string(in.size()) + ", " + std::to_string(out.size()) + " and " + std::to_string(noise.size()));
   for (std::size_t i = 0; i < n; ++i) {
-    require(i == 0 || S[i] > S[i - 1], "length between the supports, which must rise,", S[i]);
+    require(i == 0 || S[i] > S[i - 1], "length between the supports after a longer one", S[i]);
     require(noise[i] >= 0, "variance of noise", noise[i]);
   }
   if (n < min_pairs) return {not_a_number, not_a_number, not_a_number, static_cast<double>(n)};
