@@ -1,6 +1,7 @@
 #include "bending_test/design.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -10,7 +11,7 @@
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
 #include "bending_test/shallow.h"
-#include "bending_test/sliding_table.h"
+#include "bending_test/sliding_piece.h"
 #include "bending_test/snap.h"
 #include "contact/over_rollers.h"
 #include "numerics/beam.h"
@@ -257,33 +258,48 @@ class Loading {
     return curvature >= design_.breaking_curvature;
   }
 
-  // How far on a stretch the fibre gets before it breaks.
-  double sound_until(double S_from, double S_to) {
-    const int parts = std::isinf(design_.breaking_curvature) ? 2 : 4;
-    const auto breaks = [&](double S) { return breaks_at(fibre().curvature_at_midspan(S, curve_.friction.at(S).mu)); };
-    double low = S_from;
-    for (int i = 1; i <= parts; ++i) {
-      const double high = i < parts ? S_from + (S_to - S_from) * i / parts : S_to;
-      if (breaks(high)) {
-        breaks_ = true;
-        return first_where(low, high, breaks);
-      }
-      low = high;
+  bool breaks_on(double way) {
+    const double S = fibre().length_at(way);
+    return sees(fibre().state(S, curve_.friction.at(S).mu));
+  }
+
+  // How far on a part of a piece the fibre gets before it breaks, looked for at some of its nodes.
+  double sound_until(const CurvePiece& piece, double from, double to) {
+    constexpr std::size_t most = 4, between = CurvePiece::degree / most;
+    std::array<double, most> way, S, q, w;
+    std::size_t n = 0;
+    for (std::size_t node = between; node <= CurvePiece::degree; node += between) {
+      way[n] = piece.way_of(node);
+      if (!(from < way[n] && way[n] <= to) || std::isnan(piece.F[node])) continue;
+      S[n] = fibre().length_at(way[n]);
+      q[n] = piece.q[node];
+      w[n] = piece.stage[node] - piece.F[node] / design_.rig.stiffness;
+      ++n;
     }
-    return S_to;
+    const auto curvatures =
+        fibre().curvatures_at_midspan({std::span(S).first(n), std::span(q).first(n)}, std::span(w).first(n));
+    double low = from;
+    for (std::size_t i = 0; i < n; low = way[i++])
+      if (breaks_at(curvatures[i])) return broken_between(low, way[i]);
+    return to;
+  }
+  double broken_between(double sound, double broken) {
+    breaks_ = true;
+    return first_where(sound, broken, [&](double way) { return breaks_on(way); });
   }
 
   // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
   bool slide(const StablePart& part, const Rest& rest_from, const Rest& rest_to) {
-    constexpr double scales = 3;  // three quarters of the shortest period
     const auto& [from, to] = part;
-    const double work_before = outcome_.work;
+    const double work_before = outcome_.work, last = fibre().way(to.S);
     slid_to_ = from.S;
     bool is_held = true;
-    for (double S = from.S; is_held && !breaks_ && S < to.S;) {
-      const double end = sound_until(S, end_of_stretch(curve_.friction, fibre(), S, to.S, scales));
-      is_held = end == S || read_along(S, end, 0);
-      S = end;
+    for (double way = fibre().way(from.S); is_held && !breaks_ && way < last;) {
+      const CurvePiece piece = piece_beyond(way);
+      double end = sound_until(piece, way, std::min(piece.to, last));
+      if (!breaks_ && end == last && sees(rest_to.state)) end = broken_between(way, last);
+      is_held = end == way || read_along(piece, way, end, 0);
+      way = end;
     }
     is_held = is_held && !breaks_;
     const FibreState reached = is_held ? rest_to.state : fibre().state(slid_to_, curve_.friction.at(slid_to_).mu);
@@ -294,16 +310,32 @@ class Loading {
     return is_held;
   }
 
-  // Reads the forces along a stretch. Are there states all the way?
-  bool read_along(double S_from, double S_to, int halvings) {
+  // The piece of the trace that leads on from a place, or one computed anew where it has kept none.
+  CurvePiece piece_beyond(double way) {
+    while (next_piece_ < curve_.pieces.size() && !(way < curve_.pieces[next_piece_].to)) ++next_piece_;
+    if (next_piece_ < curve_.pieces.size()) return curve_.pieces[next_piece_];
+    constexpr double scales = 2;  // half the shortest period
+    const double S = end_of_stretch(curve_.friction, fibre(), fibre().length_at(way), curve_.end.S, scales);
+    return piece_between(way, fibre().way(S));
+  }
+  CurvePiece piece_between(double from, double to) const {
+    return pieces_between(curve_.friction, design_.rig, Sliding::in, std::array{from, to}).front();
+  }
+
+  // Reads the forces along a part of a piece. Are there states all the way?
+  bool read_along(const CurvePiece& nodes, double from, double to, int halvings) {
     constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
     constexpr int max_halvings = 12;   // only a friction that begins or ends to be held at zero needs them
-    const SlidingPiece piece(curve_.friction, design_.rig, S_from, S_to);
-    const double middle = 0.5 * (S_from + S_to);
-    const bool can_halve = halvings < max_halvings && S_from < middle && middle < S_to;
+    const SlidingPiece piece(nodes, design_.rig, from, to);
+    const double middle = 0.5 * (from + to);
+    const bool can_halve = halvings < max_halvings && from < middle && middle < to;
     if (can_halve && (!piece.exists() || piece.error() > accuracy))
-      return read_along(S_from, middle, halvings + 1) && read_along(middle, S_to, halvings + 1);
-    if (!piece.exists()) return false;
+      return read_along(piece_between(from, middle), from, middle, halvings + 1) &&
+             read_along(piece_between(middle, to), middle, to, halvings + 1);
+    return piece.exists() && read(piece, to);
+  }
+
+  bool read(const SlidingPiece& piece, double to) {
     const auto turns = piece.turns();
     greatest_.see(piece.force_from());  // friction may have a corner there
     greatest_.see(piece.force_to());
@@ -313,7 +345,7 @@ class Loading {
     else
       read_all(piece, turns);
     outcome_.work += piece.work();
-    slid_to_ = S_to;
+    slid_to_ = fibre().length_at(to);
     return true;
   }
 
@@ -404,6 +436,7 @@ class Loading {
   GreatestForce greatest_;
   double next_ = 0;     // reading
   double slid_to_ = 1;  // [L]
+  std::size_t next_piece_ = 0;
   bool breaks_ = false;
 };
 

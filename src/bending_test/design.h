@@ -131,8 +131,8 @@ inline double friction_share(const DesignOutcome& outcome) {
 //             and released 1e-5 of the work (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are
 //             none. Where a drift of friction begins or ends to be held at zero within a snap, friction_heat and released 1e-3 of the
 //             work and drops 1e-4; where the loading ends below a length S, all of them 2^-48/(S - 1) besides.
-//             The greatest curvature is looked for at two points of each stretch of three quarters of the shortest period, and may be 2 %
-//             too small; that at which the fibre breaks at four, and one exceeded by less for less than that is not seen.
+//             The greatest curvature, and that at which the fibre breaks, is looked for at four points of each half of the shortest
+//             period, and may be 2 % too small; one exceeded for less than that is not seen.
 // Fails:      slipped_through, breaks.
 // Method:     the curve is traced; its stable parts are followed as polynomials, whose turning points tell which readings to look at.
 //             In a snap the force at the supports is a smooth function of the length, whatever the friction (theory.md, "Designs").

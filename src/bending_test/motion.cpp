@@ -231,10 +231,7 @@ std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
   if (part.to.S == part.from.S) return snap(sliding);
   const bool arrives = direction * (part.to.stage - stage) >= 0;
   const bool moves = direction * (stage - part.from.stage) > 0;  // by more than the rounding of G
-  const auto point_there = [&] {
-    return point_at_stage(curve, part, stage, table_of(sliding).length_at_stage(stage, part.from.S, part.to.S));
-  };
-  RigPoint to = !arrives ? part.to : moves ? point_there() : part.from;
+  RigPoint to = !arrives ? part.to : moves ? point_at_stage(curve, part, stage) : part.from;
   if (arrives) to.stage = stage;
   if (!glide_) glide_ = Glide{sliding, direction * infinity};
   if (direction * (to.S - glide_->to_S) >= 0) {

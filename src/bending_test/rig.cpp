@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "bending_test/sliding_piece.h"
 #include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
 #include "numerics/elementary.h"
@@ -53,27 +54,37 @@ double share_of(const RigPoint& from, const RigPoint& to, double stage) {
   return std::clamp((stage - from.stage) / (to.stage - from.stage), 0.0, 1.0);
 }
 
-// Where a cubic that is level at both ends has risen by a share.
-double between_folds(double low, double high, double share) {
-  const double cosine = 1 - 2 * share, sine = 2 * std::sqrt(share * (1 - share));
-  return std::lerp(low, high, 0.5 - elementary::sine_and_cosine(elementary::angle(cosine, sine) / 3).sine);
+// Where G = stage between two points of the way between which it is monotone, to the accuracy of the pieces of the trace; none beyond those.
+std::optional<double> place_in_pieces(const SlidingCurve& curve, double low, double high, bool rising, double stage) {
+  constexpr double close = 1e-5;  // of a piece: Newton's steps leave the square of it
+  auto piece = std::partition_point(curve.pieces.begin(), curve.pieces.end(),
+                                    [&](const CurvePiece& each) { return each.to <= low; });
+  for (; piece != curve.pieces.end() && piece->from < high; ++piece) {
+    if (piece->to < high && (piece->stage.back() < stage) == rising) continue;  // not yet
+    const double from = piece->place_of(std::max(low, piece->from)), to = piece->place_of(std::min(high, piece->to));
+    const auto series = CurvePiece::Polynomial::chebyshev(piece->stage);
+    const auto miss_at = [&](double t) {
+      const auto [value, slope] = series_slope_at(series, t);
+      return ValueAndSlope{value - stage, slope};
+    };
+    const double share = (stage - series_at(series, from)) / (series_at(series, to) - series_at(series, from));
+    const double guess = std::clamp(std::lerp(from, to, share), from, to);
+    return piece->way_at(zero_between(miss_at, rising ? from : to, rising ? to : from, guess, close));
+  }
+  return std::nullopt;
 }
 
 // The point between two lengths, G being monotone there, at which G = stage.
-RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const RigPoint& to, double stage,
-                       std::optional<double> x_guess = {}) {
+RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const RigPoint& to, double stage) {
   if (stage == from.stage) return from;
   if (stage == to.stage) return to;
   double low = way_of(curve, from);
   double high = way_of(curve, to);
   const bool rising = to.stage > from.stage;
-  // Steps are short: the tangent where they begin is the best guess, the chord the next.
   Miss last{low, from.stage - stage, 2 * low * from.stage_slope};
-  const double tangent = last.x - last.error / last.slope;
   const double chord = std::lerp(low, high, share_of(from, to, stage));
-  double x = x_guess && *x_guess > low && *x_guess < high ? *x_guess
-             : tangent > low && tangent < high            ? tangent
-                                                          : chord;
+  double x = place_in_pieces(curve, low, high, rising, stage).value_or(chord);
+  if (!(x > low && x < high)) x = chord;
   const double rounding = 0x1p-50 * stage;  // of w and F, elastica.h
   RigPoint nearest = from;
   double min_error = infinity;
@@ -182,8 +193,7 @@ std::optional<RigPoint> landing_after(const SlidingCurve& curve, double S, doubl
     if (advance > advance_of(curve, to)) continue;
     const RigPoint from = i > first ? curve.folds[i - 1].point : point_at_length(curve, S);
     if (advance_of(curve, from) <= advance && advance_of(curve, from) < advance_of(curve, to))
-      return point_between(curve, from, to, stage,
-                           between_folds(way_of(curve, from), way_of(curve, to), share_of(from, to, stage)));
+      return point_between(curve, from, to, stage);
   }
   return std::nullopt;
 }
@@ -195,13 +205,11 @@ std::vector<StablePart> stable_parts(const SlidingCurve& curve) {
   return parts;
 }
 
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage,
-                        std::optional<double> S_guess) {
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage) {
   const double advance = direction_of(curve.sliding) * stage;
   if (!(advance >= advance_of(curve, part.from) && advance <= advance_of(curve, part.to)))
     throw std::invalid_argument("stage position " + std::to_string(stage) + " is not in the stable part");
-  if (S_guess) S_guess = way_at(curve.rig.fibre, curve.sliding, *S_guess);
-  return point_between(curve, part.from, part.to, stage, S_guess);
+  return point_between(curve, part.from, part.to, stage);
 }
 
 double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales) {
@@ -270,6 +278,15 @@ double node_in(const Cell& cell, std::size_t j) {
   return j == 0 ? cell.a : j == cell_degree ? cell.b : cell.a + 0.5 * (cell.b - cell.a) * (1 + CellPolynomial::node(j));
 }
 
+// dG/dt of a piece, t in [-1, 1].
+constexpr std::size_t piece_degree = CurvePiece::degree;
+struct PieceSlope {
+  using Bernstein = std::array<double, piece_degree>;
+  const CurvePiece& piece;
+  std::array<double, piece_degree> series;  // Chebyshev's
+  double error;
+};
+
 // Walks a sliding curve and gathers its folds.
 class FoldSearch {
  public:
@@ -281,13 +298,14 @@ class FoldSearch {
     if (!first.exists)
       throw std::invalid_argument("no fibre of the length S = " + std::to_string(S_from) + " slides out under a force");
     double S = S_from;
-    double x = way_at(rig_.fibre, sliding_, S_from);
+    double x = way_at(rig_.fibre, sliding_, S_from), edge = x;
     std::optional<double> ended;  // a point beyond the end of the branch
     while (S != S_to && !ended) {
       std::vector<Cell> cells;
-      for (double a = x; cells.size() < cells_at_once && S != S_to; a = cells.back().b) {
-        S = end_of_stretch(friction_, rig_.fibre, S, S_to, 1);
-        cells.push_back({a, way_at(rig_.fibre, sliding_, S), S != S_to && is_corner(S)});
+      while (cells.size() < cells_at_once && S != S_to) {
+        S = end_of_stretch(friction_, rig_.fibre, S, S_to, scales);
+        cells.push_back({edge, way_at(rig_.fibre, sliding_, S), S != S_to && friction_.has_corner_at(S)});
+        edge = cells.back().b;
       }
       ended = search(cells, x);
     }
@@ -298,7 +316,7 @@ class FoldSearch {
       const double end = last_existing(x, *ended);
       std::erase_if(brackets_, [&](const Bracket& bracket) { return bracket.low >= x; });
       ended = std::nullopt;
-      if (end > x) ended = isolate_in({x, end}, finest(), 0);
+      if (end > x) ended = isolate_in({x, end}, 0);
       if (!ended) x = end;
     }
     std::vector<Fold> folds = polished_folds();
@@ -311,11 +329,19 @@ class FoldSearch {
       reason = CurveEnd::branch_ended;
       folds.erase(lost, folds.end());
     }
-    return {friction_, rig_, sliding_, first.point, std::move(folds), sample(x).point, reason, looked_at_};
+    return {friction_,       rig_,   sliding_,   first.point,       std::move(folds),
+            sample(x).point, reason, looked_at_, std::move(pieces_)};
   }
 
  private:
   static constexpr std::size_t cells_at_once = 64;
+  static constexpr std::size_t most_pieces = 1 << 16;  // 20 MB
+  static constexpr double scales = 2;                  // of friction in a cell: half the shortest period
+  static constexpr double resolved_piece =
+      1e-5;                                     // of its slopes: what follows the last coefficients is a third of these
+  static constexpr double accuracy = 1e-6;      // of interpolated slopes
+  static constexpr double close = 1e-7;         // of their zeros: below what an interpolant is worth
+  static constexpr double value_error = 1e-12;  // of tabulated stage positions
 
   CurveSample sample(double x) const { return sample_at(friction_, rig_, sliding_, x); }
 
@@ -323,17 +349,12 @@ class FoldSearch {
     return halved(200, {exists, ended}, [&](double x) { return !sample(x).exists; }).low;
   }
 
-  bool is_corner(double S) const {
-    const auto knots = friction_.knots();
-    return friction_.has_corners() && std::binary_search(knots.begin(), knots.end(), S);
-  }
-
   std::optional<Corner> corner_at_end(const Cell& cell) const {
     constexpr double hair = 1e-9;  // of the cell: beyond how well a knot on rollers is known
     constexpr double jump = 1e-6;  // of the slope, relative to its scale: less is resolved without
     if (!cell.ends_at_corner) return std::nullopt;
     const double before = cell.b - hair * (cell.b - cell.a), behind = cell.b + hair * (cell.b - cell.a);
-    const auto beside = tabulated_samples_at(friction_, rig_, sliding_, std::array{before, behind});
+    const auto beside = samples_at(friction_, rig_, sliding_, std::array{before, behind});
     const auto& [low, high] = std::pair(beside[0], beside[1]);
     if (!low.exists || !high.exists || std::abs(high.slope - low.slope) <= jump * std::max(low.scale, high.scale))
       return std::nullopt;
@@ -345,49 +366,83 @@ class FoldSearch {
 
   // Adjacent cells. x follows to the end of the last that is wholly on the branch.
   std::optional<double> search(const std::vector<Cell>& cells, double& x) {
-    std::vector<double> at;
-    at.reserve(cells.size() * cell_degree + 1);
-    for (const Cell& cell : cells)
-      for (std::size_t j = 0; j < cell_degree; ++j) at.push_back(node_in(cell, j));
-    at.push_back(cells.back().b);
-    const auto samples = tabulated_samples_at(friction_, rig_, sliding_, at);
-    looked_at_ += at.size();
+    std::vector<double> ends{cells.front().a};
+    ends.reserve(cells.size() + 1);
+    for (const Cell& cell : cells) ends.push_back(cell.b);
+    const std::vector<CurvePiece> pieces = pieces_between(friction_, rig_, sliding_, ends);
+    looked_at_ += pieces.size() * CurvePiece::degree;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const auto corner = corner_at_end(cells[i]);
-      const auto ended = corner || x != cells[i].a
-                             ? isolate_in({x, corner ? corner->before : cells[i].b}, source(), 0)
-                             : isolate(cells[i], Nodes(&samples[i * cell_degree], cell_degree + 1), source(), 0);
+      const auto ended =
+          corner || x != cells[i].a ? isolate_in({x, corner ? corner->before : cells[i].b}, 0) : isolate(pieces[i]);
       if (ended) return ended;
       if (corner && corner->fold) brackets_.push_back(*corner->fold);
       x = corner ? corner->behind : cells[i].b;
+      if (pieces_.size() < most_pieces) pieces_.push_back(pieces[i]);
     }
     return std::nullopt;
   }
 
-  using Sampler = std::vector<CurveSample> (*)(const Friction&, const Rig&, Sliding, std::span<const double>);
-  struct Source {
-    Sampler sampler;
-    double error;         // of slopes, relative to their scale
-    const Source* finer;  // where this cannot decide; none: halve the cell
-  };
-  static constexpr Source exact{samples_at, exact_error, nullptr};
-  static constexpr Source table{tabulated_samples_at, tabulated_error, &exact};
-  static constexpr Source table_alone{tabulated_samples_at, tabulated_error, nullptr};
-  // With a thickness or on rollers all states are those of tables.
-  const Source& source() const { return rig_.fibre.on_edges() ? table : table_alone; }
-  const Source& finest() const { return rig_.fibre.on_edges() ? exact : table_alone; }
-
-  std::optional<double> isolate_in(const Cell& cell, const Source& source, int halvings) {
-    std::array<double, cell_degree + 1> at;
-    for (std::size_t j = 0; j <= cell_degree; ++j) at[j] = node_in(cell, j);
-    const auto samples = source.sampler(friction_, rig_, sliding_, at);
-    looked_at_ += at.size();
-    return isolate(cell, Nodes(samples), source, halvings);
+  // Brackets the folds of a piece; or, if the branch ends there, gives a point beyond its end. What the polynomial through its values cannot decide
+  // is looked at again by slopes.
+  std::optional<double> isolate(const CurvePiece& piece) {
+    double most = 0;
+    for (std::size_t j = 0; j <= piece_degree; ++j) {
+      if (std::isnan(piece.F[j])) return piece.way_of(j);
+      most = std::max(most, std::abs(piece.stage[j]));
+    }
+    const CurvePiece::Values stage = CurvePiece::Polynomial::bernstein(piece.stage);
+    PieceSlope slope{piece, derivative(CurvePiece::Polynomial::chebyshev(piece.stage)), 0};
+    PieceSlope::Bernstein bernstein;
+    double greatest = 0;
+    for (std::size_t j = 0; j < piece_degree; ++j) {
+      bernstein[j] = 0.5 * piece_degree * (stage[j + 1] - stage[j]);
+      greatest = std::max(greatest, std::abs(bernstein[j]));
+    }
+    const double tail = std::abs(slope.series[piece_degree - 1]) + std::abs(slope.series[piece_degree - 2]);
+    constexpr double amplified = piece_degree * piece_degree;  // an error of values, in slopes
+    slope.error = std::max(4 * tail, amplified * value_error * most);
+    const bool is_smooth = !friction_.may_be_held() || !may_have_kink({piece.from, piece.to});
+    if (!is_smooth || tail > resolved_piece * greatest) return isolate_in({piece.from, piece.to}, 0);
+    return isolate(slope, bernstein, -1, 1, 0);
   }
 
-  // Brackets the folds between two points of the way; or, if the branch ends there, gives a point beyond its end. What the table resolves
-  // but cannot decide is looked at again on the exact map.
-  std::optional<double> isolate(const Cell& cell, Nodes samples, const Source& source, int halvings) {
+  // A part of a piece, from low to high, by the Bernstein coefficients of the slope there.
+  std::optional<double> isolate(const PieceSlope& slope, const PieceSlope::Bernstein& bernstein, double low,
+                                double high, int halvings) {
+    constexpr int most_halvings = 6;  // then sampling is no dearer
+    const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
+    if (*least > slope.error || *greatest < -slope.error) return std::nullopt;
+    const Cell cell{slope.piece.way_at(low), slope.piece.way_at(high)};
+    const bool rising = bernstein.front() < 0;
+    if (sign_changes(bernstein) == 1 &&
+        std::min(std::abs(bernstein.front()), std::abs(bernstein.back())) > slope.error) {
+      const auto at = [&](double t) { return series_slope_at(slope.series, t); };
+      const double t = zero_between(at, rising ? low : high, rising ? high : low, 0.5 * (low + high), close);
+      const double by_t = 0.5 * (slope.piece.to - slope.piece.from);
+      brackets_.push_back({cell.a, cell.b, slope.piece.way_at(t), at(t).slope / (by_t * by_t), rising});
+      return std::nullopt;
+    }
+    if (halvings == most_halvings) return isolate_in(cell, 0);
+    const auto [left, right] = bernstein_halves(bernstein);
+    const double middle = 0.5 * (low + high);
+    if (const auto ended = isolate(slope, left, low, middle, halvings + 1)) return ended;
+    return isolate(slope, right, middle, high, halvings + 1);
+  }
+
+  // How well slopes are known, relative to their scale. With a thickness or on rollers all states are those of tables.
+  double slope_error() const { return rig_.fibre.on_edges() ? exact_error : tabulated_error; }
+
+  std::optional<double> isolate_in(const Cell& cell, int halvings) {
+    std::array<double, cell_degree + 1> at;
+    for (std::size_t j = 0; j <= cell_degree; ++j) at[j] = node_in(cell, j);
+    const auto samples = samples_at(friction_, rig_, sliding_, at);
+    looked_at_ += at.size();
+    return isolate(cell, Nodes(samples), halvings);
+  }
+
+  // The same by slopes, halving the cell until they decide.
+  std::optional<double> isolate(const Cell& cell, Nodes samples, int halvings) {
     CellValues values;
     double scale = 0;
     for (std::size_t j = 0; j <= cell_degree; ++j) {
@@ -400,28 +455,25 @@ class FoldSearch {
     const CellValues bernstein = CellPolynomial::bernstein(values);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
 
-    constexpr double accuracy = 1e-6;
     const double at_a = values.front();
     const double at_b = values.back();
     const bool changes_sign = (at_a < 0) != (at_b < 0);
     const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
     const bool resolved =
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;  // S itself is rounded, too
-    const double min_error = source.error * scale;
+    const double min_error = slope_error() * scale;
     const double error = std::max(4 * tail, min_error);
     if (resolved && !changes_sign && (*least > error || *greatest < -error)) return std::nullopt;
     const bool single = resolved && sign_changes(bernstein) == 1 && std::min(std::abs(at_a), std::abs(at_b)) > error;
     // Along a load line G is level: no halving would tell more than that G' is within its error.
-    const bool level = resolved && !source.finer && std::max(-*least, *greatest) <= min_error;
+    const bool level = resolved && std::max(-*least, *greatest) <= min_error;
     const bool smallest = halvings == max_halvings || level;
     if (changes_sign && (single || smallest)) {
       add_bracket(cell, at_a < 0, bernstein);
-    } else if (resolved && source.finer) {
-      return isolate_in(cell, *source.finer, halvings);
     } else if (!smallest) {
       const double middle = 0.5 * (cell.a + cell.b);
-      if (const auto ended = isolate_in({cell.a, middle}, source, halvings + 1)) return ended;
-      return isolate_in({middle, cell.b}, source, halvings + 1);
+      if (const auto ended = isolate_in({cell.a, middle}, halvings + 1)) return ended;
+      return isolate_in({middle, cell.b}, halvings + 1);
     }
     return std::nullopt;
   }
@@ -439,7 +491,6 @@ class FoldSearch {
   }
 
   void add_bracket(const Cell& cell, bool rising, const CellValues& bernstein) {
-    constexpr double close = 1e-7;  // below what the interpolant is worth
     const auto slope_at = [&](double t) { return bernstein_at(bernstein, t); };
     const double t = zero_between(slope_at, rising ? 0.0 : 1.0, rising ? 1.0 : 0.0, 0.5, close);
     const double length = cell.b - cell.a;
@@ -482,6 +533,7 @@ class FoldSearch {
   const Rig& rig_;
   Sliding sliding_;
   std::vector<Bracket> brackets_;
+  std::vector<CurvePiece> pieces_;
   std::size_t looked_at_ = 0;
 };
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "bending_test/curve_piece.h"
 #include "bending_test/equilibrium.h"
 #include "contact/friction.h"
 #include "fibre/fibre.h"
@@ -55,16 +56,18 @@ struct SlidingCurve {
   RigPoint end;
   CurveEnd end_reason;
   std::size_t looked_at;  // points that it took to find the folds
+  std::vector<CurvePiece>
+      pieces;  // of the curve, end to end from its begin: as far as it takes no more than 2^16 of them
 };
 
 // The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1: of a friction of the
 // specimen's points.
 // Domain:     rig.stiffness > 0, S_max > 1; S_from > 1, where a state with q = -μ exists; std::invalid_argument otherwise.
-// Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G' is
-//             interpolated by Chebyshev polynomials of degree 8 on cells no longer than half the shortest period (and the
-//             pieces between the knots of a table), cells are halved until the interpolant is accurate to 1e-6 of the terms
-//             of G', and its roots are counted by Descartes' rule in Bernstein form (theory.md, "Folds"). Folds are then
-//             polished to the rounding of G'.
+// Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G is
+//             interpolated by Chebyshev polynomials of degree 12 on half the shortest period (and the pieces between
+//             the knots of a table), and the roots of G' are counted by Descartes' rule in Bernstein form. Where that does not
+//             decide, G' itself is interpolated, and cells are halved until it is known to 1e-6 of its terms (theory.md,
+//             "Folds"). Folds are then polished to the rounding of G'.
 // Fails:      std::invalid_argument if the roughness has more than 1e6 periods on this length, or periods below 1e-9 spans.
 // Cost:       about 30 µs for each period of the roughness.
 SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
@@ -109,9 +112,8 @@ std::optional<RigPoint> landing_after(const SlidingCurve& curve, double S, doubl
 // and `from` of the next have equal G.
 std::vector<StablePart> stable_parts(const SlidingCurve& curve);
 
-// The state at a stage position that `part` contains. A guess of its length saves time, but changes nothing else.
-RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage,
-                        std::optional<double> S_guess = {});
+// The state at a stage position that `part` contains.
+RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, double stage);
 
 // The end of a stretch of the way from S towards S_to, over which friction and the elastica bend so little that polynomials in
 // √(S - 1) (Fibre::way) of low degree follow them: at most `scales` smooth scales of the friction (friction.h), and no knot inside.

@@ -211,10 +211,10 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
     for (const double knot : met) {
       const double corner = first_where(
           begin, end, [&](double w) { return length_there > length ? length_at(w) >= knot : length_at(w) <= knot; });
-      sum += integral(gauss_10, begin, corner, power);
+      sum += integral(gauss_6, begin, corner, power);
       begin = corner;
     }
-    sum += integral(gauss_10, begin, end, power);
+    sum += integral(gauss_6, begin, end, power);
     begin = end, length = length_there;
   }
   return {sum.stage, sum.friction, 0};

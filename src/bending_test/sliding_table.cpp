@@ -12,7 +12,6 @@
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
-#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
@@ -40,24 +39,6 @@ CurveSample sample_of(double direction, const Rig& rig, double S, const Friction
           .scale = 2 * sigma * (fibre.w_S + compliance * std::abs(fibre.F_S) + std::abs(rough))};
 }
 
-template <class States>
-std::vector<CurveSample> samples(const Friction& friction, const Rig& rig, Sliding sliding, std::span<const double> x,
-                                 const States& states) {
-  const double direction = direction_of(sliding);
-  std::vector<double> S(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) S[i] = rig.fibre.length_at(x[i]);
-  const FrictionArrays mu = friction.at(S);
-  std::vector<double> q(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) q[i] = direction * mu.mu[i];
-  const SlopeArrays at = states(FibrePoints(S, q));
-  std::vector<CurveSample> result;
-  result.reserve(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i)
-    result.push_back(sample_of(direction, rig, S[i], {mu.mu[i], mu.slope[i]},
-                               {at.w[i], at.F[i], at.w_S[i], at.w_q[i], at.F_S[i], at.F_q[i]}));
-  return result;
-}
-
 }  // namespace
 
 double way_at(const Fibre& fibre, Sliding sliding, double S) { return direction_of(sliding) * fibre.way(S); }
@@ -73,15 +54,20 @@ CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding,
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x) {
   const Fibre& fibre = rig.fibre;
-  return samples(friction, rig, sliding, x, [&](const FibrePoints& points) {
-    return fibre.on_edges() ? fibre.states_slopes(points) : fibre.tabulated_states_slopes(points);
-  });
-}
-
-std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
-                                              std::span<const double> x) {
-  return samples(friction, rig, sliding, x,
-                 [&](const FibrePoints& points) { return rig.fibre.tabulated_states_slopes(points); });
+  const double direction = direction_of(sliding);
+  std::vector<double> S(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) S[i] = fibre.length_at(x[i]);
+  const FrictionArrays mu = friction.at(S);
+  std::vector<double> q(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) q[i] = direction * mu.mu[i];
+  const FibrePoints points(S, q);
+  const SlopeArrays at = fibre.on_edges() ? fibre.states_slopes(points) : fibre.tabulated_states_slopes(points);
+  std::vector<CurveSample> result;
+  result.reserve(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i)
+    result.push_back(sample_of(direction, rig, S[i], {mu.mu[i], mu.slope[i]},
+                               {at.w[i], at.F[i], at.w_S[i], at.w_q[i], at.F_S[i], at.F_q[i]}));
+  return result;
 }
 
 SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sliding)
@@ -141,7 +127,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int
     return;
   }
   const SlidingWork before = cell.empty() ? SlidingWork{0, 0} : up_to(cell, cell.back().to);
-  cell.push_back({from, to, stage, integrated(product<degree + 1>(F, derivative(stage)), 1),
+  cell.push_back({from, to, integrated(product<degree + 1>(F, derivative(stage)), 1),
                   integrated(friction, 0.5 * (to - from)), before});
 }
 
@@ -182,123 +168,6 @@ SlidingWork SlidingTable::work(double S_from, double S_to) {
   for (std::size_t i = first; i < last; ++i) sum += up_to(cell(i), rig_.fibre.way(edges_[i + 1]));
   sum += up_to(cell(last), rig_.fibre.way(S_to));
   return sum;
-}
-
-double SlidingTable::length_at_stage(double stage, double S_from, double S_to) {
-  const auto place_on = [](const Piece& piece, double sigma) {
-    return (2 * sigma - piece.from - piece.to) / (piece.to - piece.from);
-  };
-  const bool onwards = S_to > S_from;
-  const std::size_t last = cell_of(S_to);
-  std::size_t i = cell_of(S_from);
-  const auto lies_beyond = [&](double edge) {
-    const double sigma = rig_.fibre.way(edge);
-    const Piece& piece = piece_at(cell(i), sigma);
-    return (series_at(piece.G, place_on(piece, sigma)) < stage) == onwards;
-  };
-  while (i != last && lies_beyond(edges_[onwards ? i + 1 : i])) i = onwards ? i + 1 : i - 1;
-  double low = rig_.fibre.way(std::max(edges_[i], std::min(S_from, S_to)));
-  double high = rig_.fibre.way(std::min(edges_[i + 1], std::max(S_from, S_to)));
-  const Cell& here = cell(i);
-  const auto miss = [&](double sigma) {
-    const Piece& piece = piece_at(here, sigma);
-    const auto [G, slope] = series_slope_at(piece.G, place_on(piece, sigma));
-    return ValueAndSlope{G - stage, 2 * slope / (piece.to - piece.from)};
-  };
-  const double close = 1e-11 * (high - low);
-  const double sigma = zero_between(miss, low, high, 0.5 * (low + high), close);
-  return rig_.fibre.length_at(sigma);
-}
-
-namespace {
-
-constexpr std::size_t degree = SlidingPiece::degree;
-using Polynomial = Interpolant<degree>;
-using Values = SlidingPiece::Values;
-constexpr double close = 0x1p-48;  // of a zero in [-1, 1]
-
-// Where the slope of a polynomial vanishes: as often as the signs of its Bernstein coefficients change, or less often (Descartes); halved until they
-// change at most once. The zeros themselves by its Chebyshev series, which takes fewer products.
-struct SlopeOf {
-  using Bernstein = std::array<double, degree>;
-  std::array<double, degree> series;
-
-  void add_zeros(const Bernstein& b, double low, double high, int halvings, std::vector<double>& zeros) const {
-    constexpr int max_halvings = 24;  // beyond it two zeros are one point
-    const int changes = sign_changes(b);
-    if (changes == 0) return;
-    if (halvings == max_halvings) {
-      if (changes % 2 == 1) zeros.push_back(0.5 * (low + high));
-      return;
-    }
-    if (changes == 1) {
-      const auto at = [&](double x) { return series_slope_at(series, x); };
-      const bool rises = b.front() < 0;
-      zeros.push_back(zero_between(at, rises ? low : high, rises ? high : low, 0.5 * (low + high), close));
-      return;
-    }
-    Bernstein left{};
-    Bernstein right = b;
-    for (std::size_t n = degree; n > 0; --n) {
-      left[degree - n] = right[0];
-      for (std::size_t i = 0; i + 1 < n; ++i) right[i] = 0.5 * (right[i] + right[i + 1]);
-    }
-    const double middle = 0.5 * (low + high);
-    add_zeros(left, low, middle, halvings + 1, zeros);
-    add_zeros(right, middle, high, halvings + 1, zeros);
-  }
-};
-
-}  // namespace
-
-SlidingPiece::SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to)
-    : from_(rig.fibre.way(S_from)), to_(rig.fibre.way(S_to)), compliance_(1 / rig.stiffness) {
-  if (!(S_from >= 1 && S_to > S_from))
-    throw std::invalid_argument("no piece leads from S = " + std::to_string(S_from) + " to " + std::to_string(S_to));
-  Values S{};
-  for (std::size_t j = 0; j <= degree; ++j)
-    S[j] = j == 0 ? S_from : j == degree ? S_to : rig.fibre.length_at(way_at(Polynomial::node(j)));
-  const auto states = rig.fibre.tabulated_states(FibrePoints(S, friction.at(S).mu));
-  double most = 0;
-  for (std::size_t j = 0; j <= degree; ++j) {
-    exists_ = exists_ && !std::isnan(states.F[j]);
-    F_at_[j] = states.F[j];
-    stage_at_[j] = states.w[j] + states.F[j] / rig.stiffness;
-    most = std::max(most, states.F[j]);
-  }
-  if (!exists_) return;
-  stage_ = Polynomial::chebyshev(stage_at_);
-  F_ = Polynomial::chebyshev(F_at_);
-  error_ = (std::abs(F_[degree]) + std::abs(F_[degree - 1])) / most;
-}
-
-double SlidingPiece::work() const {
-  const double of_stage = series_at(integrated(product<2 * degree>(F_, derivative(stage_)), 1), 1);
-  return of_stage - 0.5 * compliance_ * (force_to() * force_to() - force_from() * force_from());
-}
-
-double SlidingPiece::force_at(double stage) const {
-  const double share = (stage - stage_from()) / (stage_to() - stage_from());
-  if (!(share > 0)) return force_from();
-  if (!(share < 1)) return force_to();
-  const auto miss = [&](double x) {
-    const auto [value, slope] = series_slope_at(stage_, x);
-    return ValueAndSlope{value - stage, slope};
-  };
-  return series_at(F_, zero_between(miss, -1.0, 1.0, 2 * share - 1, close));
-}
-
-std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {
-  const Values force = Polynomial::bernstein(F_at_);
-  SlopeOf::Bernstein slope{};
-  for (std::size_t i = 0; i < degree; ++i) slope[i] = force[i + 1] - force[i];
-  std::vector<double> zeros;
-  SlopeOf{derivative(F_)}.add_zeros(slope, -1, 1, 0, zeros);
-  std::vector<Turn> turns;
-  turns.reserve(zeros.size());
-  for (const double x : zeros)
-    turns.push_back({way_at(x), std::clamp(series_at(stage_, x), stage_from(), stage_to()), series_at(F_, x)});
-  return turns;
 }
 
 SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : fibre_(fibre) {

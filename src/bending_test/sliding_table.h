@@ -1,4 +1,4 @@
-// A sliding curve sampled: as a table of work and lengths for the price of a few polynomials, as one short piece, and on the fixed ladder of fits.
+// A sliding curve sampled: as a table of work and lengths for the price of a few polynomials, and on the fixed ladder of fits.
 #pragma once
 
 #include <array>
@@ -30,14 +30,11 @@ struct CurveSample {
 
 // A point of the way, to the accuracy of Fibre::state_slopes, and with it where the branch ends. The friction is that met on the way.
 CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x);
-// Many; on rollers or with a thickness by the table over lengths, whose branch may end some 1e-12 from that of the states.
+// Many; on rollers or with a thickness by the table over lengths, slopes to this, relative to their scale, whose branch may end some 1e-12 from that
+// of the states.
+inline constexpr double tabulated_error = 1e-9;
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x);
-
-// The same to the accuracy of the table (state_table.h): slopes to this, relative to their scale.
-inline constexpr double tabulated_error = 1e-9;
-std::vector<CurveSample> tabulated_samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
-                                              std::span<const double> x);
 
 // Farther than that no specimen reaches: one that is drawn in so far slips through its supports.
 inline constexpr double longest_sliding = 100;  // [L]
@@ -67,11 +64,6 @@ class SlidingTable {
   // Cost:       0.1 µs; 4 µs for each new cell.
   SlidingWork work(double S_from, double S_to);
 
-  // The length at which G = stage, between two lengths between which G rises with S and takes that value.
-  // Domain:     as work().
-  // Max error:  1e-12 of G: a guess for point_at_stage (rig.h).
-  double length_at_stage(double stage, double S_from, double S_to);
-
  private:
   static constexpr std::size_t degree = 16;
   using Series = std::array<double, degree + 1>;  // Chebyshev coefficients
@@ -80,7 +72,6 @@ class SlidingTable {
   // A stretch of σ (Fibre::way).
   struct Piece {
     double from, to;           // [√L]
-    Series G;                  // [L]
     Integral stage, friction;  // [EI/L] work, from the lower end of the piece
     SlidingWork before;        // from the lower end of the cell to this piece
   };
@@ -105,54 +96,6 @@ class SlidingTable {
   double direction_;
   std::vector<double> edges_{1.0};  // [L] as far as lengths have been met
   std::unordered_map<std::size_t, Cell> cells_;
-};
-
-// A short stretch of sliding in as polynomials: force and stage position at any of its points for the price of a few products.
-
-class SlidingPiece {
- public:
-  // Domain:     1 <= S_from < S_to; std::invalid_argument otherwise.
-  // Method:     Chebyshev polynomials of degree 12 in √(S - 1) through the states at their nodes.
-  // Cost:       0.7 µs.
-  SlidingPiece(const Friction& friction, const Rig& rig, double S_from, double S_to);
-
-  // Are there states all the way? If not, the force has fallen to zero, and nothing else is valid.
-  bool exists() const { return exists_; }
-
-  // An estimate of the error of the force, relative to the greatest: the last two coefficients of its polynomial.
-  double error() const { return error_; }
-
-  double force_from() const { return F_at_.front(); }      // [EI/L^2]
-  double force_to() const { return F_at_.back(); }         // [EI/L^2]
-  double stage_from() const { return stage_at_.front(); }  // [L]
-  double stage_to() const { return stage_at_.back(); }     // [L]
-
-  // ∫ F dw [EI/L]
-  double work() const;
-
-  // The force at a stage position, between those at the ends, where it is exact; the stage must rise along the piece.
-  double force_at(double stage) const;
-
-  // Where the force turns from rising to falling or back, in the order of the way.
-  struct Turn {
-    double way;    // [√L] Fibre::way
-    double stage;  // [L]
-    double F;      // [EI/L^2]
-  };
-  std::vector<Turn> turns() const;
-
-  static constexpr std::size_t degree = 12;
-  using Values = std::array<double, degree + 1>;
-
- private:
-  double way_at(double x) const { return 0.5 * (from_ + to_) + 0.5 * (to_ - from_) * x; }
-
-  Values stage_at_{}, F_at_{};  // at the nodes
-  Values stage_, F_;            // Chebyshev coefficients
-  double from_, to_;            // [√L] Fibre::way
-  double compliance_;           // [L^3/EI]
-  double error_ = 0;
-  bool exists_ = true;
 };
 
 // The sliding curve on a fixed ladder of lengths, and what a test measures of it: fits run thousands of curves over the same lengths.

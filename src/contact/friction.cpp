@@ -297,6 +297,12 @@ std::span<const double> Friction::knots() const {
   return table ? std::span<const double>(table->S) : std::span<const double>();
 }
 
+bool Friction::has_corner_at(double knot) const {
+  const auto all = knots();
+  return has_corners() ? std::binary_search(all.begin(), all.end(), knot)
+                       : !all.empty() && (knot == all.front() || knot == all.back());
+}
+
 }  // namespace flexslip
 
 #endif  // HWY_ONCE

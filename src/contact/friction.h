@@ -146,6 +146,8 @@ class Friction {
   double smooth_scale() const;
   std::span<const double> knots() const;
   bool has_corners() const { return way() != nullptr; }  // at its knots, at which a table is smooth
+  // May the slope jump at a knot? That of a table does at its ends, beyond which it is constant.
+  bool has_corner_at(double knot) const;
 
   // The end of a stretch of so many smooth scales, on the way in or out: infinite as these are.
   double end_of(double S, double scales, bool inwards) const;

@@ -152,22 +152,21 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
   constexpr int samples = 48;
   const double rolled = 2 * fibre.supports().radius;
   const double first = fibre.way(1), last = fibre.way(std::max(S_most, 1.0)), shallow = 3 * fibre.supports().half_depth;
-  double moved = 0;
-  const auto count = [&](double by_friction) {
-    if (std::isfinite(by_friction)) moved = std::max(moved, std::abs(by_friction));
-  };
+  std::vector<double> S, w, q;
   for (int i = 1; i <= samples; ++i)
-    for (const double q : {-most, 0.0, most}) {
+    for (const double friction : {-most, 0.0, most}) {
       const double part = static_cast<double>(i) / samples;
-      if (rolled > 0) count(fibre.contact(fibre.length_at(first + part * (last - first)), q).length_q);
-      if (fibre.begins_straight()) continue;
-      if (rolled > 0) {
-        const Fibre::BentState at = fibre.bent(part * shallow, q);
-        count(at.S_q - rolled * at.theta0_q);
-      } else {
-        count(fibre.drawn_in(part * shallow, q).S_q);
-      }
+      S.push_back(fibre.length_at(first + part * (last - first)));
+      w.push_back(part * shallow);
+      q.push_back(friction);
     }
+  double moved = 0;
+  const auto count = [&](const std::vector<double>& by_friction) {
+    for (const double each : by_friction)
+      if (std::isfinite(each)) moved = std::max(moved, std::abs(each));
+  };
+  if (rolled > 0) count(fibre.contacts({S, q}).length_q);
+  if (!fibre.begins_straight()) count(fibre.lengths_by_friction(w, q));
   return 1 / moved;
 }
 

@@ -99,6 +99,19 @@ std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<cons
   return forces;
 }
 
+std::vector<double> Fibre::lengths_by_friction(std::span<const double> w, std::span<const double> q) const {
+  const PairSlopes slid = tables_->sliding(w, q);
+  std::vector<double> by_friction = slid.columns[3];
+  const double rolled = 2 * supports().radius;
+  if (rolled > 0) {
+    const PairSlopes contacts = tables_->contacts(w, q);
+    for (std::size_t i = 0; i < w.size(); ++i) by_friction[i] -= rolled * contacts.columns[3][i];
+  }
+  for (std::size_t i = 0; i < w.size(); ++i)
+    if (!(slid.columns[1][i] >= 0)) by_friction[i] = not_a_number;
+  return by_friction;
+}
+
 FibreState Fibre::state(double S, double q) const { return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state; }
 
 FibreStateSlopes Fibre::state_slopes(double S, double q) const {
@@ -339,13 +352,14 @@ double Fibre::curvature_at_midspan(const FibreState& state) const {
   return state.w > 0 ? tables_->bending(state.w, state.q).curvature : 0;
 }
 
-double Fibre::curvature_at_midspan(double S, double q) const {
-  if (on_edges()) {
-    const FibreState state = fibre_state(S, q);
-    return state.status == FibreStatus::ok ? flexslip::curvature_at_midspan(state) : not_a_number;
+std::vector<double> Fibre::curvatures_at_midspan(const FibrePoints& points, std::span<const double> w) const {
+  if (!on_edges()) return tables_->curvatures(w, {points.frictions(), points.size()});
+  std::vector<double> curvatures;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const FibreState state = fibre_state(points.lengths()[i], points.frictions()[i]);
+    curvatures.push_back(state.status == FibreStatus::ok ? flexslip::curvature_at_midspan(state) : not_a_number);
   }
-  const double w = tabulated_states({{&S, 1}, {&q, 1}}).w.front();
-  return w > 0 ? tables_->bending(w, q).curvature : w;
+  return curvatures;
 }
 
 ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, double S_most) : fibre_(fibre) {

@@ -68,6 +68,9 @@ class Fibre {
   // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
   std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
 
+  // [L] By how much the length between the contacts changes with friction at a deflection, of many; NaN where there is no state. Not on edges.
+  std::vector<double> lengths_by_friction(std::span<const double> w, std::span<const double> q) const;
+
   // [L] The length of axis between the contacts, at which friction is looked up.
   double length_between_contacts(const FibreState& state) const {
     const double radius = supports().radius;
@@ -105,8 +108,8 @@ class Fibre {
 
   // As curvature_at_midspan.
   double curvature_at_midspan(const FibreState& state) const;
-  // That of the state of a length; NaN where there is none. Accuracy of tabulated_states.
-  double curvature_at_midspan(double S, double q) const;
+  // Those of many lengths, whose deflections are known; NaN where there is no state.
+  std::vector<double> curvatures_at_midspan(const FibrePoints& points, std::span<const double> w) const;
 
  private:
   enum class WhereForceEnds { computed, left_out };

@@ -159,6 +159,14 @@ SupportedTables::Bending SupportedTables::bending(double w, double q) const {
   return {there.U, there.curvature};
 }
 
+std::vector<double> SupportedTables::curvatures(std::span<const double> w, std::span<const double> q) const {
+  std::vector<double> U(w.size()), curvatures(w.size());
+  bent_.values(w.data(), q.data(), w.size(), U.data(), curvatures.data());
+  for (std::size_t i = 0; i < w.size(); ++i)
+    if (std::isnan(curvatures[i])) curvatures[i] = state(w[i], q[i]).curvature;
+  return curvatures;
+}
+
 std::vector<double> SupportedTables::forces(std::span<const double> w, std::span<const double> q) const {
   std::vector<double> slid(w.size()), F(w.size());
   sliding_.values(w.data(), q.data(), w.size(), slid.data(), F.data());

@@ -77,6 +77,7 @@ class SupportedTables {
     double U, curvature;  // [EI/L], [1/L] at midspan
   };
   Bending bending(double w, double q) const;
+  std::vector<double> curvatures(std::span<const double> w, std::span<const double> q) const;  // [1/L] likewise
   std::vector<double> forces(std::span<const double> w,
                              std::span<const double> q) const;  // [EI/L^2] F, as that of sliding
 

@@ -104,6 +104,17 @@ ValueAndSlope bernstein_at(std::array<double, size> b, double t) {
   return {b[0], slope};
 }
 
+// The same polynomial over the first and over the second half.
+template <std::size_t size>
+std::array<std::array<double, size>, 2> bernstein_halves(const std::array<double, size>& b) {
+  std::array<double, size> first, second = b;
+  for (std::size_t n = size; n > 0; --n) {
+    first[size - n] = second[0];
+    for (std::size_t i = 0; i + 1 < n; ++i) second[i] = 0.5 * (second[i] + second[i + 1]);
+  }
+  return {first, second};
+}
+
 template <std::size_t size>
 int sign_changes(const std::array<double, size>& b) {
   int changes = 0;

@@ -107,8 +107,8 @@ TEST_CASE("design, oracle: a fibre breaks where the path followed first has so m
     if (outcome.status == DesignStatus::breaks) {
       ++broken;
       RC_ASSERT(outcome.greatest_curvature == to(1e-9, design.breaking_curvature));
-      // The follower has 2,000 points on a stretch, the design four on three quarters of a period: what is exceeded between those for a
-      // moment, a twentieth of a period, is not seen.
+      // The follower has 2,000 points on a stretch, the design four on half a period: what is exceeded between those for a moment, a twentieth of a
+      // period, is not seen.
       if (first == history.path.end()) return;
       RC_ASSERT(outcome.stage_reached >= first->stage * (1 - 0.02));
       RC_ASSERT(outcome.w_reached <= first->w * (1 + 0.1));

@@ -1,3 +1,6 @@
+#include "bending_test/sliding_piece.h"
+
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -17,12 +20,17 @@ const Rig stiff{200};  // on which the stage rises all along
 constexpr double S_from = 1.2;
 constexpr double S_to = S_from + 0.75 * 0.04 * std::numbers::pi;
 
+SlidingPiece piece_of(const Friction& along, double from, double to) {
+  const Fibre fibre;
+  return {pieces_between(along, stiff, Sliding::in, std::array{fibre.way(from), fibre.way(to)}).front(), stiff};
+}
+
 FibreState state_at(double S) { return fibre_state(S, friction.at(S).mu); }
 
 }  // namespace
 
 TEST_CASE("sliding piece, oracle: forces at stage positions are those of the states") {
-  const SlidingPiece piece(friction, stiff, S_from, S_to);
+  const SlidingPiece piece = piece_of(friction, S_from, S_to);
   for (int i = 0; i <= 50; ++i) {
     const auto state = state_at(S_from + (S_to - S_from) * i / 50);
     // The last coefficients are below 1e-6 of the force; what follows them is a tenth of that.
@@ -32,14 +40,14 @@ TEST_CASE("sliding piece, oracle: forces at stage positions are those of the sta
 }
 
 TEST_CASE("sliding piece, oracle: its work is the bending energy gained and what sliding took") {
-  const SlidingPiece piece(friction, stiff, S_from, S_to);
+  const SlidingPiece piece = piece_of(friction, S_from, S_to);
   SlidingTable table(friction, stiff, Sliding::in);
   const double gained = state_at(S_to).U - state_at(S_from).U;
   CHECK(piece.work() == to(1e-7, gained + table.work(S_from, S_to).friction));  // as above
 }
 
 TEST_CASE("sliding piece, identity: at its turns the force is level, and it turns as often as a dense sample") {
-  const SlidingPiece piece(friction, stiff, S_from, S_to);
+  const SlidingPiece piece = piece_of(friction, S_from, S_to);
   int turns = 0;
   bool rising = state_at(S_from + 1e-6).F > state_at(S_from).F;
   double last = state_at(S_from).F;
@@ -57,12 +65,33 @@ TEST_CASE("sliding piece, identity: at its turns the force is level, and it turn
 
 TEST_CASE("sliding piece, limit: where the branch has ended there is none") {
   const Friction none = Friction::constant(0);
-  CHECK_FALSE(SlidingPiece(none, stiff, 1.5, 3).exists());
-  CHECK(SlidingPiece(none, stiff, 1, 1.1).exists());
+  CHECK_FALSE(piece_of(none, 1.5, 3).exists());
+  CHECK(piece_of(none, 1, 1.1).exists());
 }
 
-TEST_CASE("sliding piece, contract: a piece that leads back is refused") {
-  CHECK(message_of([] { SlidingPiece(friction, stiff, 1.3, 1.2); }).find("1.3") != std::string::npos);
+TEST_CASE("sliding piece, identity: parts of a piece tell what the whole tells, and add up to it") {
+  const Fibre fibre;
+  const CurvePiece nodes =
+      pieces_between(friction, stiff, Sliding::in, std::array{fibre.way(S_from), fibre.way(S_to)}).front();
+  const SlidingPiece whole(nodes, stiff);
+  const double between = 0.3 * nodes.from + 0.7 * nodes.to;
+  const SlidingPiece first(nodes, stiff, nodes.from, between), second(nodes, stiff, between, nodes.to);
+  constexpr double rounding = 1e-13;  // of a sum of 13 terms, and twice of work
+  CHECK(first.work() + second.work() == to(rounding, whole.work()));
+  CHECK(first.force_to() == second.force_from());
+  CHECK(first.turns().size() + second.turns().size() == whole.turns().size());
+  for (int i = 0; i <= 20; ++i) {
+    const auto state = state_at(S_from + (S_to - S_from) * i / 20);
+    const double stage = state.w + state.F / stiff.stiffness;
+    const SlidingPiece& part = stage < first.stage_to() ? first : second;
+    CHECK(part.force_at(stage) == to(rounding, whole.force_at(stage)));
+  }
+}
+
+TEST_CASE("sliding piece, contract: a part that leads back, or out of its piece, is refused") {
+  const CurvePiece nodes = pieces_between(friction, stiff, Sliding::in, std::array{0.5, 0.6}).front();
+  CHECK(message_of([&] { SlidingPiece(nodes, stiff, 0.58, 0.52); }).find("0.58") != std::string::npos);
+  CHECK(message_of([&] { SlidingPiece(nodes, stiff, 0.5, 0.7); }).find("0.7") != std::string::npos);
 }
 
 }  // namespace flexslip

@@ -64,19 +64,6 @@ TEST_CASE("sliding table: where friction is held at zero the kink costs no accur
   CHECK(std::abs(work.friction - oracle.friction) <= 1e-10);
 }
 
-TEST_CASE("sliding table: the length at a stage position (identity)") {
-  const Friction friction = Friction::sinusoid(0.5, 0.05, 0.1, 1);
-  const Rig rig{50};
-  const auto curve = trace_loading_curve(friction, rig, 1.2);
-  REQUIRE(curve.folds.empty());
-  SlidingTable table(friction, rig, Sliding::in);
-  for (const double S : {1.0001, 1.01, 1.1, 1.19}) {
-    const double stage = point_at_length(curve, S).stage;
-    const double found = table.length_at_stage(stage, 1, 1.2);
-    CHECK(std::abs(point_at_length(curve, found).stage - stage) <= 1e-12);
-  }
-}
-
 TEST_CASE("sliding table: a roughness of a thousandth of a thousandth is tabulated without splitting hairs (limit)") {
   // Rounding of S shows in so short a wave: were it taken for a lack of resolution, a cell would take 200 pieces.
   const Friction friction = Friction::sinusoid(0.5, 0.2, 3e-5, 1);

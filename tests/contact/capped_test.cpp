@@ -51,6 +51,23 @@ TEST_CASE("over rollers, identity: friction at many lengths at once is that at e
     }
 }
 
+TEST_CASE("pins, identity: the pieces of a trace lie end to end, with their ends at the corners") {
+  for (const double wavelength : {0.001, 0.0013, 0.0015}) {
+    const Friction both = capped(Friction::sinusoid(0.5, 0.4, wavelength, 1), 0.6, 1.5);
+    const SlidingCurve curve = trace_loading_curve(both, {40}, 1.3);
+    REQUIRE(curve.pieces.size() > 200);
+    const Fibre fibre;
+    CHECK(curve.pieces.front().from == 0);
+    CHECK(curve.pieces.back().to == fibre.way(1.3));
+    for (std::size_t i = 1; i < curve.pieces.size(); ++i) CHECK(curve.pieces[i].from == curve.pieces[i - 1].to);
+    for (const double knot : both.knots()) {
+      if (!(knot > 1 && knot < 1.3)) continue;
+      CHECK(std::any_of(curve.pieces.begin(), curve.pieces.end(),
+                        [&](const CurvePiece& piece) { return piece.to == fibre.way(knot); }));
+    }
+  }
+}
+
 TEST_CASE("pins, oracle: folds, at corners of friction among them, are the turns of the stage over a fine grid") {
   const Friction both = capped(Friction::sinusoid(0.5, 0.4, 0.02, 1), 0.6, 1.5);
   for (const Fibre& fibre : {Fibre(), Fibre(Supports{0.004, 0.002})}) {

@@ -1,0 +1,27 @@
+// A short stretch of a sliding curve by its values at the nodes of polynomials along the way: those that trace the curve look for folds in it, and
+// those that read forces off it later read the same values.
+#pragma once
+
+#include <cstddef>
+
+#include "numerics/polynomial.h"
+
+namespace flexslip {
+
+// Values at the Chebyshev-Lobatto points between two points of the way x (sliding_table.h); NaN where there is no state.
+struct CurvePiece {
+  static constexpr std::size_t degree = 12;
+  using Polynomial = Interpolant<degree>;
+  using Values = Polynomial::Values;
+
+  double from, to;  // [√L] of x, rising
+  Values q;         // [1]
+  Values stage;     // [L]
+  Values F;         // [EI/L^2]
+
+  double way_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
+  double way_of(std::size_t node) const { return node == degree ? to : way_at(Polynomial::node(node)); }
+  double place_of(double x) const { return (2 * x - from - to) / (to - from); }
+};
+
+}  // namespace flexslip
