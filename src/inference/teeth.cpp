@@ -58,7 +58,7 @@ Rise straight_rise(const ReducedRecord& record, std::size_t first, std::size_t l
 }
 
 // What a test takes for known, each off by so many of its standard deviations.
-struct Shift {
+struct AssumedShift {
   double log_stiffness = 0, contact = 0, log_load_train = 0;
 };
 
@@ -91,7 +91,7 @@ struct Middle {
   }
 };
 
-std::optional<Middle> middle_of(const Rise& rise, const Rig& rig, const Shift& shift) {
+std::optional<Middle> middle_of(const Rise& rise, const Rig& rig, const AssumedShift& shift) {
   const double scale = elementary::exp(-shift.log_stiffness);  // of all that is measured in units of EI
   const double stiffness = rig.stiffness * scale * elementary::exp(shift.log_load_train);
   const double F = rise.force * scale;
@@ -113,9 +113,9 @@ std::optional<Middle> middle_of(const Rise& rise, const Rig& rig, const Shift& s
 
 // Root sum of squares of what each shift does to a value; NaN results, where a shift leads beyond the model, count as none.
 template <class Function>
-double systematic_error(std::span<const Shift> shifts, double value, Function at) {
+double systematic_error(std::span<const AssumedShift> shifts, double value, Function at) {
   double sum = 0;
-  for (const Shift& shift : shifts) {
+  for (const AssumedShift& shift : shifts) {
     const double change = at(shift) - value;
     if (std::isfinite(change)) sum += change * change;
   }
@@ -205,8 +205,9 @@ std::string_view name_of(ToothVerdict verdict) {
 Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                   std::span<const Drop> drops, const ToothOptions& options) {
   require_teeth(record, rig, errors, drops, options);
-  const std::array<Shift, 3> shifts{Shift{.log_stiffness = errors.bending_stiffness}, Shift{.contact = errors.contact},
-                                    Shift{.log_load_train = load_train_error}};
+  const std::array<AssumedShift, 3> shifts{AssumedShift{.log_stiffness = errors.bending_stiffness},
+                                           AssumedShift{.contact = errors.contact},
+                                           AssumedShift{.log_load_train = load_train_error}};
   const double one_sided = elementary::gaussian_quantile(tooth_confidence);
 
   Teeth result;
@@ -224,7 +225,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
 
   for (const Rise& rise : rises) {
     const Middle middle = *middle_of(rise, rig, {});
-    const auto with = [&](const Shift& shift, auto value) {
+    const auto with = [&](const AssumedShift& shift, auto value) {
       const auto shifted = middle_of(rise, rig, shift);
       return shifted ? value(*shifted) : not_a_number;
     };
@@ -236,7 +237,7 @@ Teeth judge_teeth(const ReducedRecord& record, const Rig& rig, const Measurement
                 .S_end = length_at(record, rig.fibre, rise.last - 1),
                 .slope = student_estimate(rise.slope, rise.slope_error, nu),
                 .position = student_estimate(middle.position(), rise.slope_error / width, nu),
-                .position_systematic = systematic_error(shifts, middle.position(), [&](const Shift& shift) {
+                .position_systematic = systematic_error(shifts, middle.position(), [&](const AssumedShift& shift) {
                   return with(shift, [](const Middle& m) { return m.position(); });
                 })};
 
