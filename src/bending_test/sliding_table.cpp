@@ -12,6 +12,7 @@
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/polynomial.h"
+#include "numerics/root.h"
 
 namespace flexslip {
 namespace {
