@@ -332,10 +332,12 @@ class Loading {
     if (can_halve && (!piece.exists() || piece.error() > accuracy))
       return read_along(piece_between(from, middle), from, middle, halvings + 1) &&
              read_along(piece_between(middle, to), middle, to, halvings + 1);
-    return piece.exists() && read(piece, to);
+    if (!piece.exists()) return false;
+    read(piece, to);
+    return true;
   }
 
-  bool read(const SlidingPiece& piece, double to) {
+  void read(const SlidingPiece& piece, double to) {
     const auto turns = piece.turns();
     greatest_.see(piece.force_from());  // friction may have a corner there
     greatest_.see(piece.force_to());
@@ -346,7 +348,6 @@ class Loading {
       read_all(piece, turns);
     outcome_.work += piece.work();
     slid_to_ = fibre().length_at(to);
-    return true;
   }
 
   void read_all(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
