@@ -11,6 +11,7 @@ namespace flexslip {
 // Values at the Chebyshev-Lobatto points between two points of the way x (sliding_table.h); NaN where there is no state.
 struct CurvePiece {
   static constexpr std::size_t degree = 12;
+  static constexpr double longest = 2;  // smooth scales of friction (friction.h): half the shortest period
   using Polynomial = Interpolant<degree>;
   using Values = Polynomial::Values;
 
@@ -20,8 +21,10 @@ struct CurvePiece {
   Values F;         // [EI/L^2]
 
   double way_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
-  double way_of(std::size_t node) const { return node == degree ? to : way_at(Polynomial::node(node)); }
-  double place_of(double x) const { return (2 * x - from - to) / (to - from); }
+  double way_of(std::size_t node) const {
+    return node == 0 ? from : node == degree ? to : way_at(Polynomial::node(node));
+  }
+  double place_of(double x) const { return (2 * x - from - to) / (to - from); }  // t
 };
 
 }  // namespace flexslip

@@ -295,7 +295,7 @@ class Loading {
     slid_to_ = from.S;
     bool is_held = true;
     for (double way = fibre().way(from.S); is_held && !breaks_ && way < last;) {
-      const CurvePiece piece = piece_beyond(way);
+      const CurvePiece piece = piece_beyond(way, last);
       double end = sound_until(piece, way, std::min(piece.to, last));
       if (!breaks_ && end == last && sees(rest_to.state)) end = broken_between(way, last);
       is_held = end == way || read_along(piece, way, end, 0);
@@ -310,13 +310,14 @@ class Loading {
     return is_held;
   }
 
-  // The piece of the trace that leads on from a place, or one computed anew where it has kept none.
-  CurvePiece piece_beyond(double way) {
+  // The piece of the trace that leads on from a place towards the last, or one computed anew where it has kept none.
+  CurvePiece piece_beyond(double way, double last) {
     while (next_piece_ < curve_.pieces.size() && !(way < curve_.pieces[next_piece_].to)) ++next_piece_;
     if (next_piece_ < curve_.pieces.size()) return curve_.pieces[next_piece_];
-    constexpr double scales = 2;  // half the shortest period
-    const double S = end_of_stretch(curve_.friction, fibre(), fibre().length_at(way), curve_.end.S, scales);
-    return piece_between(way, fibre().way(S));
+    const double S = fibre().length_at(way), S_last = fibre().length_at(last);
+    const double end =
+        S < S_last ? fibre().way(end_of_stretch(curve_.friction, fibre(), S, S_last, CurvePiece::longest)) : last;
+    return piece_between(way, end > way ? end : last);  // what is shorter than a length can tell is one piece
   }
   CurvePiece piece_between(double from, double to) const {
     return pieces_between(curve_.friction, design_.rig, Sliding::in, std::array{from, to}).front();

@@ -303,7 +303,7 @@ class FoldSearch {
     while (S != S_to && !ended) {
       std::vector<Cell> cells;
       while (cells.size() < cells_at_once && S != S_to) {
-        S = end_of_stretch(friction_, rig_.fibre, S, S_to, scales);
+        S = end_of_stretch(friction_, rig_.fibre, S, S_to, CurvePiece::longest);
         cells.push_back({edge, way_at(rig_.fibre, sliding_, S), S != S_to && friction_.has_corner_at(S)});
         edge = cells.back().b;
       }
@@ -336,7 +336,6 @@ class FoldSearch {
  private:
   static constexpr std::size_t cells_at_once = 64;
   static constexpr std::size_t most_pieces = 1 << 16;  // 20 MB
-  static constexpr double scales = 2;                  // of friction in a cell: half the shortest period
   static constexpr double resolved_piece =
       1e-5;                                     // of its slopes: what follows the last coefficients is a third of these
   static constexpr double accuracy = 1e-6;      // of interpolated slopes

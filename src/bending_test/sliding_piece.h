@@ -15,7 +15,7 @@ namespace flexslip {
 // The pieces between points of the way x, each from one point to the next. The friction is that met on the way.
 // Domain:     at least two points, rising.
 // Max error:  of the values as the table (fibre/state_table.h).
-// Cost:       about 0.3 µs each.
+// Cost:       about 0.4 µs each.
 std::vector<CurvePiece> pieces_between(const Friction& friction, const Rig& rig, Sliding sliding,
                                        std::span<const double> x);
 

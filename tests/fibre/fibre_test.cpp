@@ -63,6 +63,10 @@ TEST_CASE("fibre, oracle: the tables give the states of supported_state.h, by le
     RC_ASSERT(fibre.state_bent(w, q).U == to(close, exact.U));
     RC_ASSERT(fibre.length_between_contacts(bent.state) == to(close, exact.length));
     RC_ASSERT(fibre.curvature_at_midspan(bent.state) == to(close, exact.curvature));
+    const double by_friction = bent.S_q - 2 * fibre.supports().radius * bent.theta0_q;
+    RC_ASSERT(fibre.lengths_by_friction({&w, 1}, {&q, 1}).front() == to(1e-12, by_friction));
+    if (const double S = bent.state.S; S >= 1)
+      RC_ASSERT(fibre.curvatures_at_midspan({{&S, 1}, {&q, 1}}, {&w, 1}).front() == to(close, exact.curvature));
     if (w < least_half_depths * fibre.supports().half_depth || std::abs(q) > 1.9) return;
     const FibreState back = fibre.state_from_force(w, exact.F);
     RC_ASSERT(back.status == FibreStatus::ok);
