@@ -35,7 +35,7 @@ struct CampaignPlan {
 //                            "record.until"; "name" is the name of the test, by default that of its file. An empty cell says
 //                            nothing; a column whose title begins with # is not read. Paths are relative to the table.
 // `common` is a case file that says what all tests have in common; a row says otherwise where it wants.
-// `changes` from the command line (with_changes, case_file.h) are made to every test.
+// `changes` from the command line (case_changes.h) are made to every test.
 // Fails:      InputError for a folder without tests, a table without rows or with a column that is no key, a common case that
 //             cannot be read. A test that cannot be read is planned all the same, with its error.
 CampaignPlan plan_campaign(const std::string& path, const std::optional<std::string>& common,

@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include <toml++/toml.h>
-
 #include "case/test.h"
 #include "io/input_error.h"
 #include "io/quantity.h"
@@ -32,11 +30,6 @@ std::string to_toml(Test test);
 
 // Where a test names its files.
 std::vector<std::string*> files_of(Test& test);
-
-// A case with changes from the command line, each made in turn: "rig.stiffness=90 N/m" says what `stiffness = "90 N/m"` under [rig] would. A value is what
-// it would be in a file; text needs no quotes, so that those of a shell will do.
-// Fails:      InputError for a text that is no change, a key that no case file has, and a value that is nothing.
-toml::table with_changes(toml::table table, const std::vector<std::string>& changes);
 
 // The section of the specimen, as far as it is stated.
 std::optional<Section> section_of(const Test& test);

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "case/case_changes.h"
 #include "case/keys.h"
 #include "case/toml.h"
 #include "design/design_result.h"

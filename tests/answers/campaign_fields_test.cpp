@@ -7,14 +7,16 @@
 #include <doctest/doctest.h>
 
 #include "io/table.h"
+#include "io/text_file.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
 
 TEST_CASE("outside: the table of tests reads back to the same bits, whatever the names") {
-  const Folder folder;
-  const std::string path = folder.path + "/tests.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "tests.csv";
   const auto answered = campaign_of({some_test(awkward_name, SawtoothCategory::clear, 0.6, 10.9e-6),
                                      some_test("a,b\n\"c\"", SawtoothCategory::clear, 1.0 / 3, 5.5e-6)});
   write_csv(path, test_table(answered));
@@ -29,14 +31,14 @@ TEST_CASE("outside: the table of tests reads back to the same bits, whatever the
   CHECK(read.columns[2].values[0] == 6.4e-11);
   CHECK(read.columns[3].values[0] == 3.4e-6);
   CHECK(read.columns[4].values[0] == 7);
-  CHECK(text_of(path).find(
+  CHECK(bytes_of(path).find(
             "\"A <b> & 50%_ü \"\"x\"\"\",ok,SLIP,clear,no,sound,not_by_cracks_alone,0.02,roughness,0.6,") !=
         std::string::npos);
 }
 
 TEST_CASE("outside: no name is a formula, and each is that of the same test when the table is read") {
-  const Folder folder;
-  const std::string path = folder.path + "/tests.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "tests.csv";
   const std::vector<std::string> names{"=cmd|' /C calc'!A1", "+1", "-1", "@x", "'=quoted", "12'' rod"};
   Campaign campaign;
   for (const auto& name : names) campaign.tests.push_back(some_test(name, SawtoothCategory::clear, 0.5, 10.9e-6));
@@ -46,17 +48,17 @@ TEST_CASE("outside: no name is a formula, and each is that of the same test when
   const TextTable read = read_text_table(path);
   REQUIRE(read.rows.size() == names.size());
   for (std::size_t i = 0; i < names.size(); ++i) CHECK(read.rows[i].cells[0] == names[i]);
-  const std::string text = text_of(path);
+  const std::string text = bytes_of(path);
   CHECK(text.find("\n'=cmd") != std::string::npos);
   for (const char* begins : {"\n=", "\n+", "\n-", "\n@", "\n\"="}) CHECK(text.find(begins) == std::string::npos);
   CHECK(text.find(",-0.5,") != std::string::npos);  // numbers stay numbers
 }
 
 TEST_CASE("outside: categories with suspects and without, by hand") {
-  const Folder folder;
-  const std::string path = folder.path + "/categories.csv";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "categories.csv";
   write_csv(path, category_table(some_campaign()));
-  const std::string text = text_of(path);
+  const std::string text = bytes_of(path);
   CHECK(text.starts_with("category,suspects,tests,mu0_mean,mu0_min,mu0_max,mu0_n,mu0_limit_mean,mu0_limit_min,"));
   CHECK(text.find("\nclear,without,2,0.5,0.4,0.6,2,") != std::string::npos);
   CHECK(text.find("\nclear,with,3,0.75,0.4,1.25,3,") != std::string::npos);

@@ -12,12 +12,12 @@ using namespace flexslip;
 
 namespace {
 
-constexpr double stiffness = 90, step = 2e-6, noise = 1e-5;
+constexpr double stiffness = 90, step = 2e-6, reading_noise = 1e-5;
 
 // A curve that flattens, with slips of 30 steps each if asked.
 Record curve(double slip, unsigned seed) {
   std::mt19937_64 engine(seed);
-  std::normal_distribution<double> normal(0, noise);
+  std::normal_distribution<double> normal(0, reading_noise);
   Record record;
   double fallen = 0;
   for (int i = 0; i < 300; ++i) {
@@ -155,7 +155,7 @@ TEST_CASE("overload: a force that stays at its greatest value is the end of the 
   for (unsigned seed = 1; seed <= 20; ++seed) {
     CAPTURE(seed);
     std::mt19937_64 engine(seed);
-    std::normal_distribution<double> normal(0, noise);
+    std::normal_distribution<double> normal(0, reading_noise);
     Record ended = curve(0, seed), yielding = ended;
     for (double& force : ended.force)
       if (force > 0.008) force = 0.008 + 0.05 * normal(engine);  // the last digit of the converter flickers

@@ -1,12 +1,11 @@
 #include "design/sweep_parts.h"
 
-#include <fstream>
-#include <iterator>
 #include <limits>
 
 #include <doctest/doctest.h>
 
 #include "design/sweep_plan.h"
+#include "io/text_file.h"
 #include "tests/design/some_sweep.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
@@ -19,11 +18,6 @@ std::vector<double> some_values(const SweepPlan& plan, std::uint64_t chunk) {
   values[1] = std::numeric_limits<double>::infinity();
   values[2] = 5e-324;
   return values;
-}
-
-std::string read_whole(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 TEST_CASE("identity: a part comes back to the last bit, also through a folder opened by another program") {
@@ -44,7 +38,7 @@ TEST_CASE("identity: a part of which any byte is another, or that ends elsewhere
   const auto plan = some_sweep(66);
   const SweepParts parts(folder.path() / "parts", plan);
   parts.write(1, some_values(plan, 1));  // two rows
-  const std::string whole = read_whole(parts.file_of(1));
+  const std::string whole = bytes_of(parts.file_of(1));
   for (std::size_t at = 0; at < whole.size(); ++at) {
     std::string flipped = whole;
     flipped[at] = static_cast<char>(flipped[at] ^ 1);

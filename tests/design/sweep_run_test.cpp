@@ -2,13 +2,12 @@
 
 #include <atomic>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
 #include <doctest/doctest.h>
 
 #include "design/sweep_parts.h"
 #include "io/durable_file.h"
+#include "io/text_file.h"
 #include "tests/design/some_sweep.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
@@ -16,15 +15,10 @@
 namespace flexslip {
 namespace {
 
-std::string read_whole(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::string merged(const std::vector<SweepParts>& folders, const std::filesystem::path& path) {
   const SweepMerge merge = merge_sweep(folders, path.string(), {});
   CHECK(merge.status == MergeStatus::done);
-  return read_whole(path);
+  return bytes_of(path);
 }
 
 TEST_CASE("identity: the file is the same for any threads, shards, folders and history") {
@@ -139,7 +133,7 @@ TEST_CASE("identity: a merge does not touch what another one is writing, and rep
     CHECK(message_of([&] {
             merge_sweep({&parts, 1}, path, {});
           }).find("is being written by another program") != std::string::npos);
-    CHECK(read_whole(writing.name()) == "half");
+    CHECK(bytes_of(writing.name()) == "half");
   }
   CHECK(!std::filesystem::exists(folder.path() / "map.h5.unfinished"));
   folder.file("map.h5.unfinished", "what a merge left that was killed");

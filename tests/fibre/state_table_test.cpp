@@ -15,13 +15,13 @@
 namespace flexslip {
 namespace {
 
-struct Points {
+struct TabledPoints {
   std::vector<double> S, q;
 };
 
 // Evenly in σ and q over the table, at its edges, and down to S - 1 = 1e-15; where there is a state.
-Points points_in_table() {
-  Points points;
+TabledPoints points_in_table() {
+  TabledPoints points;
   Uniform uniform;
   const auto add = [&](double S, double q) {
     if (fibre_state(S, q).status != FibreStatus::ok) return;
@@ -45,7 +45,7 @@ double condition_of_F(const FibreStateSlopes& at) {
 }
 
 TEST_CASE("oracle: w and F of the table agree with the exact states to 1e-12, its slopes to 1e-10, each as promised") {
-  const Points points = points_in_table();
+  const TabledPoints points = points_in_table();
   const StateArrays states = tabulated_states({points.S, points.q});
   const SlopeArrays slopes = tabulated_states_slopes({points.S, points.q});
   double worst_w = 0, worst_F = 0, worst_S = 0, worst_q = 0;
@@ -74,7 +74,7 @@ TEST_CASE("oracle: w and F of the table agree with the exact states to 1e-12, it
 }
 
 TEST_CASE("identity: all instruction sets give the same bits") {
-  const Points points = points_in_table();
+  const TabledPoints points = points_in_table();
   std::vector<double> w, F, F_S, F_q;
   on_each_instruction_set([&] {
     const StateArrays states = tabulated_states({points.S, points.q});

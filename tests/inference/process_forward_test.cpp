@@ -11,17 +11,19 @@
 namespace flexslip {
 namespace {
 
-SimulatedTruth wavy() { return {.friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4), .step = 4.0 / 1278}; }
+SimulatedTruth wavy_truth() {
+  return {.friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4), .step = 4.0 / 1278};
+}
 
-Passages passages_of(const SimulatedTruth& truth) {
-  return flexslip::passages_of({.record = simulated_record(truth),
-                                .rig = {truth.stiffness},
-                                .errors = {.force = 0.02, .bending_stiffness = 0.03, .contact = 0}});
+Passages passages_seen(const SimulatedTruth& truth) {
+  return passages_of({.record = simulated_record(truth),
+                      .rig = {truth.stiffness},
+                      .errors = {.force = 0.02, .bending_stiffness = 0.03, .contact = 0}});
 }
 
 TEST_CASE("oracle: states of a run are those of the exact forward calculation") {
-  const auto truth = wavy();
-  const auto passages = passages_of(truth);
+  const auto truth = wavy_truth();
+  const auto passages = passages_seen(truth);
   const ForwardRun run(passages);
   const auto mu = truth.friction.at(run.lengths()).mu;
   const auto states = run.states(mu, 0, passages.stage);
@@ -35,8 +37,8 @@ TEST_CASE("oracle: states of a run are those of the exact forward calculation") 
 }
 
 TEST_CASE("identity: a mode at the states of its own friction stays when it is run forward") {
-  const auto truth = wavy();
-  const FrictionProcess process(passages_of(truth));
+  const auto truth = wavy_truth();
+  const FrictionProcess process(passages_seen(truth));
   const ForwardRun run(process.passages());
   const std::vector<double> lambdas{std::log(20.0 / 1278)};
   Theta theta = process.prior_of_theta().usual(lambdas);

@@ -15,10 +15,10 @@ FrictionProcess process_of(const Friction& friction) {
                                       .rig_errors = {.preload = 0.001}}));
 }
 
-FrictionProcess wavy() { return process_of(Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4)); }
+FrictionProcess wavy_process() { return process_of(Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4)); }
 
 TEST_CASE("identity: the likeliest mode has the wave of the record, and is the first of all") {
-  const auto process = wavy();
+  const auto process = wavy_process();
   const auto found = search(process, {});
   const Mode& likeliest = found.components.front().mode;
   REQUIRE(likeliest.theta.waves >= 1);
@@ -32,7 +32,7 @@ TEST_CASE("identity: the likeliest mode has the wave of the record, and is the f
 }
 
 TEST_CASE("limit: modes have as many waves as are asked for, and kernels that are allowed") {
-  const auto process = wavy();
+  const auto process = wavy_process();
   for (const std::size_t waves : {0, 1, 2})
     for (const auto& component :
          search(process, {.kernels = {Kernel::none, Kernel::matern_5_2}, .waves = waves}).components) {

@@ -2,8 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
 
 namespace flexslip {
@@ -11,10 +9,5 @@ namespace flexslip {
 inline const std::filesystem::path fixtures = std::filesystem::path(FLEXSLIP_SOURCE_DIR) / "tests/instruments/fixtures";
 inline const std::filesystem::path campaign_exports =
     std::filesystem::path(FLEXSLIP_SOURCE_DIR) / "../shared/data/instruments";
-
-inline std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 }  // namespace flexslip

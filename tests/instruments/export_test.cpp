@@ -13,6 +13,7 @@
 
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
+#include "io/text_file.h"
 #include "tests/has.h"
 #include "tests/instruments/export_files.h"
 #include "tests/refusal.h"

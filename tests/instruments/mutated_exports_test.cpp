@@ -14,6 +14,7 @@
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
+#include "io/text_file.h"
 #include "tests/instruments/export_files.h"
 
 using namespace flexslip;

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <iterator>
 #include <string>
 #include <utility>
 
@@ -19,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string content_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 std::size_t files_in(const TemporaryFolder& folder) {
   std::size_t count = 0;
   for ([[maybe_unused]] const auto& file : fs::directory_iterator(folder.path())) ++count;
@@ -37,7 +31,7 @@ TEST_CASE("output file, identity: what is written is there, alone, and replaces 
   const auto file = folder.path() / "part";
   for (const std::string& bytes : {std::string("first"), std::string("a\0b\r\n", 5), std::string()}) {
     write_text(file.string(), bytes);
-    CHECK(content_of(file) == bytes);
+    CHECK(bytes_of(file) == bytes);
     CHECK(files_in(folder) == 1);
   }
 }
@@ -57,9 +51,9 @@ TEST_CASE("output file, identity: until it is finished, and if it never is, the 
   {
     OutputFile output(file.string());
     output.stream() << std::string(100000, 'x') << std::flush;
-    CHECK(content_of(file) == "old");
+    CHECK(bytes_of(file) == "old");
   }
-  CHECK(content_of(file) == "old");
+  CHECK(bytes_of(file) == "old");
   CHECK(files_in(folder) == 1);
 }
 
@@ -85,7 +79,7 @@ TEST_CASE("output file, identity: a link stays one, and what it leads to is writ
   for (const auto& [link, file] : {std::pair{"link to it", "below/old.csv"}, {"dangling", "below/none yet.csv"}}) {
     write_text((folder.path() / link).string(), "new");
     CHECK(fs::is_symlink(folder.path() / link));
-    CHECK(content_of(folder.path() / file) == "new");
+    CHECK(bytes_of(folder.path() / file) == "new");
     CHECK(fs::equivalent(target_of(folder.path() / link), folder.path() / file));
   }
   fs::create_symlink("circle", folder.path() / "circle");
@@ -100,7 +94,7 @@ TEST_CASE("output file, identity: devices and pipes are written as they are") {
     CHECK(message_of([] { write_text("/dev/full", "x"); }).find("/dev/full") != std::string::npos);
   const std::string pipe = (folder.path() / "pipe").string();
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  auto read = std::async(std::launch::async, [&] { return content_of(pipe); });
+  auto read = std::async(std::launch::async, [&] { return bytes_of(pipe); });
   write_text(pipe, "through");
   CHECK(read.get() == "through");
   CHECK(fs::is_fifo(pipe));
@@ -115,14 +109,14 @@ TEST_CASE("unfinished file, identity: it has its name once it is finished, and i
     CHECK(is_unfinished(unfinished.name()));
     std::ofstream(unfinished.name()) << "half";
   }
-  CHECK(content_of(file) == "old");
+  CHECK(bytes_of(file) == "old");
   CHECK(files_in(folder) == 1);
   {
     UnfinishedFile unfinished(file);
     std::ofstream(unfinished.name()) << "whole";
     unfinished.finish();
   }
-  CHECK(content_of(file) == "whole");
+  CHECK(bytes_of(file) == "whole");
   CHECK(files_in(folder) == 1);
 }
 
@@ -137,7 +131,7 @@ TEST_CASE("unfinished file, contract: two writers are kept apart, and what one l
   UnfinishedFile next(file);
   std::ofstream(next.name()) << "whole";
   next.finish();
-  CHECK(content_of(file) == "whole");
+  CHECK(bytes_of(file) == "whole");
   CHECK(files_in(folder) == 1);
 }
 

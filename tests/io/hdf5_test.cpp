@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -14,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include "io/child_process.h"
+#include "io/text_file.h"
 #include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
@@ -45,8 +44,7 @@ std::string write_some_file(const std::filesystem::path& path, std::uint64_t row
     file.write_rows("/outcomes/status", first, std::span(counts).subspan(first, count));
   }
   file.finish();
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return bytes_of(path);
 }
 
 TEST_CASE("outside: h5py reads the numbers, types and descriptions that were written") {

@@ -1,7 +1,5 @@
 #include "io/workbook.h"
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "io/input_error.h"
+#include "io/text_file.h"
 
 using namespace flexslip;
 
@@ -17,11 +16,7 @@ namespace {
 
 // Of make_fixtures.py: notes, and two specimens.
 const std::string& two_specimens() {
-  static const std::string bytes = [] {
-    std::ifstream file(FLEXSLIP_SOURCE_DIR "/tests/instruments/fixtures/two_specimens.xlsx", std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  }();
-  REQUIRE(!bytes.empty());
+  static const std::string bytes = bytes_of(FLEXSLIP_SOURCE_DIR "/tests/instruments/fixtures/two_specimens.xlsx");
   return bytes;
 }
 

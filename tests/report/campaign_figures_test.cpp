@@ -8,9 +8,11 @@
 
 #include <doctest/doctest.h>
 
+#include "io/text_file.h"
 #include "report/draw.h"
 #include "report/figures.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
@@ -147,7 +149,7 @@ TEST_CASE("identity: the atlas draws the curve without friction on the supports 
 }
 
 TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
-  const Folder folder;
+  const TemporaryFolder folder;
   Campaign campaign = some_campaign();
   campaign.tests.push_back(some_test("it's {/=50 big}^2 \\n @x ~ `id` $(id)", SawtoothCategory::clear, 0.4, 300e-6));
   campaign.tests.push_back(some_test("\xff\n", SawtoothCategory::nominal, 0.4, 1e-6));
@@ -155,10 +157,10 @@ TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
   figures.push_back(distribution_figure(campaign));
   for (const auto& figure : figures) {
     INFO(figure.name);
-    if (draw(figure, folder.path, {"svg", "pdf"}) == DrawStatus::no_gnuplot) return;
-    CHECK(fs::file_size(fs::path(folder.path) / (figure.name + ".pdf")) > 5000);
+    if (draw(figure, folder.path(), {"svg", "pdf"}) == DrawStatus::no_gnuplot) return;
+    CHECK(fs::file_size(folder.path() / (figure.name + ".pdf")) > 5000);
   }
-  const std::string svg = text_of(folder.path + "/atlas-clear-1.svg");
+  const std::string svg = bytes_of(folder.path() / "atlas-clear-1.svg");
   CHECK(svg.find("A &lt;b> &amp; 50%_ü") != std::string::npos);
   CHECK(svg.find("it's {/=50 big}^2") != std::string::npos);
 }

@@ -8,17 +8,18 @@
 #include "report/page.h"
 #include "report/report.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
 
 TEST_CASE("outside: the report is well-formed, needs no other file, and links to what exists") {
-  const Folder folder;
-  const std::string of_test = folder.path + "/tests/" + folder_name(awkward_name);
+  const TemporaryFolder folder;
+  const std::string of_test = folder.path() / "tests" / folder_name(awkward_name);
   make_folder(of_test);
   write_text(of_test + "/report.html", "");
-  const DrawStatus drawn = write_campaign_report(folder.path, some_campaign());
-  const std::string html = text_of(folder.path + "/report.html");
+  const DrawStatus drawn = write_campaign_report(folder.path(), some_campaign());
+  const std::string html = bytes_of(folder.path() / "report.html");
   CHECK(html.find("A &lt;b&gt; &amp; 50%_ü") != std::string::npos);
   CHECK(html.find("href=\"tests/A%20_b_%20%26%2050%25_%C3%BC%20_x_/report.html\"") != std::string::npos);
   CHECK(html.find("href=\"tests/SS4/") == std::string::npos);
@@ -28,12 +29,12 @@ TEST_CASE("outside: the report is well-formed, needs no other file, and links to
   CHECK(html.find("found &lt;nothing&gt; &amp; &quot;nothing&quot;") != std::string::npos);
   for (const std::string file : {"tests.csv", "categories.csv", "campaign.json", "campaign.xlsx", "tables.tex"}) {
     INFO(file);
-    CHECK(fs::file_size(fs::path(folder.path) / file) > 100);
+    CHECK(fs::file_size(folder.path() / file) > 100);
   }
   if (drawn == DrawStatus::no_gnuplot) return;
   for (const std::string file : {"distributions.svg", "atlas-clear-1.pdf", "atlas-suspect-1.png", "atlas-none-1.gp"}) {
     INFO(file);
-    CHECK(fs::exists(fs::path(folder.path) / "figures" / file));
+    CHECK(fs::exists(folder.path() / "figures" / file));
   }
   // A reader of HTML that knows which elements close.
   const auto result = run_child({"python3", "-c", R"(
@@ -53,33 +54,33 @@ reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); read
 if reader.open: sys.exit('left open: ' + str(reader.open))
 if len(set(reader.ids)) != len(reader.ids): sys.exit('an id twice')
 )",
-                                 folder.path + "/report.html"},
+                                 folder.path() / "report.html"},
                                 ".");
   INFO(result.output);
   CHECK((result.status == ChildStatus::not_found || result.exit_code == 0));
 }
 
 TEST_CASE("identity: the same campaign gives the same bytes, every file of it") {
-  const Folder first, second;
-  write_campaign_report(first.path, some_campaign());
-  write_campaign_report(second.path, some_campaign());
+  const TemporaryFolder first, second;
+  write_campaign_report(first.path(), some_campaign());
+  write_campaign_report(second.path(), some_campaign());
   std::size_t files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(first.path)) {
+  for (const auto& entry : fs::recursive_directory_iterator(first.path())) {
     if (!entry.is_regular_file()) continue;
-    const auto name = fs::relative(entry.path(), first.path);
+    const auto name = fs::relative(entry.path(), first.path());
     INFO(name.string());
-    CHECK(text_of(entry.path()) == text_of(second.path / name));
+    CHECK(bytes_of(entry.path()) == bytes_of(second.path() / name));
     ++files;
   }
   CHECK(files > 6);
 }
 
 TEST_CASE("limit: no tests, and none with an answer") {
-  const Folder folder;
-  write_campaign_report(folder.path, no_tests());
-  CHECK(text_of(folder.path + "/report.html").find("No tests.") != std::string::npos);
-  write_campaign_report(folder.path, only_failures());
-  const std::string html = text_of(folder.path + "/report.html");
+  const TemporaryFolder folder;
+  write_campaign_report(folder.path(), no_tests());
+  CHECK(bytes_of(folder.path() / "report.html").find("No tests.") != std::string::npos);
+  write_campaign_report(folder.path(), only_failures());
+  const std::string html = bytes_of(folder.path() / "report.html");
   CHECK(html.find("Not evaluated") != std::string::npos);
   CHECK(html.find("b &amp; c.csv: &lt;no&gt; numbers_ in 100 %") != std::string::npos);
 }

@@ -12,6 +12,7 @@
 #include "report/page.h"
 #include "tests/has.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 
@@ -162,10 +163,10 @@ TEST_CASE("table: value and uncertainty to matching digits, by category, suspect
 }
 
 TEST_CASE("outside: pdflatex compiles it") {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const auto& campaign : {some_campaign(), no_tests(), only_failures()}) {
-    write_text(folder.path + "/t.tex", document(latex_of(campaign)));
-    const auto result = run_child({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path);
+    write_text(folder.path() / "t.tex", document(latex_of(campaign)));
+    const auto result = run_child({"pdflatex", "-interaction=nonstopmode", "-halt-on-error", "t.tex"}, folder.path());
     if (result.status == ChildStatus::not_found) {
       MESSAGE("skipped: no pdflatex");
       return;

@@ -1,8 +1,6 @@
 #include "report/draw.h"
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
@@ -11,26 +9,13 @@
 
 #include "io/input_error.h"
 #include "io/text.h"
+#include "io/text_file.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct Folder {
-  Folder() : path((fs::temp_directory_path() / "flexslip-figure-XXXXXX").string()) {
-    CHECK(mkdtemp(path.data()) != nullptr);
-  }
-  ~Folder() { fs::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string path;
-};
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Plot line() {
   return {.name = "line",
@@ -45,38 +30,38 @@ Plot line() {
 }  // namespace
 
 TEST_CASE("outside: gnuplot draws all formats, and the same figure gives the same bytes") {
-  const Folder first;
-  const Folder second;
-  if (draw(line(), first.path, {"svg", "pdf", "png"}) == DrawStatus::no_gnuplot) return;
-  CHECK(draw(line(), second.path, {"svg", "pdf", "png"}) == DrawStatus::drawn);
+  const TemporaryFolder first;
+  const TemporaryFolder second;
+  if (draw(line(), first.path(), {"svg", "pdf", "png"}) == DrawStatus::no_gnuplot) return;
+  CHECK(draw(line(), second.path(), {"svg", "pdf", "png"}) == DrawStatus::drawn);
   for (const std::string file : {"line.svg", "line.pdf", "line.png", "line.gp", "line-points.csv"}) {
     INFO(file);
-    CHECK(!text_of(fs::path(first.path) / file).empty());
-    CHECK(text_of(fs::path(first.path) / file) == text_of(fs::path(second.path) / file));
+    CHECK(!bytes_of(first.path() / file).empty());
+    CHECK(bytes_of(first.path() / file) == bytes_of(second.path() / file));
   }
-  CHECK(text_of(fs::path(first.path) / "line-points.csv") == "x,y\n0,1\n\n0.1,2\n");
-  const auto svg = text_of(fs::path(first.path) / "line.svg");
+  CHECK(bytes_of(first.path() / "line-points.csv") == "x,y\n0,1\n\n0.1,2\n");
+  const auto svg = bytes_of(first.path() / "line.svg");
   CHECK(svg.find("<title>A &lt;line&gt; &amp; more</title>") != std::string::npos);
   CHECK(svg.find("<desc>It rises.</desc>") != std::string::npos);
 }
 
 TEST_CASE("outside: a name full of quotes and commands is only a name") {
-  const Folder folder;
+  const TemporaryFolder folder;
   const std::string name = "it's `id` \"$(id)\".svg";
-  if (draw(line(), folder.path + "/" + name) == DrawStatus::no_gnuplot) return;
-  CHECK(fs::exists(fs::path(folder.path) / name));
+  if (draw(line(), folder.path() / name) == DrawStatus::no_gnuplot) return;
+  CHECK(fs::exists(folder.path() / name));
 }
 
 TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const std::string text :
        {"'begins", "ends'", "12'' rod", "'", "''", "'''", "a'b''c'''d", "\"12\"", "'\"`id`\"'", "back\\slash'n", "\\n",
         "{brace}'", "'}", "{", "# @x $y `id`", "'# no remark", "é ü '", "%d 100 %"}) {
     INFO(text);
     Plot plot = line();
     plot.panels[0].title = as_it_is(text);
-    if (draw(plot, folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
-    const std::string svg = text_of(fs::path(folder.path) / "line.svg");
+    if (draw(plot, folder.path(), {"svg"}) == DrawStatus::no_gnuplot) return;
+    const std::string svg = bytes_of(folder.path() / "line.svg");
     std::string escaped = html_escaped(text);
     for (auto at = escaped.find("&quot;"); at != std::string::npos; at = escaped.find("&quot;"))
       escaped.replace(at, 6, "\"");
@@ -85,28 +70,28 @@ TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
 }
 
 TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies about") {
-  const Folder folder;
-  if (draw(line(), folder.path, {"svg"}) == DrawStatus::no_gnuplot) return;
-  const fs::path picture = fs::path(folder.path) / "line.svg";
-  const std::string before = text_of(picture);
+  const TemporaryFolder folder;
+  if (draw(line(), folder.path(), {"svg"}) == DrawStatus::no_gnuplot) return;
+  const fs::path picture = folder.path() / "line.svg";
+  const std::string before = bytes_of(picture);
   Plot broken = line();
   broken.data[0].name = broken.panels[0].marks[0].table = "no-name";
-  CHECK_THROWS_AS(draw(broken, folder.path, {"svg"}), std::runtime_error);
-  CHECK(text_of(picture) == before);
-  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 4);
+  CHECK_THROWS_AS(draw(broken, folder.path(), {"svg"}), std::runtime_error);
+  CHECK(bytes_of(picture) == before);
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 4);
 }
 
 TEST_CASE("limit: no picture of that kind") {
-  const Folder folder;
-  CHECK_THROWS_AS(draw(line(), folder.path + "/line.jpg"), InputError);
-  CHECK_THROWS_AS(draw(line(), folder.path + "/line"), InputError);
-  CHECK_THROWS_AS(draw(line(), folder.path + "/li\nne.svg"), InputError);
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(draw(line(), folder.path() / "line.jpg"), InputError);
+  CHECK_THROWS_AS(draw(line(), folder.path() / "line"), InputError);
+  CHECK_THROWS_AS(draw(line(), folder.path() / "li\nne.svg"), InputError);
 }
 
 TEST_CASE("outside: a picture for print says how finely it is drawn") {
-  const Folder folder;
-  if (draw(line(), folder.path, {"png"}) == DrawStatus::no_gnuplot) return;
-  const std::string png = text_of(fs::path(folder.path) / "line.png");
+  const TemporaryFolder folder;
+  if (draw(line(), folder.path(), {"png"}) == DrawStatus::no_gnuplot) return;
+  const std::string png = bytes_of(folder.path() / "line.png");
   const auto at = png.find("pHYs");
   REQUIRE(at == 37);                                                             // right after the header
   CHECK(png.substr(at + 4, 9) == std::string("\0\0\x3d\x84\0\0\x3d\x84\1", 9));  // 400 dpi: 15748 a metre

@@ -8,9 +8,11 @@
 
 #include <doctest/doctest.h>
 
+#include "io/text_file.h"
 #include "report/draw.h"
 #include "tests/has.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 namespace flexslip {
 namespace {
@@ -56,15 +58,15 @@ std::vector<Mark> every_kind(const std::string& table) {
 }  // namespace
 
 TEST_CASE("outside: gnuplot draws every kind of mark, and an empty panel where there are no data") {
-  const Folder folder;
+  const TemporaryFolder folder;
   for (const bool logarithmic : {false, true})
     for (const char* table : {"table", "none"}) {
       INFO(table, logarithmic);
       const Axis axis{"*F*_0", "mN", 0.5, 6, logarithmic};
       const Plot plot = with({{.x = axis, .y = axis, .marks = every_kind(table), .colour = {"colour", "", 0, 6}},
                               {.x = axis, .y = axis, .marks = {}}});
-      if (draw(plot, folder.path, {"svg", "png", "pdf"}) == DrawStatus::no_gnuplot) return;
-      CHECK(has(text_of(folder.path + "/plot.svg"), "in the middle"));
+      if (draw(plot, folder.path(), {"svg", "png", "pdf"}) == DrawStatus::no_gnuplot) return;
+      CHECK(has(bytes_of(folder.path() / "plot.svg"), "in the middle"));
       const Json panel = json_of(laid_out(plot)).at("panels").at(0);
       CHECK(panel.at("marks").size() ==
             (std::string(table) == "table" ? 16 : 6));  // labels are texts, and marks of nothing left out

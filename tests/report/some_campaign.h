@@ -1,13 +1,8 @@
 // A small campaign whose every number is known, with names that no format takes as they are.
 #pragma once
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -111,21 +106,6 @@ inline Campaign some_campaign() {
        failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
   campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5, 3.2, 0.52}};
   return campaign;
-}
-
-struct Folder {
-  Folder() : path((std::filesystem::temp_directory_path() / "flexslip-campaign-XXXXXX").string()) {
-    if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
-  }
-  ~Folder() { std::filesystem::remove_all(path); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string path;
-};
-
-inline std::string text_of(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace flexslip

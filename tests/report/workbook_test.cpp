@@ -7,8 +7,10 @@
 #include "answers/campaign_fields.h"
 #include "io/child_process.h"
 #include "io/input_error.h"
+#include "io/text_file.h"
 #include "result/table.h"
 #include "tests/report/some_campaign.h"
+#include "tests/temporary_folder.h"
 
 using namespace flexslip;
 namespace fs = std::filesystem;
@@ -61,8 +63,8 @@ void write_campaign_xlsx(const std::string& path, const Campaign& campaign) {
 }  // namespace
 
 TEST_CASE("outside: a name that a spreadsheet might take for a formula is text with a ' before it") {
-  const Folder folder;
-  const std::string path = folder.path + "/campaign.xlsx";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "campaign.xlsx";
   Campaign campaign;
   for (const char* name : {"=1+1", "-1", "SS14"})
     campaign.tests.push_back(some_test(name, SawtoothCategory::clear, 0.5, 10.9e-6));
@@ -76,8 +78,8 @@ TEST_CASE("outside: a name that a spreadsheet might take for a formula is text w
 }
 
 TEST_CASE("outside: another reader finds the numbers as numbers, the names as they are, the titles frozen") {
-  const Folder folder;
-  const std::string path = folder.path + "/campaign.xlsx";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "campaign.xlsx";
   write_campaign_xlsx(path, some_campaign());
   const auto read = read_back(path);
   if (!read) {
@@ -101,8 +103,8 @@ TEST_CASE("outside: another reader finds the numbers as numbers, the names as th
 }
 
 TEST_CASE("outside: each sheet has the columns and rows of the CSV of its name") {
-  const Folder folder;
-  const std::string path = folder.path + "/campaign.xlsx";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "campaign.xlsx";
   const Campaign campaign = some_campaign();
   write_campaign_xlsx(path, campaign);
   const auto read = read_back(path);
@@ -125,15 +127,15 @@ TEST_CASE("outside: each sheet has the columns and rows of the CSV of its name")
 }
 
 TEST_CASE("identity: the same campaign gives the same bytes") {
-  const Folder folder;
-  write_campaign_xlsx(folder.path + "/a.xlsx", some_campaign());
-  write_campaign_xlsx(folder.path + "/b.xlsx", some_campaign());
-  CHECK(text_of(folder.path + "/a.xlsx") == text_of(folder.path + "/b.xlsx"));
+  const TemporaryFolder folder;
+  write_campaign_xlsx(folder.path() / "a.xlsx", some_campaign());
+  write_campaign_xlsx(folder.path() / "b.xlsx", some_campaign());
+  CHECK(bytes_of(folder.path() / "a.xlsx") == bytes_of(folder.path() / "b.xlsx"));
 }
 
 TEST_CASE("limit: no tests, none with an answer, text that XML refuses") {
-  const Folder folder;
-  const std::string path = folder.path + "/campaign.xlsx";
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "campaign.xlsx";
   for (const auto& campaign :
        {no_tests(), only_failures(), campaign_of({failed_test("a\x01\xff", "b\x02.csv", "\x1b[31m")})}) {
     write_campaign_xlsx(path, campaign);
@@ -142,5 +144,5 @@ TEST_CASE("limit: no tests, none with an answer, text that XML refuses") {
     CHECK((*read)["sheets"]["Tests"].size() == campaign.tests.size() + 1);
     CHECK((*read)["sheets"]["Failures"].size() == campaign.tests.size() + 1);
   }
-  CHECK_THROWS_AS(write_campaign_xlsx(folder.path + "/none/campaign.xlsx", no_tests()), InputError);
+  CHECK_THROWS_AS(write_campaign_xlsx(folder.path() / "none/campaign.xlsx", no_tests()), InputError);
 }
