@@ -19,15 +19,9 @@ import unittest
 import numpy as np
 
 import flexslip
-from package import EXAMPLES, SOURCE, SPICULES, told
+from package import DESIGN, EXAMPLES, SOURCE, SPICULES, TRACE, campaign_of_examples, case, fitted, told
 
 os.chdir(SOURCE)
-DESIGN = "examples/design.toml"
-TRACE = "examples/surface/trace.csv"
-
-
-def case(name):
-    return f"examples/{name}/case.toml"
 
 
 class Json(unittest.TestCase):
@@ -181,7 +175,7 @@ class Tables(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             base = pathlib.Path(folder)
             told("fit", case("simulated"), "--quiet", "--curves", base / "c", "--profile", base / "p", "--draws", base / "d")
-            fit = flexslip.fit(case("simulated"))
+            fit = fitted("simulated")
             same = {name: name for name in ("model_force", "replay_force", "mu", "mu_error")}
             self.same(fit.curves, (base / "c").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", **same})
             self.same(fit.profile, (base / "p").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", "mu": "mu"})
@@ -237,7 +231,7 @@ class Tables(unittest.TestCase):
         export = flexslip.read("examples/simulated/test.csv")
         keys = {"diameter": "34.8 um ± 0.1 %", "modulus": ("29.6 GPa", "888 MPa"), "span": "1278 um ± 0.1 %", "stiffness": "90.65 N/m ± 0.1 %", "material": "glass",
                 "support_material": "steel", "supports": "edges", "record": {"gain_error": "0.1 %", "preload_error": "0 um"}}
-        of_file = flexslip.fit(case("simulated")).to_dict()
+        of_file = fitted("simulated").to_dict()
         of_arrays = flexslip.fit(stage=export.si("crosshead"), force=export.si("force"), **keys).to_dict()
         in_units = flexslip.fit(stage=(export.si("crosshead") * 1e6, "um"), force=list(export.si("force")), **keys).to_dict()
         for name in of_file:
@@ -270,9 +264,9 @@ class Spicules(unittest.TestCase):
 
 class Kept(unittest.TestCase):
     def test_identity_what_is_pickled_comes_back_with_all_its_numbers(self):
-        for answer in (flexslip.fit(case("cyclic")), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"),
+        for answer in (fitted("cyclic"), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"),
                        flexslip.friction_profile(case("simulated")), flexslip.design(DESIGN), flexslip.design(DESIGN, over={"mu0": (0, 1, 3)}),
-                       flexslip.campaign("examples"), flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN, points=50),
+                       campaign_of_examples(), flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN, points=50),
                        flexslip.equilibrium_region(DESIGN, points=9, levels=5), flexslip.modulus(case("simulated")), flexslip.surface(TRACE),
                        flexslip.sweep(DESIGN, axes={"mu0": [0.3, 0.5]})):
             again = pickle.loads(pickle.dumps(answer))
@@ -324,12 +318,12 @@ class Running(unittest.TestCase):
     def test_identity_processes_give_the_same(self):
         with concurrent.futures.ProcessPoolExecutor(2, mp_context=multiprocessing.get_context("spawn")) as pool:
             for name, fit in zip(EXAMPLES, pool.map(flexslip.fit, map(case, EXAMPLES))):
-                self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
+                self.assertEqual(fit.to_json(), fitted(name).to_json())
 
     def test_identity_threads_give_the_same(self):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             for name, fit in zip(EXAMPLES * 2, pool.map(flexslip.fit, map(case, EXAMPLES * 2))):
-                self.assertEqual(fit.to_json(), flexslip.fit(case(name)).to_json())
+                self.assertEqual(fit.to_json(), fitted(name).to_json())
 
     def test_outside_threads_that_sweep_into_one_file_find_what_the_first_has_done(self):
         with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(4) as pool:
@@ -381,7 +375,7 @@ class Errors(unittest.TestCase):
     def test_identity_a_bending_stiffness_that_is_held_leaves_of_an_error_what_goes_with_nothing(self):
         # Of two that are Gaussian together, the one given the other has sqrt(1 - r^2) of its deviation.
         for name in ("simulated", "cyclic"):
-            fit = flexslip.fit(case(name))
+            fit = fitted(name)
             stiffness, r = fit.params.bending_stiffness, fit.correlation().loc["mu0", "bending_stiffness"]
             held = flexslip.fit(case(name), set={"specimen.bending_stiffness": {"value": stiffness.value, "uncertainty": "0.001 %"}, "specimen.modulus": None})
             with self.subTest(name):
@@ -390,7 +384,7 @@ class Errors(unittest.TestCase):
 
     def test_limit_a_covariance_is_that_of_something(self):
         for name in ("simulated", "cyclic"):
-            fit = flexslip.fit(case(name))
+            fit = fitted(name)
             correlation, covariance = fit.correlation(), fit.covariance()
             with self.subTest(name):
                 self.assertGreater(np.linalg.eigvalsh(correlation.to_numpy()).min(), -1e-12)

@@ -18,20 +18,15 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 
 import flexslip  # noqa: E402
-from package import EXAMPLES, PROGRAM, SOURCE  # noqa: E402
+from package import DESIGN, EXAMPLES, PROGRAM, SOURCE, campaign_of_examples, case, fitted  # noqa: E402
 
 os.chdir(SOURCE)
-DESIGN = "examples/design.toml"
-
-
-def case(name):
-    return f"examples/{name}/case.toml"
 
 
 def drawn():
     """Every kind of figure: its name, and the axes."""
     for name in EXAMPLES:
-        fit = flexslip.fit(case(name))
+        fit = fitted(name)
         for figure in fit._part("figures"):
             yield f"{name} {figure['name']}", fit.plot(figure["name"])
     for name in "simulated", "cyclic", "cracked":
@@ -39,7 +34,7 @@ def drawn():
     yield "design", flexslip.design(DESIGN).plot()
     yield "design over one", flexslip.design(DESIGN, over={"stiffness": ("10 N/m", "1000 N/m", 5)}).plot()
     yield "design over two", flexslip.design(DESIGN, over={"stiffness": ("10 N/m", "1000 N/m", 5), "mu0": (0.1, 0.9, 4)}).plot()
-    campaign = flexslip.campaign("examples")
+    campaign = campaign_of_examples()
     for figure in campaign._part("figures"):
         yield f"campaign {figure['name']}", campaign.plot(figure["name"])
     yield "equilibrium", flexslip.equilibrium(DESIGN).plot()
@@ -73,7 +68,7 @@ class Figures(unittest.TestCase):
             self.assertIn(name, names)
 
     def test_outside_matplotlib_finds_every_font(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         with self.assertNoLogs("matplotlib", "WARNING"):
             for figure in fit._part("figures"):
                 with tempfile.TemporaryFile() as file:
@@ -84,10 +79,10 @@ class Figures(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 subprocess.run([PROGRAM, "fit", case(name), "--quiet", "--report", folder], check=True, capture_output=True)
                 of_report = {path.stem for path in pathlib.Path(folder, "figures").glob("*.gp")}
-            self.assertEqual({figure["name"] for figure in flexslip.fit(case(name))._part("figures")}, of_report, name)
+            self.assertEqual({figure["name"] for figure in fitted(name)._part("figures")}, of_report, name)
 
     def test_identity_what_is_drawn_of_teeth_and_loops_is_the_data_of_the_report(self):
-        fit = flexslip.fit(case("cyclic"))
+        fit = fitted("cyclic")
         figures = {figure["name"]: figure for figure in fit._part("figures")}
         data = {name: figure["data"] for name, figure in figures.items()}
         drawn = [line.get_xydata() for line in fit.plot("loops").lines]
@@ -96,13 +91,13 @@ class Figures(unittest.TestCase):
             self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
         axes = fit.plot("boxes")
         self.assertEqual(len(axes), 1 + len(fit.cycles.loops))
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         slides = sum(tooth.verdict == "sliding" for tooth in fit.teeth.teeth)
         points = [line for line in fit.plot("teeth").lines if line.get_label() == "slides"]
         self.assertEqual(np.isfinite(points[0].get_xdata()).sum(), slides)
 
     def test_identity_ranges_titles_and_colours_are_those_of_the_report(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         for figure in fit._part("figures"):
             axes = np.atleast_1d(np.asarray(fit.plot(figure["name"]), dtype=object)).ravel()
             titles = [mark["title"] for panel in figure["panels"] for mark in panel["marks"] if mark["title"]]
@@ -118,17 +113,17 @@ class Figures(unittest.TestCase):
             subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--report", folder], check=True, capture_output=True)
             script = pathlib.Path(folder, "figures/force.gp").read_text(encoding="utf-8")
         units = re.findall(r"\(([^)']*)\)' at screen", script)
-        axes = flexslip.fit(case("simulated")).plot()
+        axes = fitted("simulated").plot()
         self.assertEqual(sorted(re.findall(r"\(([^)]*)\)$", label)[0] for label in (axes[0].get_ylabel(), axes[1].get_xlabel(), axes[1].get_ylabel())), sorted(units))
 
     def test_identity_measured_points_are_those_of_the_curves(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         line = fit.plot()[0].lines[-1]  # on top of all others
         np.testing.assert_allclose(line.get_xdata(), 1e6 * fit.curves.deflection, rtol=1e-12)  # µm; the products round
         np.testing.assert_allclose(line.get_ydata(), 1e3 * fit.curves.force, rtol=1e-12)
 
     def test_outside_axes_of_ones_own(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         figure, axes = plt.subplots(1, 2)
         self.assertIs(fit.plot("force", ax=axes[0]), axes[0])
         self.assertIs(fit.plot("profile", ax=axes[1]), axes[1])
@@ -161,12 +156,12 @@ class Parser(html.parser.HTMLParser):
 
 class Words(unittest.TestCase):
     def answers(self):
-        fit = flexslip.fit(case("cyclic"))
+        fit = fitted("cyclic")
         yield from (fit, fit.parameters, fit.profile, fit.drops, fit.judgement, fit.params.mu0, fit.describe(), fit.draws, fit.curves, fit.case,
                     flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"), flexslip.design(DESIGN),
                     flexslip.design(DESIGN, over={"mu0": (0.1, 0.9, 3)}), flexslip.friction_profile(case("simulated")),
                     flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN), flexslip.equilibrium_region(DESIGN, points=9),
-                    flexslip.modulus(case("simulated")), flexslip.surface("examples/surface/trace.csv"), flexslip.sweep(DESIGN, axes={"mu0": [0.3]}), flexslip.campaign("examples"), flexslip.campaign("examples").tests)
+                    flexslip.modulus(case("simulated")), flexslip.surface("examples/surface/trace.csv"), flexslip.sweep(DESIGN, axes={"mu0": [0.3]}), campaign_of_examples(), campaign_of_examples().tests)
 
     def test_outside_everything_is_shown(self):
         for answer in self.answers():
@@ -182,7 +177,7 @@ class Words(unittest.TestCase):
         smooth = flexslip.simulate(rig=rig, specimen=specimen, friction={"model": "constant", "mu0": 0.0}, stage={"program": [0, "600 um"], "step": "2 um"},
                                    noise="10 uN", seed=3).path
         few = smooth.stage < 50e-6
-        for code, status, fit in (("slip", "ok", flexslip.fit(case("simulated"))), ("crack", "ok", flexslip.fit(case("cracked"))),
+        for code, status, fit in (("slip", "ok", fitted("simulated")), ("crack", "ok", fitted("cracked")),
                                   ("check_input", "ok", flexslip.fit(case("simulated"), stiffness="inf")),
                                   ("check_input", "not_explained", flexslip.fit(case("simulated"), modulus="1 GPa")),
                                   ("no_drops", "ok", flexslip.fit(smooth.stage, smooth.force, rig=rig, specimen=specimen)),
@@ -213,7 +208,7 @@ class Words(unittest.TestCase):
                 self.assertEqual(pickle.loads(pickle.dumps(fit)), fit)
 
     def test_outside_a_campaign_says_its_answer(self):
-        campaign = flexslip.campaign("examples")
+        campaign = campaign_of_examples()
         self.assertTrue(repr(campaign).startswith("4 tests: 3 slip, 0 undecided, 1 crack, 0 without drops."), repr(campaign))
         self.assertTrue(campaign.summary().startswith(repr(campaign)))
         self.assertEqual(Parser(campaign._repr_html_()).open, [])
@@ -223,13 +218,13 @@ class Words(unittest.TestCase):
         self.assertNotIn("Suspect", told)  # whose friction cannot be told
 
     def test_outside_tables_are_shown_in_units_that_suit_them(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         def shown(thing):
             return " ".join(re.sub("<[^>]*>", " ", html.unescape(thing._repr_html_())).split())
 
         self.assertRegex(shown(fit.drops), r"row_before row_after stage \[µm\] .* force_fall \[(µ|m)N\] .* pulled_in .* \d\.\d\d ± 0\.\d\d µm ")
         self.assertRegex(shown(flexslip.design(DESIGN, over={"stiffness": (10, 40, 3)})), r"stiffness \[N/m\] .* largest_drop \[[µm]N\]")
-        self.assertIn("work_of_fracture [µJ]", [*flexslip.campaign("examples").table._shown()])
+        self.assertIn("work_of_fracture [µJ]", [*campaign_of_examples().table._shown()])
         for table in fit.drops, fit.curves, fit.sensitivities:
             cells = [float(cell) for column in table._shown() for cell in table._shown()[column] if re.fullmatch(r"-?[\d.]+(e-?\d+)?", cell)]
             self.assertGreater(len(cells), 10)
@@ -240,11 +235,11 @@ class Words(unittest.TestCase):
             self.assertRegex(part._repr_html_(), "<caption>([A-Z][a-z-]*) ")  # a sentence, no name of a class
 
     def test_outside_an_estimate_is_formatted_as_its_value(self):
-        mu0 = flexslip.fit(case("simulated")).params.mu0
+        mu0 = fitted("simulated").params.mu0
         self.assertEqual((f"{mu0:.3f}", f"{mu0:>8.1e}", f"{mu0}"), (f"{mu0.value:.3f}", f"{mu0.value:>8.1e}", str(mu0)))
 
     def test_outside_numbers_are_rounded_by_their_errors_in_units_that_read_well(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         self.assertRegex(str(fit.params.wavelength), r"^10\.9\d\d ± 0\.0\d\d µm$")
         self.assertRegex(repr(fit.params.bending_stiffness), r"^<bending_stiffness: 2\.1\d\d ± 0\.0\d\d mN mm²>$")
         self.assertRegex(repr(fit), r"\n  mu0 +0\.50\d ± 0\.017\n")
@@ -267,7 +262,7 @@ class Words(unittest.TestCase):
                 self.assertRegex(below, r"^        [A-Z].*\.$|^    $")
 
     def test_outside_words_are_those_of_the_program(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         printed = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet"], capture_output=True, text=True, check=True).stdout
         full = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--full"], capture_output=True, text=True, check=True).stdout
         self.assertEqual((fit.summary(), fit.summary(full=True)), (printed, full))
@@ -277,7 +272,7 @@ class Words(unittest.TestCase):
         self.assertEqual(flexslip.surface("examples/surface/trace.csv").summary(), printed)
 
     def test_outside_every_number_has_its_meaning(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         told = {line[0] for line in fit.describe()}
         page = (SOURCE / "docs/results.md").read_text(encoding="utf-8")
         for name in "parameters.mu0", "profile[].mu_error", "energy.friction_share":
@@ -288,7 +283,7 @@ class Words(unittest.TestCase):
 
 class Frames(unittest.TestCase):
     def test_identity_frames_hold_the_columns(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         for table in fit.profile, fit.curves, fit.drops, fit.snaps:
             frame = table.to_frame()
             self.assertIsInstance(frame, pandas.DataFrame)
@@ -307,7 +302,7 @@ class Frames(unittest.TestCase):
         self.assertEqual((frame.loc["wavelength", "low95"], frame.loc["wavelength", "high95"]), fit.params.wavelength.ci95)
 
     def test_identity_rows_hold_the_columns(self):
-        fit = flexslip.fit(case("simulated"))
+        fit = fitted("simulated")
         self.assertEqual([row.mu for row in fit.profile], fit.profile.mu.tolist())
         self.assertEqual(fit.profile[-1].mu, fit.profile.mu[-1])
         self.assertEqual([row.mu for row in fit.profile[2:9:3]], fit.profile.mu[2:9:3].tolist())

@@ -47,6 +47,7 @@ struct BowedBeam {
     Vector at(24 * deflection, 3 * shape, 0.5 + shape * shape);
     for (int iteration = 0; iteration < 30; ++iteration) {
       const Vector off = off_at_midspan(at, deflection);
+      if (off.norm() < 1e-12) break;
       Eigen::Matrix3d by;
       constexpr double step = 1e-6;
       for (int k = 0; k < 3; ++k) {
