@@ -106,7 +106,11 @@ class Stepped {
     const double sign = q > 0 ? 1 : -1;
     const auto sliding = [&](double x) {
       double mu = mu_of(at(x, sign * 0.5));
-      for (int i = 0; i < 40; ++i) mu = mu_of(at(x, sign * mu));
+      for (int i = 0; i < 40; ++i) {
+        const double before = mu;
+        mu = mu_of(at(x, sign * mu));
+        if (mu == before) break;
+      }
       return sign * mu;
     };
     w_ = reach(direction, sliding);

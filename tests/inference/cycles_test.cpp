@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include <boost/math/tools/toms748_solve.hpp>
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
@@ -18,7 +19,7 @@
 namespace flexslip {
 namespace {
 
-// A simulator of its own, by bisection: hold S while |q| <= μ, otherwise slide along q = +μ in or q = -μ out.
+// A simulator of its own, by roots of bracketed functions: hold S while |q| <= μ, otherwise slide along q = +μ in or q = -μ out.
 struct Truth {
   std::function<double(double)> mu_in, mu_out;  // of S
   double stiffness = 100;                       // [EI/L^3] of the load train, of the true EI
@@ -32,9 +33,11 @@ double stage_of(double S, double q, double stiffness) {
 }
 
 template <class Function>
-double bisected(Function rising, double low, double high) {
-  for (int i = 0; i < 52; ++i) (rising(0.5 * (low + high)) < 0 ? low : high) = 0.5 * (low + high);
-  return 0.5 * (low + high);
+double root(Function rising, double low, double high) {
+  std::uintmax_t most = 100;
+  const auto between =
+      boost::math::tools::toms748_solve(rising, low, high, boost::math::tools::eps_tolerance<double>(50), most);
+  return 0.5 * (between.first + between.second);
 }
 
 struct Simulated {
@@ -60,13 +63,13 @@ Simulated simulate(const Truth& truth, const std::vector<double>& stages) {
       if (S == 1 || excess(S, truth.mu_in(S)) < 0) {
         double high = S + 1e-6;
         while (excess(high, truth.mu_in(high)) < 0) high = S + 2 * (high - S);
-        S = bisected([&](double x) { return excess(x, truth.mu_in(x)); }, S, high);
+        S = root([&](double x) { return excess(x, truth.mu_in(x)); }, S, high);
         q = truth.mu_in(S);
       } else if (excess(S, -truth.mu_out(S)) > 0) {
-        S = bisected([&](double x) { return excess(x, -truth.mu_out(x)); }, 1, S);
+        S = root([&](double x) { return excess(x, -truth.mu_out(x)); }, 1, S);
         q = -truth.mu_out(S);
       } else {
-        q = bisected([&](double x) { return excess(S, x); }, -truth.mu_out(S), truth.mu_in(S));
+        q = root([&](double x) { return excess(S, x); }, -truth.mu_out(S), truth.mu_in(S));
       }
       const auto state = fibre_state(S, q);
       w = state.w;

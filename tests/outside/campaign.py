@@ -127,7 +127,7 @@ step = "2 um"
         self.assertEqual(digest(self.folder / "report1"), digest(self.folder / "report3"))
 
     def test_killed_at_twenty_random_moments_it_loses_nothing(self):
-        folder = self.simulated(8)
+        folder = self.simulated(4)
         call = ["campaign", folder, "--report", self.folder / "report", "--quiet", "--jobs", 2]
         start = time.monotonic()
         self.succeeds("campaign", folder, "--report", self.folder / "whole", "--quiet", "--jobs", 2)
