@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """outside: frames and arrays are data, as files are: the same readings give the same answer, however they are handed over."""
 import os
+import pathlib
 import pickle
 import shutil
 import tempfile
@@ -19,7 +20,11 @@ SPECIMEN = {"diameter": "34.8 um", "modulus": ("29.6 GPa", "3 %"), "span": "1278
 class Records(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.export = flexslip.read("examples/simulated/test.csv")
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        path = pathlib.Path(folder.name, "test.csv")
+        path.write_text("".join((SOURCE / "examples/simulated/test.csv").read_text().splitlines(keepends=True)[:230]))  # the sooner fitted, often
+        cls.export = flexslip.read(path)
         cls.stage, cls.force = cls.export.si("crosshead"), cls.export.si("force")
         cls.usual = flexslip.fit(stage=cls.stage, force=cls.force, **SPECIMEN)
 
@@ -89,7 +94,7 @@ class Records(unittest.TestCase):
 
     def test_outside_what_is_no_data_is_told_what_to_pass(self):
         simulation = flexslip.simulate("examples/simulated/truth.toml")
-        for data, told in (((np.column_stack([self.stage, self.stage, self.force]),), r"one array of the shape \(426, 3\); write fit\(data\[:, 0\]"),
+        for data, told in (((np.column_stack([self.stage, self.stage, self.force]),), r"one array of the shape \(227, 3\); write fit\(data\[:, 0\]"),
                            ((self.stage,), r"found an array; write fit\(stage, force\)"), ((self.export,), r"found Export; write fit\(export.to_frame\(\)\)"),
                            ((simulation,), r"found Simulation; write fit\(simulation.to_frame\(\)\)"), ((self.usual,), r"found Fit; write fit\(fit.case\)"),
                            ((self.stage.astype(object).astype(str), self.force), "as in numpy.asarray")):
@@ -121,7 +126,7 @@ class Records(unittest.TestCase):
         residual = self.usual.residual
         self.assertEqual(residual.shape, self.usual.curves.force.shape)
         told = np.isfinite(residual)
-        self.assertGreater(told.sum(), 300)
+        self.assertGreater(told.sum(), 200)
         np.testing.assert_array_equal(residual[told] + self.usual.curves.model_force[told], self.usual.curves.force[told])
 
 
