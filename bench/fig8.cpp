@@ -5,6 +5,7 @@
 
 #include "bending_test/equilibrium.h"
 #include "bending_test/rig.h"
+#include "bending_test/trace.h"
 
 namespace flexslip {
 namespace {

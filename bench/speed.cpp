@@ -12,6 +12,7 @@
 #include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
+#include "bending_test/trace.h"
 #include "fibre/batch.h"
 #include "fibre/batch_inverse.h"
 #include "fibre/elastica.h"

@@ -13,6 +13,7 @@
 #include "bending_test/shallow.h"
 #include "bending_test/sliding_piece.h"
 #include "bending_test/snap.h"
+#include "bending_test/trace.h"
 #include "contact/over_rollers.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"

@@ -19,8 +19,8 @@ namespace flexslip {
 // The least stiffness of the load train [EI/L^3] with which no loading up to the deflection w_max [L] snaps: 0 where none snaps
 // on any rig stiffer than 1e-6, infinite where one does even with the deflection itself controlled.
 // Domain:     w_max >= 1e-6, finite; std::invalid_argument otherwise.
-// Tolerance:  1e-9, relative: a snap at a stiffness above that would be shorter than the tracer tells (rig.h).
-// Fails:      as trace_loading_curve (rig.h).
+// Tolerance:  1e-9, relative: a snap at a stiffness above that would be shorter than the tracer tells (trace.h).
+// Fails:      as trace_loading_curve (trace.h).
 // Method:     continuation of the fold. G' = w' + F'/k vanishes where k = -F'/w', so that the folds of all rigs lie on one
 //             curve k(S), and a pair of them vanishes in a cusp, at a maximum of k(S) or at the end of the range. From the pairs
 //             that the tracer finds on a soft rig one is followed up to its cusp; just above it the curve is traced anew; and so on

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bending_test/motion.h"
+#include "bending_test/trace.h"
 #include "contact/over_rollers.h"
 
 namespace flexslip {

@@ -9,6 +9,7 @@
 
 #include "bending_test/rig.h"
 #include "bending_test/sliding_table.h"
+#include "bending_test/trace.h"
 #include "contact/over_rollers.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"

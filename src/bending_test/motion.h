@@ -80,7 +80,7 @@ class MovingFibre {
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
   // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
   // Max error:  events (the end of stick, folds, landings) to the rounding of the stage position.
-  // Cost:       a few µs; the first that slides in a direction traces its curve (rig.h).
+  // Cost:       a few µs; the first that slides in a direction traces its curve (trace.h).
   std::optional<Stretch> advance_towards(double stage);
 
   // Where the energy goes on a stretch, or a part of one, of the way that the fibre is on: asked before the next.

@@ -46,7 +46,7 @@ enum class CurveEnd {
 };
 
 // A sliding curve from one length to another, on the way that the fibre slides, cut at its folds: between two of them G is
-// strictly monotone.
+// strictly monotone. trace.h makes it.
 struct SlidingCurve {
   Friction friction;  // as met on this way (contact/over_rollers.h)
   Rig rig;
@@ -59,19 +59,6 @@ struct SlidingCurve {
   std::vector<CurvePiece>
       pieces;  // of the curve, end to end from its begin: as far as it takes no more than 2^16 of them
 };
-
-// The curve on which the fibre is drawn in, from S = 1 to S_max; and that on which it is let out, from S_from down to 1: of a friction of the
-// specimen's points.
-// Domain:     rig.stiffness > 0, S_max > 1; S_from > 1, where a state with q = -μ exists; std::invalid_argument otherwise.
-// Tolerance:  no fold is missed whose snap is longer than 1e-6 of the roughness's period, whatever the wavelength: G is
-//             interpolated by Chebyshev polynomials of degree 12 on half the shortest period (and the pieces between
-//             the knots of a table), and the roots of G' are counted by Descartes' rule in Bernstein form. Where that does not
-//             decide, G' itself is interpolated, and cells are halved until it is known to 1e-6 of its terms (theory.md,
-//             "Folds"). Folds are then polished to the rounding of G'.
-// Fails:      std::invalid_argument if the roughness has more than 1e6 periods on this length, or periods below 1e-9 spans.
-// Cost:       about 30 µs for each period of the roughness.
-SlidingCurve trace_loading_curve(const Friction& friction, const Rig& rig, double S_max);
-SlidingCurve trace_unloading_curve(const Friction& friction, const Rig& rig, double S_from);
 
 // A length that the fibre exceeds only at stage positions beyond `stage`: what to trace to find all equilibria at `stage`.
 // Domain:     stage >= 1e-6; std::invalid_argument otherwise. For q >= 0, as in loading.

@@ -6,6 +6,7 @@
 
 #include "bending_test/design.h"
 #include "bending_test/rig.h"
+#include "bending_test/trace.h"
 #include "fibre/elastica.h"
 #include "numerics/elementary.h"
 #include "tests/approximately.h"

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/rig.h"
+#include "bending_test/trace.h"
 #include "tests/generators.h"
 #include "tests/refusal.h"
 

@@ -11,6 +11,7 @@
 #include "bending_test/history.h"
 #include "bending_test/rig.h"
 #include "bending_test/shallow.h"
+#include "bending_test/trace.h"
 #include "contact/over_rollers.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"

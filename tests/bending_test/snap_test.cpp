@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/motion.h"
+#include "bending_test/trace.h"
 #include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/generators.h"

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "bending_test/trace.h"
 #include "contact/over_rollers.h"
 
 namespace flexslip {
