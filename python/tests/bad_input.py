@@ -13,10 +13,10 @@ import numpy as np
 from hypothesis import strategies as some
 
 import flexslip
-from package import SOURCE
+from package import DESIGN, SOURCE, TRACE, case
 
 os.chdir(SOURCE)
-CASE = "examples/simulated/case.toml"
+CASE = case("simulated")
 SPECIMEN = {"diameter": "34.8 um", "modulus": "29.6 GPa", "span": "1278 um", "stiffness": "90.65 N/m"}
 KEYS = {(key["section"], key["name"]): key for key in flexslip.keys()}
 QUANTITIES = [key for key in flexslip.keys() if key["is"] == "quantity" and key["section"] in ("specimen", "rig") and key["unit"] and key["name"] != "strength"]  # which wants a section
@@ -212,7 +212,7 @@ class Faults(unittest.TestCase):
             with open("examples/simulated/test.csv", "rb") as file, open(base + b".csv", "wb") as copy:
                 copy.write(file.read())
             self.assertEqual(flexslip.read(base + b".csv").rows, 426)
-            self.assertEqual(flexslip.sweep("examples/design.toml", axes={"mu0": [0.3]}, output=base + b".h5").rows, 1)
+            self.assertEqual(flexslip.sweep(DESIGN, axes={"mu0": [0.3]}, output=base + b".h5").rows, 1)
             self.assertTrue(os.path.isfile(base + b".h5"))
             for call in (lambda: flexslip.read(base), lambda: flexslip.fit(base + b".toml"), lambda: flexslip.surface(base), lambda: flexslip.campaign(base)):
                 self.assertEqual(os.fsencode(self.fault(call).file)[:len(base)], base)
@@ -252,7 +252,7 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.design(), 'specimen is missing; add diameter="34.8 um" and modulus="29.6 GPa"'),
                            (lambda: flexslip.design(**specimen, **rig), 'stage is missing; add stage={"program": ["0 um", "900 um"]}'),
                            (lambda: flexslip.simulate(**specimen, **rig, stage={"program": [0, 1e-4]}), 'add friction={"model": "sinusoid", "mu0": 0.5'),
-                           (lambda: flexslip.design("examples/design.toml", over={"spam": (1, 2)}), "over: expected a number of this case"),
+                           (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "over: expected a number of this case"),
                            (lambda: flexslip.surface(TRACE, friction=-1.0), "friction: expected a positive plain number")):
             error = self.fault(call)
             self.assertIn(told, str(error))
@@ -295,15 +295,15 @@ class Faults(unittest.TestCase):
             self.assertEqual(flexslip.Case("test.csv", **{key: 267e-6})[f"record.{key}"], {"stage": "267 um"})
 
     def test_outside_keys_are_taken_out_of_a_case(self):
-        case = flexslip.Case(PLANNED)
+        case = flexslip.Case(DESIGN)
         constant = {"model": "constant", "mu0": 0.4}
         self.assertEqual(case.replace(friction=constant)["friction"], constant)
-        self.assertEqual(flexslip.simulate(PLANNED, friction=constant), flexslip.simulate(case.replace(friction=constant)))
+        self.assertEqual(flexslip.simulate(DESIGN, friction=constant), flexslip.simulate(case.replace(friction=constant)))
         rest = {"model": "sinusoid", "mu0": 0.5, "amplitude": 0.15, "wavelength": "10.9 um"}
         for given in {"friction": {"phase": None}}, {"set": {"friction.phase": None}}, {"friction.phase": None}:
             self.assertEqual(case.replace(**given)["friction"], rest)
         self.assertEqual(case.replace(friction={"mu0": 0.3})["friction"], {**rest, "mu0": 0.3, "phase": 1})
-        self.assertEqual(flexslip.Case(PLANNED, set={"friction.phase": None})["friction"], rest)
+        self.assertEqual(flexslip.Case(DESIGN, set={"friction.phase": None})["friction"], rest)
         self.assertIn("did you mean 'friction.phase'", str(self.fault(lambda: case.replace(set={"friction.phaze": None}))))
         self.assertNotIn("friction", case.replace(friction=None).to_dict())
         self.assertEqual(case.replace(modulus=None, bending_stiffness="2 mN mm^2")["specimen"], {"diameter": "34.8 um", "bending_stiffness": "2 mN mm^2"})
@@ -329,7 +329,7 @@ class Faults(unittest.TestCase):
         self.assertIs(type(self.fault(lambda: flexslip.read("examples"))), flexslip.FolderError)
 
     def test_outside_a_list_of_values_is_the_values(self):
-        case = flexslip.Case(PLANNED)
+        case = flexslip.Case(DESIGN)
         for values in [10, 100, 1000], np.linspace(20, 100, 5), [50.0, 60.0], range(100, 400, 100), np.geomspace(3, 300, 4):
             np.testing.assert_allclose(flexslip.design(case, over={"stiffness": values}).designs.stiffness, list(values), rtol=1e-12)  # of a rounding or a few
         for values in [10, 20, 100], [10.0], [], np.linspace(10, 100, 5), ["10 N/m", "20 N/m", "30 N/m"], np.ones((2, 2)):
@@ -355,23 +355,21 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.fit(CASE, suspect_limit=math.nan), "suspect_limit"), (lambda: flexslip.simulate(CASE, points=1), "points"),
                            (lambda: flexslip.simulate(CASE, seed=-1), "seed"), (lambda: flexslip.simulate(CASE, noise="3 mm"), "noise"),
                            (lambda: flexslip.campaign("examples", share="spam"), "share"), (lambda: flexslip.campaign("examples", jobs=0), "jobs"),
-                           (lambda: flexslip.design("examples/design.toml", over={"mu0": 3}), "over"),
-                           (lambda: flexslip.design("examples/design.toml", over={"spam": (1, 2)}), "spam"),
+                           (lambda: flexslip.design(DESIGN, over={"mu0": 3}), "over"),
+                           (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "spam"),
                            (lambda: flexslip.read("examples/simulated/test.csv", decimal=";"), "decimal"),
                            (lambda: flexslip.read("examples/simulated/test.csv", specimen=2), "specimen")):
             error = self.fault(call)
             self.assertIn(name, str(error))
 
 
-TRACE = "examples/surface/trace.csv"
-PLANNED = "examples/design.toml"
 OPTIONS = {  # of functions that compute for a moment at most, whatever they are given
-    "equilibrium": (lambda given: flexslip.equilibrium(PLANNED, points=9, **given), ("longest",)),
-    "equilibrium_region": (lambda given: flexslip.equilibrium_region(PLANNED, **{"points": 3, "levels": 3, **given}), ("longest", "span", "roller_radius")),
+    "equilibrium": (lambda given: flexslip.equilibrium(DESIGN, points=9, **given), ("longest",)),
+    "equilibrium_region": (lambda given: flexslip.equilibrium_region(DESIGN, **{"points": 3, "levels": 3, **given}), ("longest", "span", "roller_radius")),
     "modulus": (lambda given: flexslip.modulus(CASE, **given), ("window", "friction_range", "span", "diameter", "set")),
     "surface": (lambda given: flexslip.surface(TRACE, **given), ("level", "cutoff", "edge_radius", "friction", "wavelength", "amplitude", "pixel", "noise", "shortest",
                 "longest", "tapers", "position", "height", "position_unit", "height_unit", "step", "sheet", "encoding", "separator", "decimal", "thousands")),
-    "sweep": (lambda given: flexslip.sweep(PLANNED, **{"axes": {"mu0": [0.3]}, **given}), ("axes", "seed", "threads", "keep_parts", "stiffness")),
+    "sweep": (lambda given: flexslip.sweep(DESIGN, **{"axes": {"mu0": [0.3]}, **given}), ("axes", "seed", "threads", "keep_parts", "stiffness")),
 }
 
 
@@ -396,22 +394,22 @@ class Options(unittest.TestCase):
     def test_outside_anything_for_an_axis_of_a_sweep(self, given):
         for name in "stiffness", "mu0", "step", "spam":
             try:
-                flexslip.sweep(PLANNED, axes={name: given})
+                flexslip.sweep(DESIGN, axes={name: given})
             except EXPECTED as error:
                 self.assertTrue(str(error))
 
     def test_outside_options_that_are_wrong_name_themselves(self):
-        for call, name in ((lambda: flexslip.equilibrium(PLANNED, points=1), "points"), (lambda: flexslip.equilibrium(PLANNED, longest="1 N"), "longest"),
-                           (lambda: flexslip.equilibrium(PLANNED, longest="1 um"), "longest"), (lambda: flexslip.equilibrium_region(PLANNED, levels=1), "levels"),
+        for call, name in ((lambda: flexslip.equilibrium(DESIGN, points=1), "points"), (lambda: flexslip.equilibrium(DESIGN, longest="1 N"), "longest"),
+                           (lambda: flexslip.equilibrium(DESIGN, longest="1 um"), "longest"), (lambda: flexslip.equilibrium_region(DESIGN, levels=1), "levels"),
                            (lambda: flexslip.modulus(CASE, window=(0.5, 0.1)), "window"), (lambda: flexslip.modulus(CASE, window=0.5), "window"), (lambda: flexslip.modulus(CASE, friction_range=(0.5, 0.1)), "friction"),
                            (lambda: flexslip.modulus(CASE, friction_range="spam"), "friction"), (lambda: flexslip.modulus(CASE, friction_range=(1, 2, 3)), "friction_range"),
                            (lambda: flexslip.surface(TRACE, level=10), "level"), (lambda: flexslip.surface(TRACE, cutoff="1 N"), "cutoff"),
                            (lambda: flexslip.surface(TRACE, tapers=1), "tapers"), (lambda: flexslip.surface(TRACE, wavelength=["1 um", None]), "wavelength"),
                            (lambda: flexslip.surface(TRACE, position=1, step="1 um"), "step"), (lambda: flexslip.surface("nothing.csv"), "nothing.csv"),
-                           (lambda: flexslip.sweep(PLANNED), "sweep"), (lambda: flexslip.sweep(PLANNED, axes={"spam": [1]}), "spam"),
-                           (lambda: flexslip.sweep(PLANNED, axes={"stiffness": ["1 mm"]}), "stiffness"), (lambda: flexslip.sweep(PLANNED, axes={"mu0": np.ones((2, 2))}), "mu0"),
-                           (lambda: flexslip.sweep(PLANNED, axes={"mu0": (0.1, 0.2, 1)}), "points"), (lambda: flexslip.sweep(PLANNED, axes={"mu0": [0.3]}, seed=3), "seed"),
-                           (lambda: flexslip.sweep(PLANNED, axes={"mu0": [0.3]}, output=PLANNED), "design.toml")):
+                           (lambda: flexslip.sweep(DESIGN), "sweep"), (lambda: flexslip.sweep(DESIGN, axes={"spam": [1]}), "spam"),
+                           (lambda: flexslip.sweep(DESIGN, axes={"stiffness": ["1 mm"]}), "stiffness"), (lambda: flexslip.sweep(DESIGN, axes={"mu0": np.ones((2, 2))}), "mu0"),
+                           (lambda: flexslip.sweep(DESIGN, axes={"mu0": (0.1, 0.2, 1)}), "points"), (lambda: flexslip.sweep(DESIGN, axes={"mu0": [0.3]}, seed=3), "seed"),
+                           (lambda: flexslip.sweep(DESIGN, axes={"mu0": [0.3]}, output=DESIGN), "design.toml")):
             with self.assertRaises(flexslip.InputError) as raised:
                 call()
             self.assertIn(name, str(raised.exception))

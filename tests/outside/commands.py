@@ -395,8 +395,8 @@ class Equilibrium(InFolder):
         self.assertEqual(list(table(region)), ["S", "q", "w", "F"])
 
     def test_no_default_misses_the_roughness(self):
-        # Four thousand periods: the extremes of mu are known.
-        case = self.file("case.toml", FIG_8B.replace(repr(0.02 * math.pi), "6e-5"))
+        # Forty thousand periods: the extremes of mu are known.
+        case = self.file("case.toml", FIG_8B.replace(repr(0.02 * math.pi), "6e-6"))
         mu = numbers(self.succeeds("equilibrium", case), "mu")
         # A cosine sampled 16 times a period misses its extremes by at most 1 - cos(pi/16) = 2 %.
         self.assertGreater(max(mu), 0.6 * (1 + 0.4 * 0.98))
