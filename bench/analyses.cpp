@@ -12,6 +12,7 @@
 #include "case/case_file.h"
 #include "case/fitted.h"
 #include "inference/chain.h"
+#include "inference/prior_draws.h"
 #include "inference/process_mode.h"
 
 namespace flexslip {

@@ -13,6 +13,7 @@
 #include "bending_test/sliding_table.h"
 #include "inference/chain.h"
 #include "inference/fit.h"
+#include "inference/prior_draws.h"
 
 namespace flexslip {
 

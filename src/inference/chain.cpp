@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -38,159 +39,124 @@ Parameters parameters_of(Kernel kernel, const Hyperparameters& at) {
 
 // What is known of a state of which nothing is seen. G numbers of g, then e.
 template <int M>
-Square<M> limit_of(const Parameters& p) {
-  constexpr int G = M - 1;
-  Square<M> limit{};
+StateMatrix<M> limit_of(const Parameters& p) {
+  constexpr std::size_t G = M - 1;
+  StateMatrix<M> limit{};
   if constexpr (G > 0) {
-    constexpr auto P = matern::stationary<G>();
-    for (int i = 0; i < G; ++i)
-      for (int j = 0; j < G; ++j) limit(i, j) = p.roughness * p.roughness * P(i, j);
+    constexpr auto P = matern::stationary<M - 1>();
+    for (std::size_t i = 0; i < G; ++i)
+      for (std::size_t j = 0; j < G; ++j) limit[j / 2][i][j % 2] = p.roughness * p.roughness * P.at_[i * G + j];
   }
-  limit(G, G) = p.noise * p.noise;
+  limit[G / 2][G][G % 2] = p.noise * p.noise;
   return limit;
 }
 
-// The filter's covariances: what it knows of the state before each observation.
+// What an observation sees of the state: g and D e.
+template <int M>
+Few<M> seen_of_state(double D) {
+  Few<M> H{};
+  if (M > 1) H[0] = 1;
+  H[M - 1] = D;  // of e, which is all there is without a kernel
+  return H;
+}
+
+// How the state goes on from each observation to the next.
+template <int M>
+void find_transitions(const Observations& observations, const Parameters& p, chain::Steps<M>& steps) {
+  const auto power = [&](double rows) {
+    return p.correlation > 0 ? elementary::exp(rows * elementary::log(p.correlation)) : 0;
+  };
+  const std::size_t n = observations.all.size();
+  KeptArray<double> decay(M > 1 ? n : 0);
+  if constexpr (M > 1) {
+    for (std::size_t k = 0; k < n; ++k)
+      decay[k] = k == 0 ? 0 : -p.rate * (observations.all[k].place - observations.all[k - 1].place);
+    const std::span all(decay.data(), n);
+    elementary::exp(all, all);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    auto& step = steps.steps[k];
+    const Observation& observation = observations.all[k];
+    step.of_g = {};
+    step.of_e = 0;
+    if (k == 0) continue;
+    if constexpr (M > 1) {
+      const double distance = observation.place - observations.all[k - 1].place;
+      step.of_g = matern::transition_over<M - 1>(p.rate * distance, decay[k]);
+    }
+    step.of_e = observation.rows == 0 ? 1 : observation.rows == 1 ? p.correlation : power(observation.rows);
+  }
+}
+
+// The filter's covariances: what is known of the state before each observation, and what that tells of it.
 template <int M>
 class Covariances {
  public:
-  static constexpr int G = M - 1;
+  explicit Covariances(const Parameters& p) : limit_(limit_of<M>(p)) {}
 
-  explicit Covariances(const Parameters& p) : p_(p), limit_(limit_of<M>(p)), P_(limit_) {}
-
-  // To an observation from the one before.
-  void advance(double distance, double rows) {
-    if constexpr (G > 0) {
-      const auto A = matern::transition_over<G>(p_.rate * distance);
-      for (int i = 0; i < G; ++i)
-        for (int j = 0; j < G; ++j) A_(i, j) = A(i, j);
+  void meet(const Observation& observation, chain::Step<M>& step) {
+    constexpr std::size_t G = M - 1;
+    const TransitionInPairs<M> A(step.of_g, step.of_e);
+    away_ = A * transposed<M>(A * away_);
+    double* predicted = step.predicted.data();
+    for (std::size_t b = 0; b < pairs_of(M); ++b)
+      for (std::size_t i = 0; i < M; ++i, predicted += 2) put(away_[b][i] + limit_[b][i], predicted);
+    step.gain = {};
+    step.deviation = step.scale = 0;
+    if (!is_seen(observation)) return;
+    const double D = observation.noise_gain;
+    Row<M> with_seen;  // P H'
+    for (std::size_t b = 0; b < pairs_of(M); ++b) {
+      with_seen[b] = D * (away_[b][G] + limit_[b][G]);
+      if (G > 0) with_seen[b] += away_[b][0] + limit_[b][0];
     }
-    A_(G, G) = rows == 0 ? 1 : rows == 1 ? p_.correlation : power(rows);
-    Square<M> half;  // A (P - P of the limit), which ends where nothing is known
-    for (int i = 0; i < M; ++i)
-      for (int j = 0; j < M; ++j) {
-        double sum = 0;
-        if (i < G) {
-          for (int k = 0; k < G; ++k) sum += A_(i, k) * (P_(k, j) - limit_(k, j));
-        } else {
-          sum = A_(G, G) * (P_(G, j) - limit_(G, j));
-        }
-        half(i, j) = sum;
-      }
-    for (int i = 0; i < M; ++i)
-      for (int j = i; j < M; ++j) {
-        double sum = limit_(i, j);
-        if (j < G) {
-          for (int k = 0; k < G; ++k) sum += half(i, k) * A_(j, k);
-        } else {
-          sum += half(i, G) * A_(G, G);
-        }
-        P_(i, j) = P_(j, i) = sum;
-      }
+    const Few<M> PH = numbers_of<M>(with_seen);
+    const double innovation = (G > 0 ? PH[0] + D * PH[G] : D * PH[G]) + observation.variance;
+    step.deviation = std::sqrt(innovation);
+    step.scale = 1 / step.deviation;
+    const double precision = 1 / innovation;
+    for (std::size_t i = 0; i < M; ++i) step.gain[i] = PH[i] * precision;
+    for (std::size_t b = 0; b < pairs_of(M); ++b)
+      for (std::size_t i = 0; i < M; ++i) away_[b][i] -= step.gain[i] * with_seen[b];
   }
-
-  // The variance of what an observation adds, and what it tells of the state.
-  double observe(double D, double variance, Few<M>& gain) {
-    Few<M> PH;
-    for (int i = 0; i < M; ++i) PH[at(i)] = G > 0 ? P_(i, 0) + D * P_(i, G) : D * P_(i, G);
-    const double innovation = (G > 0 ? PH[0] + D * PH[at(G)] : D * PH[at(G)]) + variance;
-    for (int i = 0; i < M; ++i) gain[at(i)] = PH[at(i)] / innovation;
-    for (int i = 0; i < M; ++i)
-      for (int j = i; j < M; ++j) P_(i, j) = P_(j, i) = P_(i, j) - gain[at(i)] * PH[at(j)];
-    return innovation;
-  }
-
-  const Square<M>& covariance() const { return P_; }
-  const Square<M>& transition() const { return A_; }
 
  private:
-  static std::size_t at(int i) { return static_cast<std::size_t>(i); }
-  double power(double rows) const {
-    return p_.correlation > 0 ? elementary::exp(rows * elementary::log(p_.correlation)) : 0;
-  }
-
-  Parameters p_;
-  Square<M> limit_, P_, A_{};
+  StateMatrix<M> limit_, away_{};  // what is known where nothing is seen, and of it what is known away from that
 };
 
-// A number for y and for each column. Local arrays, which nothing else can point to, and sums in four parts: compilers make vectors of both.
-constexpr std::size_t most_series = max_columns + 1;
-using Series = std::array<double, most_series>;
-
-double dot(const double* a, const double* b, std::size_t n) {
-  std::array<double, 4> parts{};
-  std::size_t c = 0;
-  for (; c + 4 <= n; c += 4)
-    for (std::size_t part = 0; part < 4; ++part) parts[part] += a[c + part] * b[c + part];
-  double sum = (parts[0] + parts[2]) + (parts[1] + parts[3]);
-  for (; c < n; ++c) sum += a[c] * b[c];
-  return sum;
-}
-double dot(const Series& a, const Series& b, std::size_t n) { return dot(a.data(), b.data(), n); }
-
-void add(Series& to, double factor, const Series& what, std::size_t n) {
-  for (std::size_t c = 0; c < n; ++c) to[c] += factor * what[c];
-}
-
-// All states A times themselves; g and e do not mix.
 template <int M>
-void carry(std::array<Series, static_cast<std::size_t>(M)>& states, const Square<M>& A, std::size_t n) {
+StateMatrix<M> predicted_at(const chain::Step<M>& step) {
+  StateMatrix<M> P;
+  const double* from = step.predicted.data();
+  for (PairOfStates<M>& columns : P)
+    for (Pair& pair : columns) pair = pair_at(from), from += 2;
+  return P;
+}
+
+// A state times the transition, and times its transpose.
+template <int M>
+Few<M> carried_on(const chain::Step<M>& step, const Few<M>& state) {
   constexpr std::size_t G = M - 1;
-  for (std::size_t c = 0; c < n; ++c) {
-    Few<M> next;
-    for (std::size_t i = 0; i < G; ++i) {
-      next[i] = A.at_[i * M] * states[0][c];
-      for (std::size_t k = 1; k < G; ++k) next[i] += A.at_[i * M + k] * states[k][c];
-    }
-    next[G] = A.at_[G * M + G] * states[G][c];
-    for (std::size_t i = 0; i < M; ++i) states[i][c] = next[i];
-  }
+  Few<M> next{};
+  for (std::size_t i = 0; i < G; ++i)
+    for (std::size_t j = 0; j < G; ++j) next[i] += step.of_g.at_[i * G + j] * state[j];
+  next[G] = step.of_e * state[G];
+  return next;
 }
-
-// The states of many series at once, a row for each number of the state.
 template <int M>
-class States {
- public:
-  static constexpr std::size_t G = M - 1;
-
-  explicit States(std::size_t series) : n_(series) {}
-
-  void advance(const Square<M>& A) { carry(m_, A, n_); }
-
-  // From what an observation differs from what was expected, which takes the place of its values.
-  void learn(Series& values, double D, const Few<M>& gain) {
-    if constexpr (G > 0) add(values, -1, m_[0], n_);
-    add(values, -D, m_[G], n_);
-    for (std::size_t i = 0; i < M; ++i) add(m_[i], gain[i], values, n_);
-  }
-  double* copy_to(double* out) const {
-    for (const Series& row : m_)
-      for (std::size_t c = 0; c < n_; ++c) *out++ = row[c];
-    return out;
-  }
-
- private:
-  std::size_t n_;
-  std::array<Series, M> m_{};
-};
-
-// What a function makes of the size of the state.
-template <class Result, class Function>
-Result with_state_of(Kernel kernel, Function function) {
-  switch (kernel) {
-    case Kernel::none:
-      return function(std::integral_constant<int, 1>());
-    case Kernel::exponential:
-      return function(std::integral_constant<int, 2>());
-    case Kernel::matern_3_2:
-      return function(std::integral_constant<int, 3>());
-    case Kernel::matern_5_2:
-      return function(std::integral_constant<int, 4>());
-    case Kernel::matern_9_2:
-      break;
-  }
-  return function(std::integral_constant<int, 6>());
+Few<M> carried_back(const chain::Step<M>& step, const Few<M>& state) {
+  constexpr std::size_t G = M - 1;
+  Few<M> next{};
+  for (std::size_t i = 0; i < G; ++i)
+    for (std::size_t j = 0; j < G; ++j) next[j] += step.of_g.at_[i * G + j] * state[i];
+  next[G] = step.of_e * state[G];
+  return next;
 }
+
+// Series: the columns, then y, by pairs; an odd one goes with zeros.
+constexpr std::size_t most_series = max_columns + 1;
+constexpr std::size_t most_pairs = pairs_of(most_series);
+using PairsOfSeries = std::array<Pair, most_pairs>;
 
 constexpr double log_two_pi = 1.8378770664093454836;
 
@@ -236,34 +202,72 @@ CoefficientMatrix covariance_of(const Regression& regression) {
 
 namespace {
 
-using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns + 1, max_columns + 1>;
+using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_series, most_series>;
 
 // Of each two series, over all observations; four of these at once, as the sums are kept in memory.
-SeriesMatrix products_of(const Eigen::Map<const Eigen::MatrixXd>& white) {
-  const auto series = static_cast<std::size_t>(white.rows());
-  std::array<Series, most_series> sums{};
-  constexpr Index at_once = 4;
-  Index k = 0;
-  for (; k + at_once <= white.cols(); k += at_once) {
-    const double* const a = white.col(k).data();
-    const double *const b = a + series, *const c = b + series, *const d = c + series;
+SeriesMatrix products_of(const double* white, std::size_t observations, std::size_t series) {
+  const std::size_t row = 2 * pairs_of(series);
+  std::array<PairsOfSeries, most_series> sums{};  // of each with those before it and itself
+  constexpr std::size_t at_once = 4;
+  std::size_t k = 0;
+  for (; k + at_once <= observations; k += at_once) {
+    const double *const a = white + k * row, *const b = a + row, *const c = b + row, *const d = c + row;
     for (std::size_t j = 0; j < series; ++j)
-      for (std::size_t i = 0; i <= j; ++i)
-        sums[j][i] = sums[j][i] + a[i] * a[j] + b[i] * b[j] + c[i] * c[j] + d[i] * d[j];
+      for (std::size_t i = 0; i <= j; i += 2)
+        sums[j][i / 2] +=
+            (a[j] * pair_at(a + i) + b[j] * pair_at(b + i)) + (c[j] * pair_at(c + i) + d[j] * pair_at(d + i));
   }
-  for (; k < white.cols(); ++k) {
-    const double* const a = white.col(k).data();
+  for (; k < observations; ++k) {
+    const double* const a = white + k * row;
     for (std::size_t j = 0; j < series; ++j)
-      for (std::size_t i = 0; i <= j; ++i) sums[j][i] += a[i] * a[j];
+      for (std::size_t i = 0; i <= j; i += 2) sums[j][i / 2] += a[j] * pair_at(a + i);
   }
-  SeriesMatrix products(white.rows(), white.rows());
-  for (std::size_t j = 0; j < series; ++j)
-    for (std::size_t i = 0; i <= j; ++i) {
-      const auto row = static_cast<Index>(i), column = static_cast<Index>(j);
-      products(row, column) = products(column, row) = sums[j][i];
-    }
+  const auto count = static_cast<Index>(series);
+  SeriesMatrix products(count, count);
+  for (Index j = 0; j < count; ++j)
+    for (Index i = 0; i <= j; ++i)
+      products(i, j) = products(j, i) = sums[static_cast<std::size_t>(j)][static_cast<std::size_t>(i / 2)][i % 2];
   return products;
 }
+
+}  // namespace
+
+namespace {
+
+// y and the columns in the filter.
+template <int M>
+class SeriesFilter {
+ public:
+  // What they add at each observation, over its deviation, and what is expected of their states there, are put to these places.
+  SeriesFilter(std::size_t columns, double* white, double* predicted)
+      : columns_(columns), white_(white), predicted_(predicted) {}
+
+  void meet(const double* h, double y, double noise_gain, const chain::Step<M>& step) {
+    constexpr std::size_t G = M - 1;
+    const TransitionInPairs<M> A(step.of_g, step.of_e);
+    const PairOfStates<M> gain = spread<M>(step.gain);
+    const Pair D = both(noise_gain), scale = both(step.scale);
+    double *white = white_, *predicted = predicted_;
+    const auto filter = [&](PairOfStates<M>& state, Pair v) {
+      state = A * state;
+      for (std::size_t i = 0; i < M; ++i, predicted += 2) put(state[i], predicted);
+      if constexpr (G > 0) v -= state[0];
+      v -= D * state[G];
+      for (std::size_t i = 0; i < M; ++i) state[i] += gain[i] * v;
+      put(scale * v, white);
+      white += 2;
+    };
+    for (std::size_t b = 0; b < columns_ / 2; ++b) filter(states_[b], pair_at(h + 2 * b));
+    filter(states_[columns_ / 2], columns_ % 2 == 1 ? Pair{h[columns_ - 1], y} : Pair{y, 0});
+    white_ = white;
+    predicted_ = predicted;
+  }
+
+ private:
+  std::array<PairOfStates<M>, most_pairs> states_{};
+  std::size_t columns_;
+  double *white_, *predicted_;
+};
 
 }  // namespace
 
@@ -271,54 +275,36 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
     : observations_(observations), kernel_(kernel), at_(at) {
   require_domain(observations, kernel, at);
   const std::size_t n = observations.all.size();
-  const std::size_t columns = observations.prior.size();
-  const std::size_t series = 1 + columns;
+  const std::size_t columns = observations.prior.size(), series = 1 + columns, pairs = pairs_of(series);
   effort_spent += n * series;
-  white_ = KeptArray<double>(series * n);
-  elementary::LogProduct variances;
+  white_ = KeptArray<double>(2 * pairs * n);
+  elementary::LogProduct deviations;
   double seen = 0;
-  with_state_of<void>(kernel, [&](auto size) {
-    constexpr int M = decltype(size)::value;
+  matern::with_order_of(kernel, [&](auto order) {
+    constexpr int M = decltype(order)::value + 1;
     const auto p = parameters_of(kernel, at);
     chain::Steps<M> steps{.steps = KeptArray<chain::Step<M>>(n), .rate = p.rate};
+    find_transitions<M>(observations, p, steps);
+    predicted_ = KeptArray<double>(n * M * 2 * pairs);
     Covariances<M> covariances(p);
-    States<M> states(series);
-    predicted_ = KeptArray<double>(n * M * series);
-    double* predicted = predicted_.data();
+    SeriesFilter<M> filter(columns, white_.data(), predicted_.data());
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
-      if (k > 0) {
-        covariances.advance(observation.place - observations.all[k - 1].place, observation.rows);
-        states.advance(covariances.transition());
+      covariances.meet(observation, step);
+      filter.meet(observations.columns[k].data(), is_seen(observation) ? observations.values[k] : 0,
+                  observation.noise_gain, step);
+      if (is_seen(observation)) {
+        deviations.multiply(step.deviation);
+        seen += 1;
       }
-      step.transition = covariances.transition().at_;
-      step.predicted = covariances.covariance().at_;
-      predicted = states.copy_to(predicted);
-      if (!is_seen(observation)) {
-        step.innovation = infinity;
-        step.gain = {};
-        std::fill_n(white_.data() + k * series, series, 0.0);
-        continue;
-      }
-      step.innovation = covariances.observe(observation.noise_gain, observation.variance, step.gain);
-      const double scale = 1 / std::sqrt(step.innovation);
-      variances.multiply(step.innovation);
-      seen += 1;
-      Series v;
-      v[0] = observations.values[k];
-      const double* const h = observations.columns[k].data();
-      for (std::size_t c = 0; c < columns; ++c) v[1 + c] = h[c];
-      states.learn(v, observation.noise_gain, step.gain);
-      double* const white = white_.data() + k * series;
-      for (std::size_t c = 0; c < series; ++c) white[c] = v[c] * scale;
     }
     steps_ = std::move(steps);
   });
   const auto p = static_cast<Index>(columns);
-  const SeriesMatrix products = products_of(whitened_columns());
-  const auto r = regression_of(products.bottomRightCorner(p, p), products.col(0).tail(p), products(0, 0),
-                               variances.value(), seen, observations.prior);
+  const SeriesMatrix products = products_of(white_.data(), n, series);
+  const auto r = regression_of(products.topLeftCorner(p, p), products.col(p).head(p), products(p, p),
+                               2 * deviations.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = by_readings_ = r.beta;
@@ -336,22 +322,12 @@ void filter_one(const Observations& observations, const chain::Steps<M>& steps, 
   Few<M> m{};
   for (std::size_t k = 0; k < series.size(); ++k) {
     const auto& step = steps.steps[k];
-    if (k > 0) {
-      Few<M> next{};
-      for (std::size_t i = 0; i < G; ++i)
-        for (std::size_t j = 0; j < G; ++j) next[i] += step.transition[i * M + j] * m[j];
-      next[G] = step.transition[G * M + G] * m[G];
-      m = next;
-    }
+    m = carried_on(step, m);
     const double g = G > 0 ? m[0] : 0;
     if (!expected.empty()) expected[k] = g;
-    if (!is_seen(observations.all[k])) {
-      white[k] = 0;
-      continue;
-    }
     const double v = series[k] - g - observations.all[k].noise_gain * m[G];
     for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
-    white[k] = v / std::sqrt(step.innovation);
+    white[k] = step.scale * v;
   }
 }
 
@@ -371,18 +347,13 @@ void Chain::whiten(std::span<const Eight> series, std::span<Eight> out) const {
         std::array<Eight, M> m{}, next;
         for (std::size_t k = 0; k < series.size(); ++k) {
           const auto& step = steps.steps[k];
-          if (k > 0) {
-            next = {};
-            for (std::size_t i = 0; i < M; ++i)
-              for (std::size_t j = i < G ? 0 : G; j < (i < G ? G : M); ++j)  // g and e do not mix
-                for (std::size_t l = 0; l < lanes; ++l) next[i][l] += step.transition[i * M + j] * m[j][l];
-            m = next;
-          }
-          if (!is_seen(observations_.all[k])) {
-            out[k] = {};
-            continue;
-          }
-          const double gain_of_noise = observations_.all[k].noise_gain, scale = 1 / std::sqrt(step.innovation);
+          next = {};
+          for (std::size_t i = 0; i < G; ++i)
+            for (std::size_t j = 0; j < G; ++j)
+              for (std::size_t l = 0; l < lanes; ++l) next[i][l] += step.of_g.at_[i * G + j] * m[j][l];
+          for (std::size_t l = 0; l < lanes; ++l) next[G][l] = step.of_e * m[G][l];
+          m = next;
+          const double gain_of_noise = observations_.all[k].noise_gain, scale = step.scale;
           Eight v = series[k];
           for (std::size_t l = 0; l < lanes; ++l) v[l] -= (G > 0 ? m[0][l] : 0) + gain_of_noise * m[G][l];
           for (std::size_t i = 0; i < M; ++i)
@@ -403,7 +374,7 @@ Chain::Means Chain::means_of(std::span<const double> values) const {
         constexpr std::size_t G = M - 1;
         filter_one(observations_, steps, rest, white, {});
         const Eigen::Map<const Eigen::VectorXd> whitened(white.data(), static_cast<Index>(n));
-        Coefficients told = (whitened_columns() * whitened).tail(static_cast<Index>(observations_.prior.size()));
+        Coefficients told = (whitened_columns() * whitened).head(static_cast<Index>(observations_.prior.size()));
         if (observations_.pull.size() > 0) told += observations_.pull;
         means.beta = covariance_ * told;
         for (std::size_t k = 0; k < n; ++k) {
@@ -416,14 +387,13 @@ Chain::Means Chain::means_of(std::span<const double> values) const {
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           if (is_seen(observations_.all[k])) {
-            double sum = white[k] / std::sqrt(step.innovation);
+            double sum = step.scale * white[k];
             for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
             r[0] += sum;
             r[G] += observations_.all[k].noise_gain * sum;
           }
-          means.f[k] += expected[k];
-          for (std::size_t j = 0; j < M; ++j) means.f[k] += step.predicted[j] * r[j];
-          if (k > 0) r = product(transposed(Square<M>{step.transition}), r);
+          means.f[k] += expected[k] + numbers_of<M>(product<M>(r, predicted_at(step)))[0];
+          r = carried_back(step, r);
         }
       },
       steps_);
@@ -436,9 +406,9 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
   const Eigen::Map<const Eigen::VectorXd> whitened(v.data(), static_cast<Index>(v.size()));
   const auto p = static_cast<Index>(observations_.prior.size());
   const Eigen::VectorXd products = whitened_columns() * whitened;
-  const Coefficients left = a - products.tail(p);
+  const Coefficients left = a - products.head(p);
   const Coefficients with_beta = covariance_ * left;
-  return {.mean = a.dot(beta_) + products[0] - products.tail(p).dot(beta_),
+  return {.mean = a.dot(beta_) + products[p] - products.head(p).dot(beta_),
           .variance = variance - whitened.squaredNorm() + left.dot(with_beta),
           .with_beta = with_beta};
 }
@@ -449,52 +419,60 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
   std::vector<SmoothedObservation> result(n);
   std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
   while (first_place < n && observations_.all[first_place].is_reading()) ++first_place;
-  Series together{};  // y less what the columns explain
-  together[0] = 1;
-  for (std::size_t c = 1; c < series; ++c) together[c] = -beta_[static_cast<Index>(c - 1)];
+  const std::size_t columns = series - 1, pairs = pairs_of(series);
+  PairsOfSeries together{};  // y less what the columns explain
+  std::array<PairsOfSeries, max_columns> covariance{};
+  together[columns / 2][columns % 2] = 1;
+  for (std::size_t c = 0; c < columns; ++c) {
+    together[c / 2][c % 2] = -beta_[static_cast<Index>(c)];
+    for (std::size_t d = 0; d < columns; ++d)
+      covariance[c][d / 2][d % 2] = covariance_(static_cast<Index>(c), static_cast<Index>(d));
+  }
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
-        constexpr int G = M - 1;
+        constexpr std::size_t G = M - 1;
         // What the observations from here on say of the state: together, column by column, and how precisely.
         Few<M> r{};
-        std::array<Series, M> of_columns{};
-        Series u{}, left{};
-        Square<M> N{};
+        std::array<PairOfStates<M>, most_pairs> of_columns{};
+        StateMatrix<M> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Observation& observation = observations_.all[k];
           const bool variances = k >= first_place;
-          const double* const white = white_.data() + k * series;
-          const double* const predicted = predicted_.data() + k * M * series;
+          const double* const white = white_.data() + k * 2 * pairs;
+          const double* const predicted = predicted_.data() + k * M * 2 * pairs;
+          Pair white_together{};
+          PairOfStates<M> expected{};
+          for (std::size_t b = 0; b < pairs; ++b) {
+            white_together += pair_at(white + 2 * b) * together[b];
+            for (std::size_t i = 0; i < M; ++i) expected[i] += pair_at(predicted + 2 * (b * M + i)) * together[b];
+          }
+          // r <- H v/s + (1 - K H)' r, and so for N
           if (is_seen(observation)) {
-            // r <- H v/s + (1 - K H)' r, and so for N
-            const double scale = 1 / std::sqrt(step.innovation);
-            double sum = scale * dot(white, together.data(), series);
-            for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
+            const double D = observation.noise_gain;
+            const double sum = step.scale * sum_of(white_together) - dot<M>(step.gain, r);
             if (G > 0) r[0] += sum;
-            r[G] += observation.noise_gain * sum;
+            r[G] += D * sum;
             if (variances) {
-              for (std::size_t c = 1; c < series; ++c) u[c] = white[c] * scale;
-              for (std::size_t i = 0; i < M; ++i)
-                for (std::size_t c = 1; c < series; ++c) u[c] -= step.gain[i] * of_columns[i][c];
-              for (std::size_t c = 1; c < series; ++c) {
-                if (G > 0) of_columns[0][c] += u[c];
-                of_columns[G][c] += observation.noise_gain * u[c];
+              const PairOfStates<M> gain = spread<M>(step.gain);
+              for (std::size_t b = 0; b < pairs; ++b) {
+                PairOfStates<M>& state = of_columns[b];
+                Pair u = both(step.scale) * pair_at(white + 2 * b);
+                for (std::size_t i = 0; i < M; ++i) u -= gain[i] * state[i];
+                if (G > 0) state[0] += u;
+                state[G] += both(D) * u;
               }
-              Few<M> H{};
-              if (G > 0) H[0] = 1;
-              H[G] = observation.noise_gain;  // of e, which is all there is without a kernel
-              const Few<M> Ng = product(N, step.gain);
-              const double g = dot<M>(step.gain, Ng) + 1 / step.innovation;
-              for (std::size_t i = 0; i < M; ++i)
-                for (std::size_t j = 0; j < M; ++j) N.at_[i * M + j] += g * H[i] * H[j] - H[i] * Ng[j] - Ng[i] * H[j];
+              const Row<M> N_gain = product<M>(step.gain, N);
+              const Few<M> H = seen_of_state<M>(D), Ng = numbers_of<M>(N_gain);
+              const Row<M> H_row = row_of<M>(H);
+              const double g = dot<M>(step.gain, Ng) + step.scale * step.scale;
+              for (std::size_t b = 0; b < pairs_of(M); ++b)
+                for (std::size_t i = 0; i < M; ++i) N[b][i] += (g * H[i] - Ng[i]) * H_row[b] - H[i] * N_gain[b];
             }
           }
-          const auto mean_of = [&](std::size_t i) {
-            double sum = dot(predicted + i * series, together.data(), series);
-            for (std::size_t j = 0; j < M; ++j) sum += step.predicted[i * M + j] * r[j];
-            return sum;
-          };
+          const StateMatrix<M> P = predicted_at(step);
+          const Few<M> by_later = numbers_of<M>(product<M>(r, P));
+          const auto mean_of = [&](std::size_t i) { return sum_of(expected[i]) + by_later[i]; };
           const Coefficients& h = observations_.columns[k];
           result[k].e = mean_of(G);
           result[k].f = h.dot(beta_) + (G > 0 ? mean_of(0) : 0);
@@ -502,26 +480,33 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
           result[k].variance = not_a_number;
           if (!observation.is_reading()) {
             double own = 0;  // variance at given β
-            for (std::size_t c = 1; c < series; ++c) left[c] = h[static_cast<Index>(c - 1)];
+            PairsOfSeries left{};
+            for (std::size_t c = 0; c < columns; ++c) left[c / 2][c % 2] = h[static_cast<Index>(c)];
             if constexpr (G > 0) {
-              Few<M> Pg;
-              for (std::size_t j = 0; j < M; ++j) Pg[j] = step.predicted[j * M];
-              own = Pg[0] - dot<M>(Pg, product(N, Pg));
-              for (std::size_t c = 1; c < series; ++c) {
-                left[c] -= predicted[c];
-                for (std::size_t j = 0; j < M; ++j) left[c] -= step.predicted[j] * of_columns[j][c];
+              Row<M> of_g;
+              for (std::size_t b = 0; b < pairs_of(M); ++b) of_g[b] = P[b][0];
+              const Few<M> Pg = numbers_of<M>(of_g);
+              own = Pg[0] - dot<M>(Pg, numbers_of<M>(product<M>(Pg, N)));
+              const PairOfStates<M> known = spread<M>(Pg);
+              for (std::size_t b = 0; b < pairs; ++b) {
+                left[b] -= pair_at(predicted + 2 * b * M);
+                for (std::size_t j = 0; j < M; ++j) left[b] -= known[j] * of_columns[b][j];
               }
             }
-            for (std::size_t c = 1; c < series; ++c)
-              own += left[c] * dot(&left[1], covariance_.col(static_cast<Index>(c - 1)).data(), series - 1);
-            result[k].variance = own;
+            Pair of_beta{};
+            for (std::size_t c = 0; c < columns; ++c) {
+              Pair sum{};
+              for (std::size_t b = 0; b < pairs; ++b) sum += covariance[c][b] * left[b];
+              of_beta += left[c / 2][c % 2] * sum;
+            }
+            result[k].variance = own + sum_of(of_beta);
           }
           if (k == 0) break;
-          const Square<M> A{step.transition}, A_transposed = transposed(A);
-          r = product(A_transposed, r);
+          const TransitionInPairs<M> back = TransitionInPairs<M>(step.of_g, step.of_e).transposed();
+          r = carried_back(step, r);
           if (k <= first_place) continue;
-          carry(of_columns, A_transposed, series);
-          N = product(product(A_transposed, N), A);
+          for (std::size_t b = 0; b < pairs; ++b) of_columns[b] = back * of_columns[b];
+          N = back * transposed<M>(back * N);
         }
       },
       steps_);
@@ -553,219 +538,141 @@ LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
   return std::visit([&](const auto& steps) { return gradient_of(steps, wavelengths); }, steps_);
 }
 
+namespace {
+
+// The slope of a transition to the distance, in units of 1/rate; of e none.
+template <int M>
+TransitionInPairs<M> by_distance(const chain::Step<M>& step) {
+  if constexpr (M == 1)
+    return {};
+  else
+    return {product(matern::companion<M - 1>(), step.of_g), 0};
+}
+
+}  // namespace
+
 template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
-  constexpr int G = M - 1;
+  constexpr std::size_t G = M - 1;
   const std::size_t n = observations_.all.size();
-  const auto series = 1 + observations_.prior.size();
+  const std::size_t columns = observations_.prior.size(), series = 1 + columns, pairs = pairs_of(series);
   effort_spent += n * 2 * series;
   const Parameters parameters = parameters_of(kernel_, at_);
-  const Square<M> limit = limit_of<M>(parameters);
+  const StateMatrix<M> limit = limit_of<M>(parameters);
   // -2 ln p(y) = Σ ln s + v' Q v/s + ..., s being the variance of what an observation adds to the series and v what it adds: derivatives by the
   // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
-  std::array<Series, most_series> Q{};
-  Q[0][0] = 1;
-  for (std::size_t c = 1; c < series; ++c) {
-    Q[0][c] = Q[c][0] = -by_readings_[static_cast<Index>(c - 1)];
-    for (std::size_t d = 1; d < series; ++d) {
-      const auto i = static_cast<Index>(c - 1), j = static_cast<Index>(d - 1);
-      Q[c][d] = by_readings_[i] * by_readings_[j] + covariance_(i, j);
+  std::array<PairsOfSeries, 2 * most_pairs> Q{};
+  Q[columns][columns / 2][columns % 2] = 1;
+  for (std::size_t c = 0; c < columns; ++c) {
+    const auto i = static_cast<Index>(c);
+    Q[columns][c / 2][c % 2] = Q[c][columns / 2][columns % 2] = -by_readings_[i];
+    for (std::size_t d = 0; d < columns; ++d) {
+      const auto j = static_cast<Index>(d);
+      Q[c][d / 2][d % 2] = by_readings_[i] * by_readings_[j] + covariance_(i, j);
     }
   }
-  std::array<Series, M> by_states{}, known;
-  Square<M> by_covariance{}, by_limit{};
-  Series v, by_v, white, weighted;
+  std::array<PairOfStates<M>, most_pairs> by_states{};
+  StateMatrix<M> by_covariance{}, by_limit{};
   double by_correlation = 0, by_log_length = 0;
   LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
   for (std::size_t k = n; k-- > 0;) {
     const Observation& observation = observations_.all[k];
     const auto& step = steps.steps[k];
-    if (is_seen(observation)) {
-      const double size = std::sqrt(step.innovation);
-      for (std::size_t c = 0; c < series; ++c) {
-        white[c] = white_.data()[k * series + c];
-        weighted[c] = 0;
-      }
-      for (std::size_t c = 0; c < series; ++c) add(weighted, white[c], Q[c], series);
-      for (std::size_t c = 0; c < series; ++c) {
-        v[c] = size * white[c];
-        by_v[c] = 2 / size * weighted[c];
-      }
-      Few<M> by_gain;
+    const std::size_t one_before = k > 0 ? k - 1 : 0;
+    const auto& before = steps.steps[one_before];
+    const double* const white = white_.data() + k * 2 * pairs;
+    const double* const white_before = white_.data() + one_before * 2 * pairs;
+    const double* predicted = predicted_.data() + one_before * M * 2 * pairs;
+    const TransitionInPairs<M> back = TransitionInPairs<M>(step.of_g, step.of_e).transposed();
+    const TransitionInPairs<M> stretched = by_distance(step);  // F A, the slope of A
+    const Few<M> H = seen_of_state<M>(observation.noise_gain);
+    const PairOfStates<M> gain = spread<M>(step.gain), gain_before = spread<M>(before.gain);
+    const Pair deviation = both(step.deviation), twice_scale = both(2 * step.scale), D = both(H[G]);
+    const Pair deviation_before = both(before.deviation);
+    PairsOfSeries by_series;
+    std::array<Pair, 2 * most_pairs> own;
+    for (std::size_t c = 0; c < 2 * pairs; ++c) own[c] = both(white[c]);
+    Pair by_form{}, by_stretch{}, by_e{};  // of v' Q v/s, and of the states' transition
+    PairOfStates<M> by_gains{};
+    for (std::size_t b = 0; b < pairs; ++b) {
+      PairOfStates<M> by_state = by_states[b];
+      Pair weighted{};
+      for (std::size_t c = 0; c < 2 * pairs; c += 2) weighted += own[c] * Q[c][b] + own[c + 1] * Q[c + 1][b];
+      const Pair white_v = pair_at(white + 2 * b), v = deviation * white_v;
+      by_form += white_v * weighted;
+      Pair by_v = twice_scale * weighted;
       for (std::size_t i = 0; i < M; ++i) {
-        by_gain[i] = dot(v, by_states[i], series);
-        add(by_v, step.gain[i], by_states[i], series);
+        by_gains[i] += v * by_state[i];
+        by_v += gain[i] * by_state[i];
       }
-      if (G > 0) add(by_states[0], -1, by_v, series);
-      add(by_states[G], -observation.noise_gain, by_v, series);
+      by_series[b] = by_v;
+      if (G > 0) by_state[0] -= by_v;
+      by_state[G] -= D * by_v;
+      // What was known of the states after the observation before.
+      const Pair learnt = deviation_before * pair_at(white_before + 2 * b);
+      PairOfStates<M> known;
+      for (std::size_t i = 0; i < M; ++i, predicted += 2) known[i] = pair_at(predicted) + gain_before[i] * learnt;
+      by_e += by_state[G] * known[G];
+      known = stretched * known;
+      for (std::size_t i = 0; i < G; ++i) by_stretch += by_state[i] * known[i];
+      by_states[b] = back * by_state;
+    }
+    if (is_seen(observation)) {
       // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
       for (std::size_t wave = 0; wave < wavelengths.size(); ++wave) {
-        const std::size_t cosine = series - 2 * (wavelengths.size() - wave);
+        const std::size_t cosine = columns - 2 * (wavelengths.size() - wave), sine = cosine + 1;
         const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
-        const double* const h = observations_.columns[k].data() - 1;
-        result.log_wavelengths[wave] -= 0.5 * phase * (by_v[cosine] * h[cosine + 1] - by_v[cosine + 1] * h[cosine]);
+        const double* const h = observations_.columns[k].data();
+        result.log_wavelengths[wave] -=
+            0.5 * phase * (by_series[cosine / 2][cosine % 2] * h[sine] - by_series[sine / 2][sine % 2] * h[cosine]);
       }
       // P - K s K', K = P H'/s, s = H P H' + variance
-      const Few<M> with_gain = product(by_covariance, step.gain);
-      const double by_variance = (1 - dot(white, weighted, series) - dot<M>(by_gain, step.gain)) / step.innovation +
-                                 dot<M>(step.gain, with_gain);
-      Few<M> H{};
-      if (G > 0) H[0] = 1;
-      H[G] = observation.noise_gain;  // of e, which is all there is without a kernel
+      Few<M> by_gain;
+      for (std::size_t i = 0; i < M; ++i) by_gain[i] = sum_of(by_gains[i]);
+      const double precision = step.scale * step.scale;
+      const Few<M> with_gain = numbers_of<M>(product<M>(step.gain, by_covariance));
+      const double by_variance =
+          (1 - sum_of(by_form) - dot<M>(by_gain, step.gain)) * precision + dot<M>(step.gain, with_gain);
       Few<M> across;
       for (std::size_t i = 0; i < M; ++i)
-        across[i] = 0.5 * (by_gain[i] / step.innovation + by_variance * H[i]) - with_gain[i];
-      for (int i = 0; i < M; ++i)
-        for (int j = 0; j < M; ++j) {
-          const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-          by_covariance(i, j) += across[a] * H[b] + H[a] * across[b];
-        }
+        across[i] = 0.5 * (by_gain[i] * precision + by_variance * H[i]) - with_gain[i];
+      const Row<M> H_row = row_of<M>(H), across_row = row_of<M>(across);
+      for (std::size_t b = 0; b < pairs_of(M); ++b)
+        for (std::size_t i = 0; i < M; ++i) by_covariance[b][i] += across[i] * H_row[b] + H[i] * across_row[b];
     }
     if (k == 0) break;
-    const auto& before = steps.steps[k - 1];
-    const double* const predicted = predicted_.data() + (k - 1) * M * series;
-    for (std::size_t i = 0; i < M; ++i)
-      for (std::size_t c = 0; c < series; ++c) known[i][c] = predicted[i * series + c];
-    Square<M> away{before.predicted};  // from what is known where nothing is seen
-    for (std::size_t i = 0; i < away.at_.size(); ++i) away.at_[i] -= limit.at_[i];
-    if (is_seen(observations_.all[k - 1])) {
-      const double size = std::sqrt(before.innovation);
-      for (std::size_t c = 0; c < series; ++c) v[c] = size * white_.data()[(k - 1) * series + c];
-      for (int i = 0; i < M; ++i) {
-        const double gain = before.gain[static_cast<std::size_t>(i)];
-        add(known[static_cast<std::size_t>(i)], gain, v, series);
-        for (int j = 0; j < M; ++j) away(i, j) -= before.innovation * gain * before.gain[static_cast<std::size_t>(j)];
-      }
-    }
+    StateMatrix<M> away = predicted_at(before);  // from what is known where nothing is seen
+    Few<M> learnt;                               // of it by the observation before
+    for (std::size_t i = 0; i < M; ++i) learnt[i] = before.deviation * before.gain[i];
+    const Row<M> learnt_row = row_of<M>(learnt);
+    for (std::size_t b = 0; b < pairs_of(M); ++b)
+      for (std::size_t i = 0; i < M; ++i) away[b][i] -= limit[b][i] + learnt[i] * learnt_row[b];
     // limit + A (P - limit) A', and A of the states
-    const Square<M> A{step.transition}, A_transposed = transposed(A);
-    const Square<M> half = product(by_covariance, A), through = product(A_transposed, half);
-    for (std::size_t i = 0; i < through.at_.size(); ++i) by_limit.at_[i] += by_covariance.at_[i] - through.at_[i];
-    by_covariance = through;
-    Square<M> by_A = product(half, away);
-    for (int i = 0; i < M; ++i)
-      for (int j = 0; j < M; ++j) {
-        if ((i < G) != (j < G)) continue;  // g and e do not mix
-        by_A(i, j) =
-            2 * by_A(i, j) + dot(by_states[static_cast<std::size_t>(i)], known[static_cast<std::size_t>(j)], series);
+    const StateMatrix<M> half = transposed<M>(back * by_covariance), through = back * half;
+    const StateMatrix<M> moved = stretched * away;
+    Pair by_A{};
+    for (std::size_t b = 0; b < pairs_of(M); ++b)
+      for (std::size_t i = 0; i < M; ++i) {
+        by_limit[b][i] += by_covariance[b][i] - through[b][i];
+        by_A += half[b][i] * moved[b][i];
       }
-    carry(by_states, A_transposed, series);
-    if constexpr (G > 0) {
-      constexpr auto F = matern::companion<G>();
-      const double distance = observation.place - observations_.all[k - 1].place;
-      double sum = 0;  // of F A, the slope of A
-      for (int i = 0; i < G; ++i)
-        for (int j = 0; j < G; ++j) {
-          double slope = 0;
-          for (int m = 0; m < G; ++m) slope += F(i, m) * A(m, j);
-          sum += slope * by_A(i, j);
-        }
-      by_log_length -= parameters.rate * distance * sum;
+    by_covariance = through;
+    const double distance = observation.place - observations_.all[k - 1].place;
+    by_log_length -= parameters.rate * distance * (2 * sum_of(by_A) + sum_of(by_stretch));
+    if (observation.rows == 1 || (observation.rows > 1 && parameters.correlation > 0)) {
+      double by_power = sum_of(by_e);
+      for (std::size_t i = 0; i < M; ++i) by_power += 2 * half[i / 2][G][i % 2] * away[G / 2][i][G % 2];
+      const double slope = observation.rows == 1 ? 1 : observation.rows * step.of_e / parameters.correlation;
+      by_correlation += by_power * slope;
     }
-    if (observation.rows == 1) by_correlation += by_A(G, G);
-    if (observation.rows > 1 && parameters.correlation > 0)
-      by_correlation += by_A(G, G) * observation.rows * A(G, G) / parameters.correlation;
   }
   double by_log_roughness = 0;
-  for (int i = 0; i < G; ++i)
-    for (int j = 0; j < G; ++j) by_log_roughness += 2 * limit(i, j) * (by_limit(i, j) + by_covariance(i, j));
-  const double by_log_noise = 2 * limit(G, G) * (by_limit(G, G) + by_covariance(G, G));
+  for (std::size_t i = 0; i < G; ++i)
+    for (std::size_t j = 0; j < G; ++j)
+      by_log_roughness += 2 * limit[j / 2][i][j % 2] * (by_limit[j / 2][i] + by_covariance[j / 2][i])[j % 2];
+  const double by_log_noise = 2 * limit[G / 2][G][G % 2] * (by_limit[G / 2][G] + by_covariance[G / 2][G])[G % 2];
   result.hyperparameters = {-0.5 * by_log_noise, -0.5 * by_correlation, -0.5 * by_log_roughness, -0.5 * by_log_length};
   return result;
-}
-
-namespace {
-
-// L, of which L L' is a covariance; none where rounding leaves it none.
-template <int G>
-Square<G> root_of(Square<G> L, double roughness) {
-  for (int i = 0; i < G; ++i) L(i, i) += 1e-14 * roughness * roughness;  // rounding makes no variance negative
-  for (int k = 0; k < G; ++k) {
-    double squares = 0;
-    for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);
-    if (!(L(k, k) - squares > 0)) return {};
-    L(k, k) = std::sqrt(L(k, k) - squares);
-    for (int i = k + 1; i < G; ++i) {
-      double products = 0;
-      for (int j = 0; j < k; ++j) products += L(i, j) * L(k, j);
-      L(i, k) = (L(i, k) - products) / L(k, k);
-    }
-  }
-  return L;
-}
-
-}  // namespace
-
-double NormalSource::operator()() {
-  const auto uniform = [&] { return (static_cast<double>(generator_() >> 11) + 0.5) * 0x1p-53; };
-  const double radius = std::sqrt(-2 * elementary::log(uniform()));
-  return radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
-}
-
-PriorDraws::PriorDraws(const Observations& observations, Kernel kernel, const Hyperparameters& at)
-    : observations_(observations), kernel_(kernel), at_(at) {
-  require_domain(observations, kernel, at);
-  with_state_of<void>(kernel, [&](auto size) {
-    constexpr int M = decltype(size)::value, G = M - 1;
-    const Parameters p = parameters_of(kernel, at);
-    if constexpr (G > 0) {
-      const Square<M> of_all = limit_of<M>(p);
-      Square<G> limit{};
-      for (int i = 0; i < G; ++i)
-        for (int j = 0; j < G; ++j) limit(i, j) = of_all(i, j);
-      const auto add = [&](const Square<G>& transition, const Square<G>& added) {
-        const Square<G> root = root_of(added, p.roughness);
-        steps_.insert(steps_.end(), transition.at_.begin(), transition.at_.end());
-        steps_.insert(steps_.end(), root.at_.begin(), root.at_.end());
-      };
-      for (std::size_t k = 0; k < observations.all.size(); ++k) {
-        if (k == 0) {
-          add({}, limit);
-          continue;
-        }
-        const auto A = matern::transition_over<G>(p.rate * (observations.all[k].place - observations.all[k - 1].place));
-        Square<G> added = product(product(A, limit), transposed(A));
-        for (std::size_t i = 0; i < added.at_.size(); ++i) added.at_[i] = limit.at_[i] - added.at_[i];
-        add(A, added);
-      }
-    }
-  });
-}
-
-Drawn PriorDraws::operator()(NormalSource& normal) const {
-  const std::size_t n = observations_.all.size();
-  Drawn drawn{.beta = Coefficients(static_cast<Index>(observations_.prior.size())),
-              .f = std::vector<double>(n),
-              .values = std::vector<double>(n)};
-  for (std::size_t j = 0; j < observations_.prior.size(); ++j)
-    drawn.beta[static_cast<Index>(j)] = std::sqrt(observations_.prior[j]) * normal();
-  for (std::size_t k = 0; k < n; ++k) drawn.f[k] = observations_.columns[k].dot(drawn.beta);
-  const auto G = static_cast<std::size_t>(matern::order_of(kernel_));
-  std::array<double, 5> g{}, next{}, z{};
-  double e = 0;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Observation& observation = observations_.all[k];
-    const double* const transition = steps_.data() + k * 2 * G * G;
-    const double* const root = transition + G * G;
-    for (std::size_t i = 0; i < G; ++i) z[i] = normal();
-    for (std::size_t i = 0; i < G; ++i) {
-      next[i] = 0;
-      for (std::size_t j = 0; j < G; ++j) next[i] += transition[i * G + j] * g[j];
-      for (std::size_t j = 0; j <= i; ++j) next[i] += root[i * G + j] * z[j];
-    }
-    g = next;
-    if (k == 0) {
-      e = at_.noise * normal();
-    } else if (observation.rows > 0) {
-      const double kept =
-          at_.correlation > 0 ? elementary::exp(observation.rows * elementary::log(at_.correlation)) : 0;
-      e = kept * e + std::sqrt(1 - kept * kept) * at_.noise * normal();
-    }
-    drawn.f[k] += g[0];
-    drawn.values[k] = drawn.f[k] + observation.noise_gain * e +
-                      (is_seen(observation) ? std::sqrt(observation.variance) * normal() : 0);
-  }
-  return drawn;
 }
 
 }  // namespace flexslip

@@ -1,12 +1,10 @@
 // A Gaussian process along the fibre as seen at many places (Observations): what they say of it, in time proportional to their number;
-// its hyperparameters, its likelihood with gradient, and draws beforehand.
+// its likelihood with gradient.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <memory>
-#include <random>
 #include <span>
 #include <variant>
 #include <vector>
@@ -14,6 +12,7 @@
 #include <Eigen/Cholesky>
 
 #include "inference/matern.h"
+#include "inference/state_pairs.h"
 #include "numerics/elementary.h"
 #include "numerics/kept_array.h"
 
@@ -77,10 +76,11 @@ struct SmoothedObservation {
 namespace chain {  // One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
 template <int M>
 struct Step {
-  std::array<double, static_cast<std::size_t>(M) * M> predicted;   // covariance before the observation
-  std::array<double, static_cast<std::size_t>(M) * M> transition;  // to it from the observation before
+  std::array<double, 2 * M * pairs_of(M)> predicted;  // covariance before the observation, a StateMatrix
+  Square<M - 1> of_g;                                 // transition to it from the observation before
+  double of_e;
   Few<M> gain;
-  double innovation;  // variance of what the observation adds; infinite: nothing is seen
+  double deviation, scale;  // of what the observation adds, and one over it; both 0 where nothing is seen
 };
 template <int M>
 struct Steps {
@@ -138,10 +138,11 @@ class Chain {
   // Method:     the adjoint of the filter; exact up to rounding.
   LikelihoodGradient gradient(std::span<const double> wavelengths) const;
 
-  // What y and the columns became in the filter, for scans over more columns.
-  Eigen::Map<const Eigen::MatrixXd> whitened_columns() const {  // first y, then the columns
-    return {white_.data(), 1 + static_cast<Eigen::Index>(observations_.prior.size()),
-            static_cast<Eigen::Index>(observations_.all.size())};
+  // What y and the columns became in the filter, for scans over more columns: first the columns, then y.
+  Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> whitened_columns() const {
+    const auto series = 1 + static_cast<Eigen::Index>(observations_.prior.size());
+    return {white_.data(), series, static_cast<Eigen::Index>(observations_.all.size()),
+            Eigen::OuterStride<>(series + series % 2)};
   }
 
  private:
@@ -152,47 +153,12 @@ class Chain {
   Kernel kernel_;
   Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
-  KeptArray<double> white_;          // at each observation C^(-1/2) of y and of each column
-  KeptArray<double> predicted_;      // of the state at each observation, series by series
+  KeptArray<double> white_;          // at each observation C^(-1/2) of y and of each column, by pairs
+  KeptArray<double> predicted_;      // at each observation, for each pair of these the numbers of their states
   Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
   double log_determinant_ = 0;
-};
-
-// A Gaussian process drawn from what is expected of it beforehand.
-
-// Standard normal numbers, the same on every machine.
-class NormalSource {
- public:
-  explicit NormalSource(std::uint64_t seed) : generator_(seed) {}
-  double operator()();
-
- private:
-  std::mt19937_64 generator_;
-};
-
-// The process with all that the observations would see of it, drawn from what is expected beforehand.
-struct Drawn {
-  Coefficients beta;
-  std::vector<double> f;       // h'β + g at each observation
-  std::vector<double> values;  // y
-};
-
-// As many of them as are asked for.
-class PriorDraws {
- public:
-  // Domain:     as require_domain. The observations outlive this.
-  PriorDraws(const Observations& observations, Kernel kernel, const Hyperparameters& at);
-
-  Drawn operator()(NormalSource& normal) const;
-
- private:
-  const Observations& observations_;
-  Kernel kernel_;
-  Hyperparameters at_;
-  std::vector<double>
-      steps_;  // for each observation: how g goes on to it, and the root of the covariance that it gains
 };
 
 }  // namespace flexslip

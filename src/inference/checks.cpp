@@ -8,6 +8,7 @@
 
 #include "data/names.h"
 #include "inference/chain.h"
+#include "inference/prior_draws.h"
 #include "inference/process_posterior.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"

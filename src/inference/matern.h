@@ -8,8 +8,10 @@
 #include <cmath>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
 
 #include "numerics/elementary.h"
+#include "numerics/few.h"
 
 namespace flexslip {
 
@@ -29,59 +31,6 @@ struct Hyperparameters {
   double roughness;    // [1] standard deviation σ_g of μ about its mean; without a kernel not used
   double length;       // [L] correlation length ℓ along the fibre; likewise
 };
-
-// A square matrix of a few numbers, and products of it: what Eigen takes seconds to compile, source by source.
-
-template <int M>
-struct Square {
-  std::array<double, static_cast<std::size_t>(M) * M> at_;
-  constexpr double& operator()(int i, int j) { return at_[place(i, j)]; }
-  constexpr double operator()(int i, int j) const { return at_[place(i, j)]; }
-  static constexpr std::size_t place(int i, int j) {
-    return static_cast<std::size_t>(i) * M + static_cast<std::size_t>(j);
-  }
-};
-
-template <int M>
-using Few = std::array<double, static_cast<std::size_t>(M)>;
-
-// Of M terms, paired: a + b, a + (b + c), (a + b) + (c + d), as Eigen sums them.
-template <int M, class Term>
-double paired_sum(const Term& term, int first = 0) {
-  if constexpr (M == 1)
-    return term(first);
-  else
-    return paired_sum<M / 2>(term, first) + paired_sum<M - M / 2>(term, first + M / 2);
-}
-
-template <int M>
-double dot(const Few<M>& a, const Few<M>& b) {
-  return paired_sum<M>([&](int i) { return a[static_cast<std::size_t>(i)] * b[static_cast<std::size_t>(i)]; });
-}
-
-template <int M>
-Few<M> product(const Square<M>& A, const Few<M>& v) {
-  Few<M> out;
-  for (int i = 0; i < M; ++i)
-    out[static_cast<std::size_t>(i)] = paired_sum<M>([&](int j) { return A(i, j) * v[static_cast<std::size_t>(j)]; });
-  return out;
-}
-
-template <int M>
-Square<M> product(const Square<M>& A, const Square<M>& B) {
-  Square<M> out;
-  for (int i = 0; i < M; ++i)
-    for (int j = 0; j < M; ++j) out(i, j) = paired_sum<M>([&](int k) { return A(i, k) * B(k, j); });
-  return out;
-}
-
-template <int M>
-Square<M> transposed(const Square<M>& A) {
-  Square<M> out;
-  for (int i = 0; i < M; ++i)
-    for (int j = 0; j < M; ++j) out(i, j) = A(j, i);
-  return out;
-}
 
 }  // namespace flexslip
 
@@ -104,6 +53,24 @@ constexpr int order_of(Kernel kernel) {
   return 5;
 }
 
+// Calls a function with the order of a kernel as a constant.
+template <class Function>
+void with_order_of(Kernel kernel, Function function) {
+  switch (kernel) {
+    case Kernel::none:
+      return function(std::integral_constant<int, 0>());
+    case Kernel::exponential:
+      return function(std::integral_constant<int, 1>());
+    case Kernel::matern_3_2:
+      return function(std::integral_constant<int, 2>());
+    case Kernel::matern_5_2:
+      return function(std::integral_constant<int, 3>());
+    case Kernel::matern_9_2:
+      break;
+  }
+  return function(std::integral_constant<int, 5>());
+}
+
 // The rate [1/L] of a kernel of correlation length 1.
 inline double rate_of(Kernel kernel) { return std::sqrt(2.0 * order_of(kernel) - 1); }
 
@@ -120,9 +87,9 @@ constexpr Square<G> companion() {
   return F;
 }
 
-// exp(F a), the powers of F + 1 ending with that of G - 1.
+// exp(F a), the powers of F + 1 ending with that of G - 1; decay is exp(-a).
 template <int G>
-Square<G> transition_over(double a) {
+Square<G> transition_over(double a, double decay) {
   constexpr auto powers = [] {
     std::array<Square<G>, static_cast<std::size_t>(G)> all{};  // of F + 1, over the factorials of their exponents
     Square<G> nilpotent = companion<G>();
@@ -135,7 +102,6 @@ Square<G> transition_over(double a) {
                 all[static_cast<std::size_t>(n - 1)](i, k) * nilpotent(k, j) / static_cast<double>(n);
     return all;
   }();
-  const double decay = elementary::exp(-a);
   Square<G> A;
   for (std::size_t at = 0; at < A.at_.size(); ++at) {
     double sum = powers[G - 1].at_[at];

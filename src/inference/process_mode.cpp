@@ -13,6 +13,7 @@
 #include "inference/process_posterior.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
+#include "numerics/kept_array.h"
 #include "numerics/minimum.h"
 #include "numerics/progress.h"
 #include "numerics/statistics.h"
@@ -60,21 +61,23 @@ FrictionProcess FrictionProcess::with_pull(const Coefficients& pull) const {
   return pulled;
 }
 
-Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
-  Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(mode.theta.waves));
+// The columns at a place, of waves the room for them.
+Coefficients FrictionProcess::columns_beside_waves(double place, std::size_t waves) const {
+  Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(waves));
   h[columns_.mean] = 1;
   h[columns_.drift] = place / passages_.range;
-  set_waves(mode.theta, place, h);
   return h;
 }
 
-void FrictionProcess::set_waves(const Theta& theta, double place, Coefficients& h) const {
-  for (std::size_t wave = 0; wave < theta.waves; ++wave) {
-    const double rate = 2 * std::numbers::pi * elementary::exp(-theta.log_wavelength(wave));
+Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
+  Coefficients h = columns_beside_waves(place, mode.theta.waves);
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+    const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
     const auto [sine, cosine] = elementary::sine_and_cosine(rate * place);
     h[columns_.waves + 2 * static_cast<Index>(wave)] = cosine;
     h[columns_.waves + 2 * static_cast<Index>(wave) + 1] = sine;
   }
+  return h;
 }
 
 std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
@@ -132,7 +135,7 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
   const auto add = [&](const Observation& observation, double value, std::size_t reading, double wave_slope) {
     observations.all.push_back(observation);
     observations.values.push_back(value);
-    Coefficients& h = observations.columns.emplace_back(columns_at(observation.place, mode));
+    Coefficients& h = observations.columns.emplace_back(columns_beside_waves(observation.place, mode.theta.waves));
     if (columns_.stiffness >= 0) h[columns_.stiffness] = by_error(passages_.stiffness, reading, wave_slope);
     for (std::size_t r = 0; r < passages_.rig_errors.size(); ++r)
       h[columns_.rig + static_cast<Index>(r)] = by_error(passages_.rig_errors[r], reading, wave_slope);
@@ -148,6 +151,7 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
          .variance = nugget * nugget},
         at.y[i] - mean_friction + by_errors_at(at, i, at.wave_slope[i]), i, at.wave_slope[i]);
   }
+  set_waves(mode.theta, observations);
   say_sites(mode, nodes, observations);
   return observations;
 }
@@ -210,9 +214,18 @@ double value_of(const Chain& chain, const Mode& mode, const Theta& theta, const 
 }  // namespace
 
 void FrictionProcess::set_waves(const Theta& theta, Observations& observations) const {
-  if (theta.waves == 0) return;
-  for (std::size_t k = 0; k < observations.all.size(); ++k)
-    set_waves(theta, observations.all[k].place, observations.columns[k]);
+  const std::size_t n = observations.all.size();
+  KeptArray<double> angles(n), sines(n), cosines(n);
+  for (std::size_t wave = 0; wave < theta.waves; ++wave) {
+    const double rate = 2 * std::numbers::pi * elementary::exp(-theta.log_wavelength(wave));
+    for (std::size_t k = 0; k < n; ++k) angles[k] = rate * observations.all[k].place;
+    elementary::sine_and_cosine({angles.data(), n}, {sines.data(), n}, {cosines.data(), n});
+    const Index at = columns_.waves + 2 * static_cast<Index>(wave);
+    for (std::size_t k = 0; k < n; ++k) {
+      observations.columns[k][at] = cosines[k];
+      observations.columns[k][at + 1] = sines[k];
+    }
+  }
 }
 
 double FrictionProcess::objective_alone(const Mode& mode, Observations& observations, const Theta& theta) const {
@@ -492,7 +505,7 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
   constexpr double prior = 1 / (FrictionProcess::wave_deviation * FrictionProcess::wave_deviation);
   for (std::size_t i = 0; i < count; i += at_once) {
     chain.whiten(waves, whitened);
-    std::array<Chain::Eight, max_columns + 1> with{};  // y and the columns
+    std::array<Chain::Eight, max_columns + 1> with{};  // the columns and y
     Chain::Eight squares{};
     std::array<double, at_once> products{};
     for (std::size_t k = 0; k < n; ++k) {
@@ -507,13 +520,14 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
       // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
       Coefficients c(p), s(p);
       for (Index j = 0; j < p; ++j) {
-        c[j] = with[static_cast<std::size_t>(j + 1)][l];
-        s[j] = with[static_cast<std::size_t>(j + 1)][at_once + l];
+        c[j] = with[static_cast<std::size_t>(j)][l];
+        s[j] = with[static_cast<std::size_t>(j)][at_once + l];
       }
       const Coefficients cc = chain.covariance() * c, cs = chain.covariance() * s;
       const double a = squares[l] - c.dot(cc) + prior, b = squares[at_once + l] - s.dot(cs) + prior;
       const double ab = products[l] - c.dot(cs);
-      const double y = with[0][l] - c.dot(chain.mean()), z = with[0][at_once + l] - s.dot(chain.mean());
+      const auto last = static_cast<std::size_t>(p);
+      const double y = with[last][l] - c.dot(chain.mean()), z = with[last][at_once + l] - s.dot(chain.mean());
       const double determinant = a * b - ab * ab;
       const double gain = 0.5 * (b * y * y - 2 * ab * y * z + a * z * z) / determinant -
                           0.5 * elementary::log(determinant / (prior * prior));

@@ -102,7 +102,7 @@ class FrictionProcess {
   double bound_at(const Node& node, const GapSite& site, const Mode& mode) const;
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
-  void set_waves(const Theta& theta, double place, Coefficients& h) const;
+  Coefficients columns_beside_waves(double place, std::size_t waves) const;
   void set_waves(const Theta& theta, Observations& observations) const;
   double by_moving_rig(const Mode& mode, const Chain& chain) const;
   double pass(Mode& mode, double fraction) const;

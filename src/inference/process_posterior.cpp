@@ -13,6 +13,7 @@
 #include "fibre/state_table.h"
 #include "inference/chain.h"
 #include "inference/matern.h"
+#include "inference/prior_draws.h"
 #include "inference/profile.h"
 #include "inference/rig_pull.h"
 #include "numerics/dense.h"
@@ -438,7 +439,8 @@ class Posterior {
     const Observations observations = process_for(mode).observations_of(mode);
     const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
     const auto white = chain.whitened_columns();
-    const VectorXd rest = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
+    const VectorXd rest =
+        white.row(white.rows() - 1).transpose() - white.topRows(white.rows() - 1).transpose() * chain.mean();
     for (std::size_t k = 0; k < observations.all.size(); ++k)
       if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
   }
@@ -472,11 +474,11 @@ class Posterior {
       instead.pull = {};  // the same whatever is read
       const Chain chain(instead, mode.kernel, hyperparameters_of(mode.theta));
       const auto white = chain.whitened_columns();
-      return Told{
-          .whitened = white.row(0).transpose(),
-          .unexplained = white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean(),
-          .mean = chain.functional(f.a, f.covariance, f.variance).mean,
-          .log_stiffness = stiffness >= 0 ? chain.mean()[stiffness] : 0};
+      return Told{.whitened = white.row(white.rows() - 1).transpose(),
+                  .unexplained = white.row(white.rows() - 1).transpose() -
+                                 white.topRows(white.rows() - 1).transpose() * chain.mean(),
+                  .mean = chain.functional(f.a, f.covariance, f.variance).mean,
+                  .log_stiffness = stiffness >= 0 ? chain.mean()[stiffness] : 0};
     };
     std::vector<Told> longer;  // by waves longer by the whole of it, each beside those before it
     const auto less_longer = [&](Told told) {

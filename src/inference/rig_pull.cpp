@@ -53,11 +53,11 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   chain.whiten(by_stiffness, whitened);
   const auto white = chain.whitened_columns();
   const Eigen::VectorXd unexplained =
-      white.row(0).transpose() - white.bottomRows(white.rows() - 1).transpose() * chain.mean();
+      white.row(white.rows() - 1).transpose() - white.topRows(white.rows() - 1).transpose() * chain.mean();
   const Eigen::Map<const Eigen::VectorXd> column(whitened.data(), static_cast<Index>(whitened.size()));
   if (!(column.squaredNorm() > 0)) return pull;  // it moves no reading
   // Within what the readings resolve of it, were nothing else unknown.
-  const Eigen::VectorXd with_columns = white.bottomRows(white.rows() - 1) * column;
+  const Eigen::VectorXd with_columns = white.topRows(white.rows() - 1) * column;
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
   const double step = std::clamp(1 / std::sqrt(information), 0.002, 0.02);
   const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);

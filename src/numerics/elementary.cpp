@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -66,6 +67,33 @@ SineAndCosine sine_and_cosine(double x) {
   const One tag;
   const auto v = hn::Set(tag, x);
   return {hn::GetLane(hn::Sin(tag, v)), hn::GetLane(hn::Cos(tag, v))};
+}
+
+namespace {
+
+using Two = hn::CappedTag<double, 2>;
+
+// A function of two numbers at once, of all; the last may go alone.
+template <class Function>
+void for_all(std::span<const double> x, Function function) {
+  const std::size_t lanes = hn::Lanes(Two());
+  std::size_t i = 0;
+  for (; i + lanes <= x.size(); i += lanes) function(Two(), i);
+  for (; i < x.size(); ++i) function(One(), i);
+}
+
+}  // namespace
+
+void exp(std::span<const double> x, std::span<double> results) {
+  for_all(x, [&](auto tag, std::size_t i) { hn::StoreU(hn::Exp(tag, hn::LoadU(tag, &x[i])), tag, &results[i]); });
+}
+
+void sine_and_cosine(std::span<const double> x, std::span<double> sines, std::span<double> cosines) {
+  for_all(x, [&](auto tag, std::size_t i) {
+    const auto v = hn::LoadU(tag, &x[i]);
+    hn::StoreU(hn::Sin(tag, v), tag, &sines[i]);
+    hn::StoreU(hn::Cos(tag, v), tag, &cosines[i]);
+  });
 }
 
 double length(double a, double b) { return std::sqrt(a * a + b * b); }

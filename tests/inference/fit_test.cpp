@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "inference/chain.h"
+#include "inference/prior_draws.h"
 #include "inference/process_posterior.h"
 #include "inference/rig_shifts.h"
 #include "tests/inference/simulated_test.h"

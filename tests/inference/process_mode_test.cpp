@@ -6,6 +6,7 @@
 #include <doctest/doctest.h>
 
 #include "inference/chain.h"
+#include "inference/prior_draws.h"
 #include "numerics/elementary.h"
 #include "tests/inference/simulated_test.h"
 

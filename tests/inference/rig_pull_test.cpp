@@ -8,6 +8,7 @@
 
 #include "inference/chain.h"
 #include "inference/fit.h"
+#include "inference/prior_draws.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include <boost/math/special_functions/erf.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -39,6 +40,20 @@ TEST_CASE("oracle: exp(x) - 1 and ln(1 + x) against 50 digits, from small x on")
       if (sign * x > -0.99)
         CHECK(relative_error(elementary::log_of_one_and(sign * x), log1p(Wide(sign * x))) < 8 * ulp);
     }
+}
+
+TEST_CASE("identity: of many numbers each gives the same bits as alone, in its own place as well") {
+  std::vector<double> x;
+  for (int i = 0; i < 41; ++i) x.push_back(-30 + 1.7 * i);
+  std::vector<double> sines(x.size()), cosines(x.size()), powers = x;
+  elementary::sine_and_cosine(x, sines, cosines);
+  elementary::exp(powers, powers);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto [sine, cosine] = elementary::sine_and_cosine(x[i]);
+    CHECK(sines[i] == sine);
+    CHECK(cosines[i] == cosine);
+    CHECK(powers[i] == elementary::exp(x[i]));
+  }
 }
 
 TEST_CASE("identity: the logarithm of a product is the sum of the logarithms, far beyond the range of doubles") {
