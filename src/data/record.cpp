@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -74,29 +75,58 @@ std::vector<StepSlope> step_slopes(const Record& record) {
   return steps;
 }
 
-// The g that minimises Σ weight |slope - g|, a weighted median, of a window whose slopes are straightened by a bend [N/m per step] first: without that,
-// the median of a curve that bends by more than its noise is the middle step itself, noise and all.
-double middle_slope(std::span<const StepSlope> window, double bend) {
-  effort_spent += 1;
-  std::array<double, 2 * half_window + 1> slopes{}, below{};  // the weight of lesser slopes
-  const std::size_t n = window.size();
-  const double middle = 0.5 * static_cast<double>(n - 1);
-  double total = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    slopes[i] = window[i].slope - bend * (static_cast<double>(i) - middle);
-    total += window[i].weight;
+// The middle slopes of windows that move along the steps, each sorted from the order of the one before.
+class MiddleSlopes {
+ public:
+  // Domain:     so many steps either side of every centre, at most half_window.
+  MiddleSlopes(std::span<const StepSlope> steps, std::size_t half) : steps_(steps), half_(half) {}
+
+  // The g that minimises Σ weight |slope - g|, a weighted median, of a window whose slopes are straightened by a bend [N/m per step] first: without
+  // that, the median of a curve that bends by more than its noise is the middle step itself, noise and all.
+  double about(std::size_t centre, double bend) {
+    effort_spent += 1;
+    const std::span<const StepSlope> window = steps_.subspan(centre - half_, 2 * half_ + 1);
+    const std::size_t n = window.size();
+    std::array<double, 2 * half_window + 1> slopes;
+    const double middle = 0.5 * static_cast<double>(n - 1);
+    double total = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      slopes[i] = window[i].slope - bend * (static_cast<double>(i) - middle);
+      total += window[i].weight;
+    }
+    move_to(centre);
+    for (std::size_t sorted = 1; sorted < n; ++sorted) {
+      const std::size_t next = order_[sorted];
+      std::size_t to = sorted;
+      for (; to > 0 && slopes[order_[to - 1]] > slopes[next]; --to) order_[to] = order_[to - 1];
+      order_[to] = next;
+    }
+    if (!(total > 0)) return 0;  // the stage stood still
+    double median = slopes[order_[0]], below = 0;
+    for (std::size_t i = 0; i < n && below < 0.5 * total; ++i) {
+      median = slopes[order_[i]];
+      below += window[order_[i]].weight;
+    }
+    return median;
   }
-  // Few enough to compare each with each, which processors do faster than to sort them.
-  for (std::size_t j = 0; j < n; ++j) {
-    const double slope = slopes[j], weight = window[j].weight;
-    for (std::size_t i = 0; i < n; ++i) below[i] += slope < slopes[i] ? weight : 0;
+
+ private:
+  // The order of the window before, of which the first step goes and one comes at the end.
+  void move_to(std::size_t centre) {
+    const std::size_t n = 2 * half_ + 1;
+    if (centre == centre_ + 1) {
+      for (std::size_t& at : std::span(order_).first(n)) at = at == 0 ? n - 1 : at - 1;
+    } else if (centre != centre_) {
+      std::iota(order_.begin(), order_.end(), std::size_t{0});
+    }
+    centre_ = centre;
   }
-  if (!(total > 0)) return 0;  // the stage stood still
-  double median = -infinity;
-  for (std::size_t i = 0; i < n; ++i)
-    if (below[i] < 0.5 * total) median = std::max(median, slopes[i]);
-  return median;
-}
+
+  std::span<const StepSlope> steps_;
+  std::size_t half_;
+  std::size_t centre_ = std::numeric_limits<std::size_t>::max() - 1;  // of no window yet
+  std::array<std::size_t, 2 * half_window + 1> order_;
+};
 
 // What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
 double shown_by_quietest(std::size_t windows) {
@@ -198,9 +228,9 @@ std::vector<double> smooth_steps(const Record& record) {
 
   const std::size_t h = std::min(half_window, (n - 1) / 2);
   const std::size_t head = h, tail = n - 1 - h;  // the first and the last step with a window of h around it
-  const auto window = [&](std::size_t i) { return std::span(slopes).subspan(i - h, 2 * h + 1); };
   std::vector<double> rough(n);
-  for (std::size_t i = head; i <= tail; ++i) rough[i] = middle_slope(window(i), 0);
+  MiddleSlopes unbent(slopes, h), straightened(slopes, h);
+  for (std::size_t i = head; i <= tail; ++i) rough[i] = unbent.about(i, 0);
 
   std::vector<double> smooth(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -208,7 +238,7 @@ std::vector<double> smooth_steps(const Record& record) {
     const std::size_t from = centre - std::min(h, centre - head), to = std::min(centre + h, tail);
     const double bend = to > from ? (rough[to] - rough[from]) / static_cast<double>(to - from) : 0;
     const double ahead = static_cast<double>(i) - static_cast<double>(centre);
-    smooth[i] = (middle_slope(window(centre), bend) + bend * ahead) * (record.stage[i + 1] - record.stage[i]);
+    smooth[i] = (straightened.about(centre, bend) + bend * ahead) * (record.stage[i + 1] - record.stage[i]);
   }
   return smooth;
 }

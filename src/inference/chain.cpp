@@ -14,6 +14,8 @@
 #include <utility>
 #include <vector>
 
+#include <Eigen/Cholesky>
+
 #include "data/names.h"
 #include "inference/matern.h"
 #include "numerics/effort.h"
@@ -178,29 +180,32 @@ void require_domain(const Observations& observations, Kernel kernel, const Hyper
     throw std::invalid_argument("the columns of the observations differ in length");
 }
 
+namespace {
+
+// The regression on the whitened columns: what is left of y, and of β.
+struct Regression {
+  CoefficientMatrix covariance;  // [1] of β: (B'B + 1/prior)^-1
+  Coefficients beta;
+  double log_likelihood, log_determinant;
+};
+
 Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
                          double log_variances, double seen, const std::vector<double>& prior) {
-  Regression r;
-  r.information = products;
+  CoefficientMatrix information = products;
   double log_prior = 0;
   for (std::size_t j = 0; j < prior.size(); ++j) {
-    r.information(static_cast<Index>(j), static_cast<Index>(j)) += 1 / prior[j];
+    information(static_cast<Index>(j), static_cast<Index>(j)) += 1 / prior[j];
     log_prior += elementary::log(prior[j]);
   }
-  r.factor.compute(r.information);
-  r.beta = r.factor.solve(with_y);
-  r.log_determinant = log_variances + log_prior;
-  for (Index j = 0; j < r.information.rows(); ++j) r.log_determinant += 2 * elementary::log(r.factor.matrixLLT()(j, j));
+  const Eigen::LLT<CoefficientMatrix> factor(information);
+  Regression r{.covariance = factor.solve(CoefficientMatrix::Identity(with_y.size(), with_y.size())),
+               .beta = factor.solve(with_y),
+               .log_likelihood = 0,
+               .log_determinant = log_variances + log_prior};
+  for (Index j = 0; j < with_y.size(); ++j) r.log_determinant += 2 * elementary::log(factor.matrixLLT()(j, j));
   r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + r.log_determinant);
   return r;
 }
-
-CoefficientMatrix covariance_of(const Regression& regression) {
-  const Index p = regression.beta.size();
-  return regression.factor.solve(CoefficientMatrix::Identity(p, p));
-}
-
-namespace {
 
 using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_series, most_series>;
 
@@ -308,7 +313,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   log_likelihood_ = r.log_likelihood;
   log_determinant_ = r.log_determinant;
   beta_ = by_readings_ = r.beta;
-  covariance_ = covariance_of(r);
+  covariance_ = r.covariance;
   if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;
 }
 

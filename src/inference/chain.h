@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 
 #include "inference/matern.h"
 #include "inference/state_pairs.h"
@@ -51,19 +51,6 @@ inline bool is_seen(const Observation& observation) { return observation.varianc
 // Domain of all that is given them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
 // max_columns columns, all of one length: std::invalid_argument otherwise.
 void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
-
-// The regression on the whitened columns: what is left of y, and of β.
-struct Regression {
-  CoefficientMatrix information;  // B'B + 1/prior
-  Eigen::LLT<CoefficientMatrix> factor;
-  Coefficients beta;
-  double log_likelihood, log_determinant;
-};
-
-Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
-                         double log_variances, double seen, const std::vector<double>& prior);
-
-CoefficientMatrix covariance_of(const Regression& regression);  // [1] of β
 
 // What all observations together say of one.
 struct SmoothedObservation {

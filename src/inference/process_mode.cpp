@@ -835,6 +835,7 @@ class Search {
       }
     };
     add(scan);
+    if (!is_blurred(plain)) return found;
     Mode smooth = plain;
     const double range = process_.passages().range;
     smooth.theta.values[Theta::log_roughness] = elementary::log(0.03);
@@ -872,18 +873,23 @@ class Search {
     const Mode raw = process_.start(plain.kernel, usual, rises_);
     const std::size_t last = plain.theta.waves;  // the wave that is sought
     std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
-    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin.
-    const bool blurred = is_blurred(plain);
-    for (const double wavelength : candidates(plain, raw, scan)) {
-      const double log_wavelength = elementary::log(wavelength);
-      found.emplace_back(tried(plain, plain.theta, log_wavelength), wavelength);
-      if (blurred) found.emplace_back(tried(raw, raw.theta, log_wavelength), wavelength);
-    }
     const auto rank = [&] {
       std::stable_sort(found.begin(), found.end(),
                        [](const auto& a, const auto& b) { return better(a.first, b.first); });
     };
-    rank();
+    const auto try_from = [&](const Mode& from, const std::vector<double>& wavelengths) {
+      for (const double wavelength : wavelengths)
+        found.emplace_back(tried(from, from.theta, elementary::log(wavelength)), wavelength);
+      rank();
+    };
+    const std::vector<double> wavelengths = candidates(plain, raw, scan);
+    try_from(plain, wavelengths);
+    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin: but for waves that come to nothing, and
+    // lose no more than a wave costs.
+    const bool blurred = is_blurred(plain);
+    constexpr double cost = 6;  // of the merit
+    const double gained = found.empty() ? 0 : found.front().first.merit - plain.merit;
+    if (blurred && !(-cost < gained && gained <= 0)) try_from(raw, wavelengths);
     // Where none comes up to what friction without it is worth, none nearby does.
     const bool promising = !found.empty() && better(found.front().first, plain);
     const auto for_the_best_two = [&](auto&& add_to) {

@@ -158,10 +158,11 @@ struct ProcessSearch {
 };
 
 // Domain:     options.kernels not empty.
-// Method:     From the rises of the record, the mode without a wave; scans over wavelengths at three settings of the hyperparameters; from the
-//             best two peaks of each, modes with a wave. The best three within 12 of the first are polished, if the first gains anything, and
-//             those within 3 continued to the other kernels: the best alone where it gains nothing, none where it loses 2. A second wave likewise. What weighs anything is
-//             linearised until it agrees with itself, and the likeliest waves are moved along the valley that their length shares with the rig.
+// Method:     From the rises of the record, the mode without a wave; a scan over wavelengths, and where noise blurs the places of readings two
+//             more at other settings of the hyperparameters; from the best two peaks of each, modes with a wave. The best three within 12 of the first
+//             are polished, if the first gains anything, and those within 3 continued to the other kernels: the best alone where it gains nothing,
+//             none where it loses 2. A second wave likewise. What weighs anything is linearised until it agrees with itself, and the likeliest waves
+//             are moved along the valley that their length shares with the rig.
 ProcessSearch search(const FrictionProcess& process, const SearchOptions& options);
 
 }  // namespace flexslip
