@@ -195,7 +195,7 @@ const TwoSupportPath* Friction::two_supports() const { return dynamic_cast<const
 
 FrictionPoint Friction::at(double S) const {
   if (way()) return way()->at(S);
-  if (std::holds_alternative<FrictionTable>(form_)) return in_table(S);
+  if (std::holds_alternative<FrictionTable>(form_)) return in_table(S, piece_of(S, 0));
   const auto [mu, slope] = held(wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S));
   return {mu, slope};
 }
@@ -208,8 +208,10 @@ FrictionArrays Friction::at(std::span<const double> S) const {
     return result;
   }
   if (way()) return way()->at(S);
+  std::size_t piece = 0;
   for (std::size_t i = 0; i < S.size(); ++i) {
-    const auto [mu, slope] = in_table(S[i]);
+    piece = piece_of(S[i], piece);
+    const auto [mu, slope] = in_table(S[i], piece);
     result.mu[i] = mu;
     result.slope[i] = slope;
   }
@@ -226,13 +228,23 @@ FrictionArrays PathDependentFriction::at(std::span<const double> S) const {
   return result;
 }
 
-FrictionPoint Friction::in_table(double S) const {
+// The piece of a table in which a length lies, looked for first in one and the next; 0 beside the table.
+std::size_t Friction::piece_of(double S, std::size_t near) const {
+  const std::vector<double>& x = std::get<FrictionTable>(form_).S;
+  if (!(S > x.front() && S < x.back())) return 0;
+  for (std::size_t i = near; i < near + 2 && i + 1 < x.size(); ++i)
+    if (x[i] <= S && S < x[i + 1]) return i;
+  return static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), S) - x.begin()) - 1;
+}
+
+FrictionPoint Friction::in_table(double S, std::size_t piece) const {
   const auto& [x, y] = std::get<FrictionTable>(form_);
   if (S <= x.front()) return {y.front(), 0};
   if (S >= x.back()) return {y.back(), 0};
-  const auto i = static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), S) - x.begin()) - 1;
-  const double h = x[i + 1] - x[i];
-  const auto [mu, slope] = Cubic(y[i], y[i + 1], knot_slopes_[i] * h, knot_slopes_[i + 1] * h).at((S - x[i]) / h);
+  const std::size_t next = piece + 1;
+  const double h = x[next] - x[piece];
+  const Cubic cubic(y[piece], y[next], knot_slopes_[piece] * h, knot_slopes_[next] * h);
+  const auto [mu, slope] = cubic.at((S - x[piece]) / h);
   return {std::max(mu, 0.0), slope / h};
 }
 

@@ -161,7 +161,8 @@ class Friction {
   explicit Friction(std::shared_ptr<const PathDependentFriction> way) : form_(std::move(way)) {}
 
   const PathDependentFriction* way() const;
-  FrictionPoint in_table(double S) const;
+  std::size_t piece_of(double S, std::size_t near) const;
+  FrictionPoint in_table(double S, std::size_t piece) const;
 
   Form form_;
   bool met_ = false;  // a table as_met

@@ -59,13 +59,16 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   };
   const StepNoise noise_of(record, smooth);
   const double coarse = of_resolution * noise_of.resolution();
+  std::vector<std::size_t> falling(points, 0);  // steps up to each point
+  for (std::size_t to = 1; to < points; ++to)
+    if (force[to] < force[to - 1] && !has_halted(to - 1)) falling[to] = falling[to - 1] + 1;
+  const std::size_t longest = std::min(longest_drop, *std::max_element(falling.begin(), falling.end()));
+  const double noise_of_a_step = noise_of.over(1);
   std::vector<FallingSteps> found;
-  for (std::size_t length = 1; length <= longest_drop; ++length) {
-    const double noise = noise_of.over(length);
-    std::size_t falling = 0;  // steps up to here
+  for (std::size_t length = 1; length <= longest; ++length) {
+    const double noise = length == 1 ? noise_of_a_step : noise_of.over(length);
     for (std::size_t to = 1; to < points; ++to) {
-      falling = force[to] < force[to - 1] && !has_halted(to - 1) ? falling + 1 : 0;
-      if (falling < length) continue;
+      if (falling[to] < length) continue;
       const std::size_t from = to - length;
       double course = 0;
       for (std::size_t i = from; i < to; ++i) course += smooth[i];
@@ -84,8 +87,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);
   }
 
-  const double noise = noise_of.over(1);
-  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = std::max(needed * noise, coarse)};
+  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = std::max(needed * noise_of_a_step, coarse)};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};

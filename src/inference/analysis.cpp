@@ -25,11 +25,12 @@ namespace flexslip {
 bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error) {
   const auto slides = [&](double stiffening) {
     const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
-    const FrictionProfile profile = measure_friction(reduced, rig.in_units_of(stiffening), {}, judged_from);
-    const auto negative = static_cast<std::size_t>(std::count_if(
-        profile.points.begin(), profile.points.end(), [](const auto& point) { return point.mu < min_friction; }));
-    const std::size_t impossible = negative + profile.unexplained.size();
-    return 5 * impossible <= profile.points.size() + profile.unexplained.size();
+    const Fibre& fibre = rig.fibre;
+    const ReadStates read = read_states(reduced, fibre, friction_told_from(fibre, judged_from));
+    const auto negative = static_cast<std::size_t>(
+        std::count_if(read.q.begin(), read.q.end(), [](double mu) { return mu < min_friction; }));
+    const std::size_t impossible = negative + read.unexplained.size();
+    return 5 * impossible <= read.q.size() + read.unexplained.size();
   };
   const double within = elementary::exp(2 * bending_stiffness_error);
   return slides(1) || slides(within) || slides(1 / within);
@@ -141,7 +142,7 @@ void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
 MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) {
   MeasuredEnergy energy{};
   const auto& [stiffening, record, rig, errors] = at;
-  const FrictionProfile profile = measure_friction(record, rig, errors);
+  const ReadStates read = read_states(record, rig.fibre, friction_told_from(rig.fibre, hardly_bent));
   for (std::size_t i = 1; i < record.force.size(); ++i) {
     const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
     energy.account.stage_work += mean_force * (record.stage[i] - record.stage[i - 1]);
@@ -149,22 +150,21 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
   }
   const double last_force = record.force.empty() ? 0 : record.force.back();
   energy.account.load_train = 0.5 * last_force * last_force / rig.stiffness;
-  const auto& points = profile.points;
   const auto drop_ends_at = [&](std::size_t before, std::size_t after) {
     return std::any_of(drops.begin(), drops.end(), [&](const Drop& drop) {
       return drop.before < after && drop.after >= after && drop.before <= before;
     });
   };
   FibreState previous{};
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const FibreState state = rig.fibre.state(points[k].S, points[k].mu);
+  for (std::size_t k = 0; k < read.rows.size(); ++k) {
+    const FibreState state = rig.fibre.state(read.S[k], read.q[k]);
     if (state.status != FibreStatus::ok) continue;
     if (k == 0) {
       // Up to the first point μ is not measurable; the friction of the small slip there is that of the first value.
-      energy.account.friction += points[0].mu * state.Pn * 0.5 * (state.S - 1);
+      energy.account.friction += read.q[0] * state.Pn * 0.5 * (state.S - 1);
     } else {
-      const auto i = points[k - 1].index;
-      const auto j = points[k].index;
+      const auto i = read.rows[k - 1];
+      const auto j = read.rows[k];
       if (drop_ends_at(i, j)) {
         double work = 0;
         for (std::size_t row = i + 1; row <= j; ++row)
@@ -172,8 +172,7 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
         const double train = (state.F * state.F - previous.F * previous.F) / (2 * rig.stiffness);
         energy.account.snaps += work - (state.U - previous.U) - train;
       } else {
-        energy.account.friction +=
-            0.5 * (points[k].mu * state.Pn + points[k - 1].mu * previous.Pn) * (state.S - previous.S);
+        energy.account.friction += 0.5 * (read.q[k] * state.Pn + read.q[k - 1] * previous.Pn) * (state.S - previous.S);
       }
     }
     energy.account.bending = state.U;

@@ -877,19 +877,22 @@ class Search {
       std::stable_sort(found.begin(), found.end(),
                        [](const auto& a, const auto& b) { return better(a.first, b.first); });
     };
-    const auto try_from = [&](const Mode& from, const std::vector<double>& wavelengths) {
-      for (const double wavelength : wavelengths)
-        found.emplace_back(tried(from, from.theta, elementary::log(wavelength)), wavelength);
-      rank();
+    const auto try_from = [&](const Mode& from, double wavelength) {
+      found.emplace_back(tried(from, from.theta, elementary::log(wavelength)), wavelength);
+      return found.back().first.merit;
     };
     const std::vector<double> wavelengths = candidates(plain, raw, scan);
-    try_from(plain, wavelengths);
-    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin: but for waves that come to nothing, and
-    // lose no more than a wave costs.
+    std::vector<double> merits;
+    for (const double wavelength : wavelengths) merits.push_back(try_from(plain, wavelength));
+    double best = merits.empty() ? -infinity : *std::max_element(merits.begin(), merits.end());
+    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin: from the rises as well the first peak,
+    // what was led astray, which loses more than a wave costs, and where any wave gains, all.
     const bool blurred = is_blurred(plain);
     constexpr double cost = 6;  // of the merit
-    const double gained = found.empty() ? 0 : found.front().first.merit - plain.merit;
-    if (blurred && !(-cost < gained && gained <= 0)) try_from(raw, wavelengths);
+    for (std::size_t i = 0; blurred && i < wavelengths.size(); ++i)
+      if (i == 0 || merits[i] < plain.merit - cost || best > plain.merit)
+        best = std::max(best, try_from(raw, wavelengths[i]));
+    rank();
     // Where none comes up to what friction without it is worth, none nearby does.
     const bool promising = !found.empty() && better(found.front().first, plain);
     const auto for_the_best_two = [&](auto&& add_to) {

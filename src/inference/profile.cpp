@@ -56,39 +56,49 @@ double standard_error(const ProfilePoint& point) {
   return elementary::length(elementary::length(point.from_force, point.from_bending_stiffness), point.from_contact);
 }
 
-FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double min_deflection) {
-  const double least = friction_told_from(rig.fibre, min_deflection);
-  FrictionProfile profile;
+ReadStates read_states(const ReducedRecord& record, const Fibre& fibre, double least) {
+  ReadStates read;
   std::vector<std::size_t> rows;
   std::vector<double> deflections, forces;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
     if (!(record.deflection[i] > least)) continue;
     if (record.force[i] < 0) {
-      profile.unexplained.push_back(i);
+      read.unexplained.push_back(i);
       continue;
     }
     rows.push_back(i);
     deflections.push_back(record.deflection[i]);
     forces.push_back(record.force[i]);
   }
-  const Fibre& fibre = rig.fibre;
   const InverseArrays states = fibre.states_from_forces(deflections, forces);
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    if (std::isnan(states.q[row])) {
-      profile.unexplained.push_back(rows[row]);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (std::isnan(states.q[i])) {
+      read.unexplained.push_back(rows[i]);
       continue;
     }
-    const double F = forces[row];
-    const auto [state, slopes] = fibre.state_slopes(states.S[row], states.q[row]);
-    // The inverse of the Jacobian of Ψ: its second row.
-    const double jacobian = slopes.w_S * slopes.F_q - slopes.w_q * slopes.F_S;
-    const double q_F = slopes.w_S / jacobian;
-    const double q_w = -slopes.F_S / jacobian;
-    const double S_force = (-slopes.w_q - slopes.F_q / rig.stiffness) / jacobian;
-    profile.points.push_back(point_of(rows[row], state, F, {q_F, q_w, S_force}, rig, errors));
+    read.rows.push_back(rows[i]);
+    read.S.push_back(states.S[i]);
+    read.q.push_back(states.q[i]);
   }
-  std::sort(profile.unexplained.begin(), profile.unexplained.end());
+  std::sort(read.unexplained.begin(), read.unexplained.end());
+  return read;
+}
+
+FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
+                                 double min_deflection) {
+  const Fibre& fibre = rig.fibre;
+  const ReadStates read = read_states(record, fibre, friction_told_from(fibre, min_deflection));
+  FrictionProfile profile{.points = {}, .unexplained = read.unexplained};
+  const SlopeArrays slopes = fibre.states_slopes({read.S, read.q});
+  for (std::size_t i = 0; i < read.rows.size(); ++i) {
+    // The inverse of the Jacobian of Ψ: its second row.
+    const double jacobian = slopes.w_S[i] * slopes.F_q[i] - slopes.w_q[i] * slopes.F_S[i];
+    const double q_F = slopes.w_S[i] / jacobian;
+    const double q_w = -slopes.F_S[i] / jacobian;
+    const double S_force = (-slopes.w_q[i] - slopes.F_q[i] / rig.stiffness) / jacobian;
+    profile.points.push_back(point_of(read.rows[i], fibre.state(read.S[i], read.q[i]), record.force[read.rows[i]],
+                                      {q_F, q_w, S_force}, rig, errors));
+  }
   return profile;
 }
 
