@@ -235,10 +235,6 @@ SeriesMatrix products_of(const double* white, std::size_t observations, std::siz
   return products;
 }
 
-}  // namespace
-
-namespace {
-
 // y and the columns in the filter.
 template <int M>
 class SeriesFilter {
