@@ -34,14 +34,6 @@ double dot(const Few<M>& a, const Few<M>& b) {
 }
 
 template <int M>
-Few<M> product(const Square<M>& A, const Few<M>& v) {
-  Few<M> out;
-  for (int i = 0; i < M; ++i)
-    out[static_cast<std::size_t>(i)] = paired_sum<M>([&](int j) { return A(i, j) * v[static_cast<std::size_t>(j)]; });
-  return out;
-}
-
-template <int M>
 Square<M> product(const Square<M>& A, const Square<M>& B) {
   Square<M> out;
   for (int i = 0; i < M; ++i)
