@@ -135,23 +135,14 @@ StateMatrix<M> predicted_at(const chain::Step<M>& step) {
   return P;
 }
 
-// A state times the transition, and times its transpose.
+// A state times a transition.
 template <int M>
-Few<M> carried_on(const chain::Step<M>& step, const Few<M>& state) {
+Few<M> carried(const Square<M - 1>& of_g, double of_e, const Few<M>& state) {
   constexpr std::size_t G = M - 1;
   Few<M> next{};
   for (std::size_t i = 0; i < G; ++i)
-    for (std::size_t j = 0; j < G; ++j) next[i] += step.of_g.at_[i * G + j] * state[j];
-  next[G] = step.of_e * state[G];
-  return next;
-}
-template <int M>
-Few<M> carried_back(const chain::Step<M>& step, const Few<M>& state) {
-  constexpr std::size_t G = M - 1;
-  Few<M> next{};
-  for (std::size_t i = 0; i < G; ++i)
-    for (std::size_t j = 0; j < G; ++j) next[j] += step.of_g.at_[i * G + j] * state[i];
-  next[G] = step.of_e * state[G];
+    for (std::size_t j = 0; j < G; ++j) next[i] += of_g.at_[i * G + j] * state[j];
+  next[G] = of_e * state[G];
   return next;
 }
 
@@ -323,7 +314,7 @@ void filter_one(const Observations& observations, const chain::Steps<M>& steps, 
   Few<M> m{};
   for (std::size_t k = 0; k < series.size(); ++k) {
     const auto& step = steps.steps[k];
-    m = carried_on(step, m);
+    m = carried<M>(step.of_g, step.of_e, m);
     const double g = G > 0 ? m[0] : 0;
     if (!expected.empty()) expected[k] = g;
     const double v = series[k] - g - observations.all[k].noise_gain * m[G];
@@ -394,7 +385,7 @@ Chain::Means Chain::means_of(std::span<const double> values) const {
             r[G] += observations_.all[k].noise_gain * sum;
           }
           means.f[k] += expected[k] + numbers_of<M>(product<M>(r, predicted_at(step)))[0];
-          r = carried_back(step, r);
+          r = carried<M>(transposed(step.of_g), step.of_e, r);
         }
       },
       steps_);
@@ -504,7 +495,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
           }
           if (k == 0) break;
           const TransitionInPairs<M> back = TransitionInPairs<M>(step.of_g, step.of_e).transposed();
-          r = carried_back(step, r);
+          r = carried<M>(transposed(step.of_g), step.of_e, r);
           if (k <= first_place) continue;
           for (std::size_t b = 0; b < pairs; ++b) of_columns[b] = back * of_columns[b];
           N = back * transposed<M>(back * N);
