@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -89,6 +90,44 @@ TEST_CASE("record: a parabola is its own smooth course, to its ends (identity)")
   REQUIRE(smooth.size() == 99);
   for (std::size_t i = 0; i < 99; ++i)
     CHECK(std::abs(smooth[i] - (record.force[i + 1] - record.force[i])) < 1e-18);  // steps are 1e-7 N, rounded at 1e-21
+}
+
+TEST_CASE("record: smooth steps of uneven, noisy readings are medians sought by trying each slope (oracle)") {
+  constexpr std::size_t n = 130, half = 10;  // steps, and those either side of a window
+  std::mt19937_64 random(20210829);
+  std::uniform_real_distribution<double> part(0, 1);
+  Record record{{0}, {0}, {0}};
+  for (std::size_t i = 0; i < n; ++i) {
+    record.stage.push_back(record.stage.back() +
+                           1e-6 * (i % 9 == 4 ? 0 : part(random)));  // a stage that rests now and then
+    record.deflection.push_back(record.stage.back());
+    record.force.push_back(900 * record.stage.back() - 2e6 * record.stage.back() * record.stage.back() +
+                           2e-4 * part(random));
+  }
+  const auto travel = [&](std::size_t i) { return record.stage[i + 1] - record.stage[i]; };
+  const auto middle_slope = [&](std::size_t centre, double bend) {
+    const auto slope = [&](std::size_t i) {
+      const double own = travel(i) == 0 ? 0 : (record.force[i + 1] - record.force[i]) / travel(i);
+      return own - bend * (static_cast<double>(i) - static_cast<double>(centre));
+    };
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t at = centre - half; at <= centre + half; ++at) {
+      double loss = 0;
+      for (std::size_t i = centre - half; i <= centre + half; ++i) loss += travel(i) * std::abs(slope(i) - slope(at));
+      if (loss < least) least = loss, best = slope(at);
+    }
+    return best;
+  };
+  const std::size_t tail = n - 1 - half;
+  const auto smooth = smooth_steps(record);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t centre = std::clamp(i, half, tail);
+    const std::size_t from = centre - std::min(half, centre - half), to = std::min(centre + half, tail);
+    const double bend = (middle_slope(to, 0) - middle_slope(from, 0)) / static_cast<double>(to - from);
+    const double ahead = static_cast<double>(i) - static_cast<double>(centre);
+    const double expected = (middle_slope(centre, bend) + bend * ahead) * travel(i);
+    CHECK(std::abs(smooth[i] - expected) <= 1e-12 * std::abs(expected));
+  }
 }
 
 TEST_CASE("record: ten drops in a window leave its smooth course on the curve (limit)") {
