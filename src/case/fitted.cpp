@@ -68,6 +68,7 @@ HeldSurface held_against(const ImpliedSurface& implied, double span, const Trace
 
 InputFile input_file(const std::string& name) {
   if (name == "-" || name == "standard input") return {"standard input", ""};  // the latter is what read_case calls it
+  if (!std::filesystem::is_regular_file(name)) return {name, ""};              // a pipe, which is read once
   const auto digest = digest_of(*open_to_read(name));
   return {name, digest.sha256};
 }

@@ -681,9 +681,27 @@ BeginningOf beginning_of(const Test& input, const Record& record, double stiffne
 
 void require_points(const Table& table, const Record& record, std::size_t min_points) {
   if (record.force.size() >= min_points) return;
+  const std::size_t rows = table.lines.size();
   throw InputError({.file = table.source,
                     .expected = fmt::format("at least {} rows of readings before failure", min_points),
-                    .found = std::to_string(record.force.size())});
+                    .found = fmt::format("{} of {}", record.force.size(), rows),
+                    .remedy = rows < min_points
+                                  ? ""
+                                  : "check that the rows stand in the order of time, and the column of the "
+                                    "displacement: a loading ends where it goes back"});
+}
+
+// Fails:      InputError where the stage stands still all along, which bends no specimen.
+void require_moving(const Test& input, const Table& table, const Record& record) {
+  const auto [least, most] = std::minmax_element(record.stage.begin(), record.stage.end());
+  if (*least < *most) return;
+  throw InputError(
+      {.file = table.source,
+       .line = table.lines[0],
+       .field = "the stage",
+       .expected = "one that moves",
+       .found = fmt::format("{} in all {} rows", readable_length(input, *least == 0 ? 0 : *least), record.stage.size()),
+       .remedy = "check the column of the displacement"});
 }
 
 struct Loading {
@@ -1048,6 +1066,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   if (counted.ends_in_overload) result.end = MeasurementEnd::overload;
   const Record asked_for = until ? first_points(every, points_before(*until, result.sampling)) : every;
   require_points(table, asked_for, min_points);  // where rows do not count, none may be left
+  require_moving(input, table, asked_for);
   const Record rise = first_rise(asked_for);
   if (rise.force.size() >= least_noise_points)
     result.baseline = find_baseline(readings.has(Reading::stage) ? rise.stage : rise.deflection, rise.force);

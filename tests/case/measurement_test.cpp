@@ -184,6 +184,16 @@ TEST_CASE("bad input: an `until` before the first row that counts") {
         }).find("rows of readings before failure") != std::string::npos);
 }
 
+TEST_CASE("bad input: a stage that stands still, and rows out of order") {
+  const Folder folder;
+  Columns still = columns_of(Machine{});
+  for (double& stage : still.stage) stage = still.stage.front();
+  CHECK(complaint([&] { folder.measured(still, ""); }).find("the stage: expected one that moves") != std::string::npos);
+  Columns shuffled = columns_of(Machine{});
+  std::shuffle(shuffled.stage.begin(), shuffled.stage.end(), std::mt19937_64(1));
+  CHECK(complaint([&] { folder.measured(shuffled, ""); }).find("the order of time") != std::string::npos);
+}
+
 TEST_CASE("measurement: every step can be switched (table)") {
   const Folder folder;
   const Machine machine{.tare = 2.5, .displacement_sign = -1, .force_sign = -1};
