@@ -258,9 +258,12 @@ std::string set_key(const Panel& panel, const Plot& plot) {
   return out;
 }
 
+constexpr std::string_view script_begins =
+    "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n";
+
 std::string script_of(const Plot& plot) {
-  std::string out =
-      "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n"
+  std::string out(script_begins);
+  out +=
       "# gnuplot -e \"formats='pdf'\" THIS_FILE\n"
       "if (!exists('formats')) formats = 'svg pdf png'\n"
       "if (!exists('folder')) folder = ''\n";
@@ -372,11 +375,33 @@ class DrawingFolder {
 
 }  // namespace
 
+namespace {
+
+std::string data_file(const Plot& plot, const PlotTable& table) {
+  return fmt::format("{}-{}.csv", plot.name, table.name);
+}
+
+// Refuses to write over files beside a picture that are not those of a figure of its name: of these the script is there.
+void require_own_files(const Plot& plot, const fs::path& base) {
+  const std::string script = plot.name + ".gp";
+  const auto found = read_text((base / script).string());
+  if (found && found->starts_with(script_begins)) return;
+  std::vector<std::string> files{script};
+  for (const PlotTable& table : plot.data) files.push_back(data_file(plot, table));
+  for (const std::string& file : files)
+    if (fs::exists(base / file))
+      throw InputError({.file = (base / file).string(),
+                        .expected = "no file, or that of a figure, as the data of the figure go there",
+                        .found = "another",
+                        .remedy = "give the figure another name"});
+}
+
+}  // namespace
+
 DrawStatus draw(const Plot& plot, const std::string& folder, const std::vector<std::string>& formats) {
   const fs::path base = folder.empty() ? fs::path(".") : fs::path(folder);
   const std::string script = plot.name + ".gp";
-  for (const auto& table : plot.data)
-    write_text((base / fmt::format("{}-{}.csv", plot.name, table.name)).string(), csv(table));
+  for (const auto& table : plot.data) write_text((base / data_file(plot, table)).string(), csv(table));
   write_text((base / script).string(), script_of(laid_out(plot)));
   const DrawingFolder drawing;
   const auto result = run_child(
@@ -409,6 +434,7 @@ DrawStatus draw(Plot plot, const std::string& picture) {
   if (std::any_of(plot.name.begin(), plot.name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
     throw InputError(
         {.file = picture, .expected = "a file name without control characters", .found = in_quotes(plot.name)});
+  require_own_files(plot, path.parent_path());
   return draw(plot, path.parent_path().string(), {format});
 }
 

@@ -10,6 +10,7 @@
 #include "io/input_error.h"
 #include "io/text.h"
 #include "io/text_file.h"
+#include "tests/refusal.h"
 #include "tests/temporary_folder.h"
 
 using namespace flexslip;
@@ -50,6 +51,22 @@ TEST_CASE("outside: a name full of quotes and commands is only a name") {
   const std::string name = "it's `id` \"$(id)\".svg";
   if (draw(line(), folder.path() / name) == DrawStatus::no_gnuplot) return;
   CHECK(fs::exists(folder.path() / name));
+}
+
+TEST_CASE("outside: a figure writes over its own files, and over no others beside it (contract)") {
+  const TemporaryFolder folder;
+  const std::string picture = folder.path() / "line.svg";
+  for (const std::string file : {"line.gp", "line-points.csv"}) {
+    INFO(file);
+    write_text(folder.path() / file, "of the user\n");
+    CHECK(message_of([&] { draw(line(), picture); }).find(file) != std::string::npos);
+    CHECK(bytes_of(folder.path() / file) == "of the user\n");
+    fs::remove(folder.path() / file);
+  }
+  if (draw(line(), picture) == DrawStatus::no_gnuplot) return;
+  const std::string drawn = bytes_of(picture);
+  CHECK(draw(line(), picture) == DrawStatus::drawn);
+  CHECK(bytes_of(picture) == drawn);
 }
 
 TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
