@@ -138,8 +138,9 @@ PlannedDesign design_of(const Test& loading) {
         fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / max_readings),
         readable_length(loading, *loading.stage->step));
   BendingTest test = bending_test_of(loading, scales, travel);
-  return {{std::move(test.friction.kinetic), std::move(test.rig), travel, step, breaking_curvature_of(loading, scales)},
-          {scales, surface_of(loading, scales)}};
+  Design design{std::move(test.friction.kinetic), std::move(test.rig), travel, step,
+                breaking_curvature_of(loading, scales)};
+  return {std::move(design), {scales, surface_of(loading, scales)}};
 }
 
 std::string_view word_of(ResultStatus status) { return result_status_words.at(static_cast<std::size_t>(status)); }

@@ -286,9 +286,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const double EI_error = description.bending_stiffness_error;
   const double farthest_ratio = std::max(max_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
+  const Rig stated_rig{scales.reduced_stiffness(description.load_train_stiffness), description.fibre};
   TestAnalysis analysis{.status = AnalysisStatus::ok,
                         .scales = scales,
-                        .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
+                        .rig = stated_rig,
                         .bending_stiffness_error = EI_error,
                         .stiffness_over_slope = ratio,
                         .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
@@ -329,8 +330,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
   analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips);
-  const double greatest = *std::max_element(analysis.reduced.force.begin(), analysis.reduced.force.end());
-  analysis.model_implausible = analysis.fit.residual_rms > max_residual * greatest ||
+  analysis.model_implausible = misses_force(analysis.fit, analysis.reduced) ||
                                !may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   analysis.replay = replay_of(analysis);
   // What work was measured is a matter of what was read.

@@ -46,7 +46,10 @@ double number_of(const Check& check, std::string_view name);
 
 // Domain of all below: fit.status is ok, and the fit is that of the problem.
 
-// Passes if the residuals are less than max_residual of the greatest force.
+// Does a fit leave residuals of max_residual of a record's greatest force, or more? So does one that leaves none that could be told.
+bool misses_force(const FrictionFit& fit, const ReducedRecord& record);
+
+// Passes if the fit does not miss the force of the problem.
 // Numbers:    residual_rms, greatest_force.
 Check check_residuals(const FitProblem& problem, const FrictionFit& fit);
 

@@ -150,34 +150,48 @@ struct Bounds {
 // The points of a record under a calibration; `columns` are the contacts of its legs.
 std::vector<Point> locate(const ReducedRecord& record, const Rig& rig, const Bounds& bounds, std::span<const Leg> legs,
                           const Calibration& calibration, std::span<const std::size_t> columns) {
-  std::vector<Point> points;
-  points.reserve(record.force.size());
   const double scale = elementary::exp(-calibration.log_stiffness);  // of forces
   const double c = 1 / (rig.stiffness * scale);
+  std::vector<Point> points;
+  std::vector<double> w, F;
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     const double contact = calibration.contact[columns[leg]];
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i) {
-      const double w = record.deflection[i] - contact;
-      const double F = record.force[i] * scale;
-      if (!(w > bounds.min_deflection && record.force[i] > bounds.min_force)) continue;
-      const auto state = rig.fibre.state_from_force(w, F);
-      if (state.status != FibreStatus::ok) continue;
-      const auto d = rig.fibre.state_slopes(state.S, state.q).slopes;
-      // The inverse of the Jacobian of Ψ: its second row.
-      const double jacobian = d.w_S * d.F_q - d.w_q * d.F_S;
-      const double q_F = d.w_S / jacobian;
-      const double q_w = -d.F_S / jacobian;
-      points.push_back({.index = i,
-                        .leg = leg,
-                        .stage = record.stage[i] - contact,
-                        .S = state.S,
-                        .q = state.q,
-                        .q_log_stiffness = -F * q_F,
-                        .q_contact = -q_w,
-                        .q_force = (q_F - q_w * c) * scale,  // at the stage position imposed
-                        .stick_rate = 1 / (d.w_q + c * d.F_q),
-                        .slides = true});
+      const double deflection = record.deflection[i] - contact;
+      if (!(deflection > bounds.min_deflection && record.force[i] > bounds.min_force)) continue;
+      Point& point = points.emplace_back();
+      point.index = i;
+      point.leg = leg;
+      point.stage = record.stage[i] - contact;
+      point.slides = true;
+      w.push_back(deflection);
+      F.push_back(record.force[i] * scale);
     }
+  }
+  const InverseArrays found = rig.fibre.states_from_forces(w, F);
+  std::vector<double> S, q, forces;
+  std::size_t left = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (std::isnan(found.q[k])) continue;
+    points[left++] = points[k];
+    S.push_back(found.S[k]);
+    q.push_back(found.q[k]);
+    forces.push_back(F[k]);
+  }
+  points.resize(left);
+  const SlopeArrays at = rig.fibre.states_slopes({S, q});
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    // The inverse of the Jacobian of Ψ: its second row.
+    const double jacobian = at.w_S[k] * at.F_q[k] - at.w_q[k] * at.F_S[k];
+    const double q_F = at.w_S[k] / jacobian;
+    const double q_w = -at.F_S[k] / jacobian;
+    Point& point = points[k];
+    point.S = S[k];
+    point.q = q[k];
+    point.q_log_stiffness = -forces[k] * q_F;
+    point.q_contact = -q_w;
+    point.q_force = (q_F - q_w * c) * scale;  // at the stage position imposed
+    point.stick_rate = 1 / (at.w_q[k] + c * at.F_q[k]);
   }
   return points;
 }
@@ -599,11 +613,11 @@ LegMotion motion_of(const Point& point, Direction direction) {
 
 // A record calibrated by its mirrored loops, if it has any.
 struct Fit {
-  CyclesStatus status;
-  Calibration calibration;
+  CyclesStatus status = CyclesStatus::too_few_points;
+  Calibration calibration{0, {0}};
   Eigen::MatrixXd covariance;  // of ln EI and the contacts
-  Noise noise;
-  Estimate asymmetry;
+  Noise noise{};
+  Estimate asymmetry = normal_estimate(not_a_number, not_a_number);
   std::vector<Point> points;
   std::vector<LoopLegs> loops;  // with the columns of their contacts
   std::vector<Block> blocks;    // of each loop
@@ -641,14 +655,10 @@ Fit calibrate(const ReducedRecord& record, const Rig& rig, const CyclesOptions& 
   const double reading = reading_noise(record, legs);
   constexpr double surely = 4;
   const Bounds bounds{options.min_deflection, surely * reading};
-  Fit fit{.status = CyclesStatus::too_few_points,
-          .calibration = {0, {0}},
-          .covariance = {},
-          .noise = {reading, 1e-5, 0.01},  // no difference: nothing tells one without a mirror
-          .asymmetry = normal_estimate(not_a_number, not_a_number),
-          .points = locate(record, rig, bounds, legs, {0, {0}}, std::vector<std::size_t>(legs.size(), 0)),
-          .loops = pair_legs(legs),
-          .blocks = {}};
+  Fit fit;
+  fit.noise = {reading, 1e-5, 0.01};  // no difference: nothing tells one without a mirror
+  fit.points = locate(record, rig, bounds, legs, fit.calibration, std::vector<std::size_t>(legs.size(), 0));
+  fit.loops = pair_legs(legs);
 
   // As the record stands: which loops have a mirror, and is there anything to measure?
   mark_stuck(fit.points, legs, reading);

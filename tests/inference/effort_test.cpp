@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,7 @@
 #include <doctest/doctest.h>
 
 #include "inference/analysis.h"
+#include "inference/cyclic_answer.h"
 #include "tests/generators.h"
 #include "tests/inference/simulated_test.h"
 
@@ -80,6 +82,54 @@ TEST_CASE("effort: an analysis takes no more than its rows allow, whatever its r
     analyse(record, description);
     RC_ASSERT(effort_spent.spent() <= 200'000 * fitted + 500 * rows + run_forward);
   }));
+}
+
+// Of a thick specimen, unloaded and loaded again, whose bending stiffness is stated wrongly by a factor.
+struct Reloaded {
+  Record record;
+  Rig rig;
+};
+
+Reloaded reloaded(double stated) {
+  const Rig true_rig{90, Fibre({0, 0.0136})};
+  std::vector<double> stages;
+  double at = 0;
+  for (const double turn : {0.3, 0.05, 0.35, 0.1}) {
+    const double step = std::copysign(2.0 / 1278, turn - at);
+    while ((turn - at) * step > 0) stages.push_back(at += step);
+  }
+  const History history = follow_in_steps({Friction::sinusoid(0.4, 0.1, 10.0 / 1278, 1), true_rig}, stages);
+  ReducedRecord record;
+  for (const PathPoint& point : history.path) {
+    record.stage.push_back(point.stage);
+    record.force.push_back(point.F / stated);
+    record.deflection.push_back(point.w);
+  }
+  return {to_physical(record, scales), {true_rig.stiffness / stated, true_rig.fibre}};
+}
+
+// The worst took 1,200 states for each row.
+TEST_CASE("effort: loops take no more than their rows allow, whatever bending stiffness is stated (identity)") {
+  for (const double stated : {0.03, 0.1, 0.3, 0.7, 1.0, 1.5, 3.0, 10.0, 30.0}) {
+    CAPTURE(stated);
+    const auto [record, rig] = reloaded(stated);
+    effort_spent.clear();
+    analyse_cycles(record, scales, rig);
+    CHECK(effort_spent.spent() <= 5'000 * record.force.size());
+  }
+}
+
+TEST_CASE("effort: loops and a loading that are stopped at once leave no damage (regression)") {
+  const auto [record, rig] = reloaded(1.5);
+  const TestDescription description{.span = scales.span(),
+                                    .load_train_stiffness = 90.65,
+                                    .bending_stiffness = scales.bending_stiffness(),
+                                    .contact_error = std::nullopt,
+                                    .fibre = rig.fibre};
+  const std::atomic<bool> stop = true;
+  const Stoppable stoppable(&stop);
+  CHECK_THROWS_AS(analyse_cycles(record, scales, rig), Stopped);
+  CHECK_THROWS_AS(analyse(record, description), Stopped);
 }
 
 }  // namespace
