@@ -177,7 +177,7 @@ namespace {
 struct Regression {
   CoefficientMatrix covariance;  // [1] of β: (B'B + 1/prior)^-1
   Coefficients beta;
-  double log_likelihood, log_determinant;
+  double log_likelihood;
 };
 
 Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
@@ -191,10 +191,10 @@ Regression regression_of(const CoefficientMatrix& products, const Coefficients& 
   const Eigen::LLT<CoefficientMatrix> factor(information);
   Regression r{.covariance = factor.solve(CoefficientMatrix::Identity(with_y.size(), with_y.size())),
                .beta = factor.solve(with_y),
-               .log_likelihood = 0,
-               .log_determinant = log_variances + log_prior};
-  for (Index j = 0; j < with_y.size(); ++j) r.log_determinant += 2 * elementary::log(factor.matrixLLT()(j, j));
-  r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + r.log_determinant);
+               .log_likelihood = 0};
+  double log_determinant = log_variances + log_prior;  // of the covariance of y
+  for (Index j = 0; j < with_y.size(); ++j) log_determinant += 2 * elementary::log(factor.matrixLLT()(j, j));
+  r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + log_determinant);
   return r;
 }
 
@@ -298,7 +298,6 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
   const auto r = regression_of(products.topLeftCorner(p, p), products.col(p).head(p), products(p, p),
                                2 * deviations.value(), seen, observations.prior);
   log_likelihood_ = r.log_likelihood;
-  log_determinant_ = r.log_determinant;
   beta_ = by_readings_ = r.beta;
   covariance_ = r.covariance;
   if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;

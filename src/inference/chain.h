@@ -92,7 +92,6 @@ class Chain {
   Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
   double log_likelihood() const { return log_likelihood_; }            // ln p(y), the pull left out
-  double log_determinant() const { return log_determinant_; }          // of the covariance of y
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
 
@@ -145,7 +144,6 @@ class Chain {
   Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
-  double log_determinant_ = 0;
 };
 
 }  // namespace flexslip

@@ -83,8 +83,6 @@ class TransitionInPairs {
     for (std::size_t at = 0; at < G * G; ++at) of_g_[at] = both(of_g.at_[at]);
   }
 
-  double of_e() const { return of_e_[0]; }
-
   TransitionInPairs transposed() const {
     TransitionInPairs out;
     for (std::size_t i = 0; i < G; ++i)
