@@ -588,7 +588,8 @@ std::string reload_remedy(T test) {
   if (loading < of)
     return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
   const bool is_unloaded = test.measurement.end == MeasurementEnd::turn;
-  return fmt::format("{} once more; {}.", is_unloaded ? "Load" : "Unload and load", reload_bounds);
+  return fmt::format("{} once more; {}{}.", is_unloaded ? "Load" : "Unload and load", reload_bounds,
+                     of > 1 ? fmt::format(" (none comes after loading {}, which is evaluated)", loading) : "");
 }
 
 // A filter that looks both ways, which no load cell has.
@@ -767,11 +768,15 @@ Found known_roughly(T test) {
 // Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
 Found no_reload(T test) {
   if (!may_have_lost_stiffness(test) || undecided_drops(test) || lost_stiffness(*test.judgement)) return std::nullopt;
+  const auto& [loading, of] = test.measurement.loading;
+  const std::string reload =
+      of > 1 ? fmt::format("a reload after loading {}, which is evaluated,", loading) : "a reload";
   return Finding{.severity = Severity::condition,
                  .sentence = drops_of(test) > 0
-                                 ? "Without a reload nobody knows how much stiffness was lost."
-                                 : "The force is uneven, as friction that varies makes it, or cracks too small to be "
-                                   "seen: without a reload nobody knows how much stiffness was lost.",
+                                 ? fmt::format("Without {} nobody knows how much stiffness was lost.", reload)
+                                 : fmt::format("The force is uneven, as friction that varies makes it, or cracks too "
+                                               "small to be seen: without {} nobody knows how much stiffness was lost.",
+                                               reload),
                  .remedy = reload_remedy(test)};
 }
 
