@@ -538,6 +538,13 @@ Supports supports_of(const Test& test, const Scales& scales) {
         fmt::format("a roller radius and half a thickness that add up to less than {:g} spans", widest_supports),
         fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth),
         "check the units of both, and the span");
+  constexpr double thinnest = 1e-6;  // [L] what a thinner one slides before it slides in is lost in rounding
+  if (is_thick && supports.half_depth < thinnest)
+    throw wrong_value(test, "specimen",
+                      fmt::format("a specimen of a thickness of at least {}",
+                                  readable_length(test, 2 * scales.physical_length(thinnest))),
+                      readable_length(test, depth(*section)),
+                      fmt::format("check its unit, or {}", to_say(test, KeyChange{"rig", "friction_at", "\"axis\""})));
   return supports;
 }
 
