@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "numerics/polynomial.h"
+#include "numerics/interpolant.h"
 
 namespace flexslip {
 

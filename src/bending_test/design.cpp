@@ -25,21 +25,26 @@
 namespace flexslip {
 namespace {
 
-// Follows a fold from a stretch of lengths on which k(S) exceeds what it is at the beginning to a maximum of it, maybe at the end.
+// The greatest k(S) over a stretch of lengths.
 double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Bracket& S) {
   constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
   const double tolerance = std::max(flat * S.width(), 0x1p-50 * S.high);  // and no finer than lengths are
   const auto k_at = [&](double length) { return stiffness_of_fold(friction, length, fibre); };
-  return std::max(greatest_within(k_at, S.low, S.high, tolerance).value, k_at(S.high));
+  return std::max({greatest_within(k_at, S.low, S.high, tolerance).value, k_at(S.low), k_at(S.high)});
 }
 
-// The lengths of the pair of folds whose cusp is likely to be the stiffest.
+// The lengths on which the stage would run back, between folds or an end of the curve, whose cusp is likely to be the stiffest.
 Bracket stiffest_pair(const SlidingCurve& curve) {
   Bracket stiffest{};
   double most = -infinity;
-  for (std::size_t i = 0; i < curve.folds.size(); i += 2) {
-    const RigPoint& other = i + 1 < curve.folds.size() ? curve.folds[i + 1].point : curve.end;
-    const Bracket pair{curve.folds[i].point.S, other.S};
+  double from = curve.begin.S;
+  for (std::size_t i = 0; i <= curve.folds.size(); ++i) {
+    const bool is_end = i == curve.folds.size();
+    const double to = is_end ? curve.end.S : curve.folds[i].point.S;
+    const bool runs_back = is_end ? curve.folds.back().is_maximum : !curve.folds[i].is_maximum;
+    const Bracket pair{from, to};
+    from = to;
+    if (!runs_back || !(pair.low < pair.high)) continue;
     const double k = stiffness_of_fold(curve.friction, pair.middle(), curve.rig.fibre);
     if (k > most) stiffest = pair;
     most = std::max(most, k);
@@ -138,9 +143,9 @@ struct Rest {
          contact_slope = 0;  // [L], [1] length between the contacts, at which friction is looked up; likewise
 };
 
-Rest rest_at(const Rig& rig, double S, double q) {
+Rest rest_at(const Rig& rig, double S, double q, double w) {
   const double c = 1 / rig.stiffness;
-  const auto [state, slopes] = rig.fibre.state_slopes(S, q);
+  const auto [state, slopes] = rig.fibre.state_slopes(S, q, w);
   const double q_slope = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
   const double rolled = 2 * rig.fibre.supports().radius;
   return {state, state.U + 0.5 * c * state.F * state.F, slopes.Pn_S + slopes.Pn_q * q_slope,
@@ -198,7 +203,7 @@ class Loading {
     while (true) {
       const bool arrives = part.to.stage >= design_.travel;
       if (arrives) part.to = point_at_stage(curve_, part, design_.travel);
-      const Rest end = rest_at(design_.rig, part.to.S, part.to.q);
+      const Rest end = rest_at(design_.rig, part.to.S, part.to.q, part.to.w);
       if (!slide(part, rest, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
       if (arrives) {
         outcome_.stage_reached = design_.travel;
@@ -209,7 +214,7 @@ class Loading {
       const double stage = part.to.stage;
       const auto landing = landing_after(curve_, part.to.S, stage);
       if (!landing) return DesignStatus::slipped_through;
-      rest = rest_at(design_.rig, landing->S, landing->q);
+      rest = rest_at(design_.rig, landing->S, landing->q, landing->w);
       const auto heat = heat_of_snap(stage, end, rest);
       if (!heat) return DesignStatus::slipped_through;
       part = stable_part_from(curve_, *landing);
@@ -352,14 +357,14 @@ class Loading {
     slid_to_ = fibre().length_at(to);
   }
 
-  void read_all(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
+  void read_all(const SlidingPiece& piece, const SlidingPiece::Turns& turns) {
     drops_.read(piece.force_from());
     for (const auto& turn : turns) drops_.read(turn.F);
     drops_.read(piece.force_to());
   }
 
   // Between two turns the forces rise or fall: only the readings beside them tell the falls.
-  void read_in_steps(const SlidingPiece& piece, const std::vector<SlidingPiece::Turn>& turns) {
+  void read_in_steps(const SlidingPiece& piece, const SlidingPiece::Turns& turns) {
     const double last = readings_->first_beyond(piece.stage_to()) - 1;
     const auto read = [&](double i) {
       if (i < next_ || i > last) return;
@@ -390,7 +395,7 @@ class Loading {
       if (i < parts) {
         const auto held = held_at(from.state.S + length * i / parts, stage, design_.rig, a.state.q);
         if (held.holding != Holding::held) return std::nullopt;
-        b = rest_at(design_.rig, held.state.S, held.state.q);
+        b = rest_at(design_.rig, held.state.S, held.state.q, held.state.w);
       }
       heat += heat_between(a, b);
       a = b;
@@ -529,7 +534,7 @@ double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
   const double critical = critical_stiffness(design.friction, std::max(w, min_deflection), design.rig.fibre);
   if (std::isinf(critical)) return -most;
-  return std::clamp(std::log(design.rig.stiffness / critical), -most, most);
+  return std::clamp(elementary::log(design.rig.stiffness / critical), -most, most);
 }
 
 std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {

@@ -19,7 +19,7 @@ namespace flexslip {
 namespace {
 
 CurveSample sample_on(const SlidingCurve& curve, double x) {
-  return samples_at(curve.friction, curve.rig, curve.sliding, {&x, 1}).front();
+  return tabulated_sample_at(curve.friction, curve.rig, curve.sliding, x);
 }
 
 // Stage positions in the sense of the way: a fibre let out meets falling ones.
@@ -212,9 +212,8 @@ double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
   const double S_most = longest_at_stage(stage);
   const Friction friction = met(along, rig.fibre, 1, S_most);
   const auto is_beyond = [&](double way) {
-    const double S = rig.fibre.length_at(way);
-    const auto state = rig.fibre.state(S, friction.at(S).mu);
-    return !(state.status == FibreStatus::ok && state.w + state.F / rig.stiffness < stage);
+    const CurveSample there = tabulated_sample_at(friction, rig, Sliding::in, way);
+    return !(there.exists && there.point.stage < stage);
   };
   const auto enough = [](const Bracket& ways) { return !(ways.low < close * ways.high); };
   return rig.fibre.length_at(halved_until(enough, {rig.fibre.way(1), rig.fibre.way(S_most)}, is_beyond).high);

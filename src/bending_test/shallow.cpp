@@ -30,6 +30,15 @@ double Shallow::length_met(const FibreState& state) const {
 
 double Shallow::friction_at(const FibreState& state) const { return friction_.at(length_met(state)).mu; }
 
+double Shallow::smooth_at(double length) const {
+  constexpr double smooth = 0.5;
+  const auto knots = friction_.knots();
+  if (knots.size() < 2) return smooth * friction_.smooth_scale();
+  const double between = (knots.back() - knots.front()) / static_cast<double>(knots.size());
+  const double before = std::max({knots.front() - length, length - knots.back(), 0.0});
+  return smooth * std::min(friction_.smooth_scale(), before + between);
+}
+
 PathPoint Shallow::straight() const { return {0, 0, 0, 1, -friction_.at(1).mu, Motion::stick}; }
 
 Shallow::Place Shallow::place(const Way& way, double w, double q) const {
@@ -113,11 +122,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const auto leads_on = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
   // Step by step, none longer than friction is smooth for, on the contacts as they move; at rest besides none on which what holds the fibre changes
   // by more than half of friction, as it may come back to what friction can do on the other side of the least length.
-  constexpr double least = 1e-7, smooth = 0.5, of_friction = 0.5, of_half_depth = 0.1;
-  const auto knots = friction_.knots();
-  const double between_knots =
-      knots.size() > 1 ? (knots.back() - knots.front()) / static_cast<double>(knots.size()) : far + from.w;
-  const double scale = smooth * std::min(friction_.smooth_scale(), between_knots);
+  constexpr double least = 1e-7, of_friction = 0.5, of_half_depth = 0.1;
   double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
   Place there = at(way, next);
   Left left = left_at(there);
@@ -126,7 +131,8 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     do {
       w = next, left_before = left;
       const double q_w = there.q_w;
-      double step = scale / std::max(std::abs(there.length_w), 0.1);
+      double step = std::min(smooth_at(length_met(there.at.state)), 0.5 * (far + from.w)) /
+                    std::max(std::abs(there.length_w), 0.1);
       if (!slides) {
         const double by_friction = of_friction * friction_at(there.at.state) / std::abs(q_w);
         step = std::min({step, std::max(by_friction, least * half_depth), of_half_depth * half_depth});
@@ -142,7 +148,8 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     } while (leads_on(left) && next != far);
     // Each by itself: the least of them has corners, where they end together.
     for (std::size_t i = 0; i < left.size(); ++i)
-      next = first_not_positive([&](double x) { return left_at(at(way, x))[i]; }, {w, left_before[i]}, next);
+      if (!(left[i] > 0))
+        next = first_not_positive([&](double x) { return left_at(at(way, x))[i]; }, {w, left_before[i]}, next);
     w = next;
   } else {
     w = first_where(w, next, [&](double x) { return !leads_on(left_at(at(way, x))); });
@@ -186,7 +193,7 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   };
   const auto power = [&](double w) {
     const Place there = place_at(w);
-    const FibreState state = fibre.bent(w, there.at.state.q).state;
+    const FibreState state = fibre.with_contacts(there.at).state;
     const double F_w = there.at.F_w + there.at.F_q * there.q_w;
     return SlidingWork{state.F * (1 + F_w / rig_.stiffness),
                        state.q * state.Pn * (way.direction == 0 ? 0 : there.at.S_w + there.at.S_q * there.q_w) +
@@ -194,21 +201,25 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   };
   const double rolled = 2 * fibre.supports().radius * 3 * std::abs(to.w - from.w), slid = std::abs(to.S - from.S);
   const auto knots = friction_.knots();
-  const double for_knots = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
-  const double scales = (rolled + slid) * std::max(1 / friction_.smooth_scale(), for_knots);
-  const int pieces = std::max(1, static_cast<int>(std::ceil(scales)));
   const auto length_at = [&](double w) { return fibre.length_between_contacts(place_at(w).at.state); };
+  const double way_met = rolled + slid, length_from = length_at(from.w);
+  const auto met = std::lower_bound(knots.begin(), knots.end(), length_from + way_met) -
+                   std::lower_bound(knots.begin(), knots.end(), length_from - way_met);
+  const double per_length = knots.size() > 1 ? static_cast<double>(knots.size()) / (knots.back() - knots.front()) : 0;
+  const double scales =
+      std::max(way_met / friction_.smooth_scale(), std::min(way_met * per_length, static_cast<double>(met)));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(scales)));
   SlidingWork sum;
-  double begin = from.w, length = length_at(begin);
+  double begin = from.w, length = length_from;
   for (int i = 1; i <= pieces; ++i) {
     const double end = i < pieces ? from.w + (to.w - from.w) * i / pieces : to.w, length_there = length_at(end);
     const auto [least, most] = std::minmax(length, length_there);
-    std::vector<double> met;
+    std::vector<double> corners;
     if (friction_.has_corners())
-      met.assign(std::upper_bound(knots.begin(), knots.end(), least),
-                 std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
-    if (length_there < length) std::reverse(met.begin(), met.end());
-    for (const double knot : met) {
+      corners.assign(std::upper_bound(knots.begin(), knots.end(), least),
+                     std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
+    if (length_there < length) std::reverse(corners.begin(), corners.end());
+    for (const double knot : corners) {
       const double corner = first_where(
           begin, end, [&](double w) { return length_there > length ? length_at(w) >= knot : length_at(w) <= knot; });
       sum += integral(gauss_6, begin, corner, power);

@@ -82,6 +82,8 @@ class Shallow {
   Place place(const Way& way, double w, double q_near) const;
   double stage_of(const Place& place) const { return place.at.state.w + place.at.state.F / rig_.stiffness; }
   double length_met(const FibreState& state) const;  // [L] where friction is looked up
+  // [L] How far that may go on as if friction were smooth: half its scale, and half of the way to its knots and over one of them.
+  double smooth_at(double length) const;
   double friction_at(const FibreState& state) const;
 
   const Friction& friction_;

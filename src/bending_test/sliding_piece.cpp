@@ -7,6 +7,8 @@
 
 #include "bending_test/sliding_table.h"
 #include "fibre/batch.h"
+#include "numerics/polynomial.h"
+#include "numerics/quadrature.h"
 #include "numerics/root.h"
 
 namespace flexslip {
@@ -22,18 +24,25 @@ struct SlopeOf {
   using Bernstein = std::array<double, degree>;
   std::array<double, degree> series;
 
-  void add_zeros(const Bernstein& b, double low, double high, int halvings, std::vector<double>& zeros) const {
+  struct Zeros {
+    std::array<double, degree> at;
+    std::size_t count = 0;
+    void add(double x) {
+      if (count < at.size()) at[count++] = x;  // a polynomial has no more
+    }
+  };
+  void add_zeros(const Bernstein& b, double low, double high, int halvings, Zeros& zeros) const {
     constexpr int max_halvings = 24;  // beyond it two zeros are one point
     const int changes = sign_changes(b);
     if (changes == 0) return;
     if (halvings == max_halvings) {
-      if (changes % 2 == 1) zeros.push_back(0.5 * (low + high));
+      if (changes % 2 == 1) zeros.add(0.5 * (low + high));
       return;
     }
     if (changes == 1) {
       const auto at = [&](double x) { return series_slope_at(series, x); };
       const bool rises = b.front() < 0;
-      zeros.push_back(zero_between(at, rises ? low : high, rises ? high : low, 0.5 * (low + high), close));
+      zeros.add(zero_between(at, rises ? low : high, rises ? high : low, 0.5 * (low + high), close));
       return;
     }
     const auto [left, right] = bernstein_halves(b);
@@ -94,9 +103,14 @@ SlidingPiece::SlidingPiece(const CurvePiece& piece, const Rig& rig, double from,
 }
 
 double SlidingPiece::work() const {
-  const auto of_stage = integrated(product<2 * degree>(F_, derivative(stage_)), 1);
-  return series_at(of_stage, end_) - series_at(of_stage, begin_) -
-         0.5 * compliance_ * (force_to_ * force_to_ - force_from_ * force_from_);
+  static_assert(degree <= gauss_12.node.size());  // then it is exact
+  const double middle = 0.5 * (begin_ + end_), reach = 0.5 * (end_ - begin_);
+  std::array<double, gauss_12.node.size()> t;
+  for (std::size_t i = 0; i < t.size(); ++i) t[i] = middle + reach * gauss_12.node[i];
+  const auto F = series_at(F_, t), rises = series_at(derivative(stage_), t);
+  double of_stage = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) of_stage += gauss_12.weight[i] * F[i] * rises[i];
+  return reach * of_stage - 0.5 * compliance_ * (force_to_ * force_to_ - force_from_ * force_from_);
 }
 
 double SlidingPiece::force_at(double stage) const {
@@ -110,17 +124,17 @@ double SlidingPiece::force_at(double stage) const {
   return series_at(F_, zero_between(miss, begin_, end_, begin_ + (end_ - begin_) * share, close));
 }
 
-std::vector<SlidingPiece::Turn> SlidingPiece::turns() const {
+SlidingPiece::Turns SlidingPiece::turns() const {
   const CurvePiece::Values force = Polynomial::bernstein(piece_.F);
   SlopeOf::Bernstein slope{};
   for (std::size_t i = 0; i < degree; ++i) slope[i] = force[i + 1] - force[i];
-  std::vector<double> zeros;
+  SlopeOf::Zeros zeros;
   SlopeOf{derivative(F_)}.add_zeros(slope, -1, 1, 0, zeros);
-  std::vector<Turn> turns;
-  turns.reserve(zeros.size());
-  for (const double t : zeros)
+  Turns turns{};
+  for (const double t : std::span(zeros.at).first(zeros.count))
     if (begin_ < t && t < end_)
-      turns.push_back({piece_.way_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_), series_at(F_, t)});
+      turns.at[turns.count++] = {piece_.way_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_),
+                                 series_at(F_, t)};
   return turns;
 }
 

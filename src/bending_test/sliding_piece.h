@@ -48,7 +48,14 @@ class SlidingPiece {
     double stage;  // [L]
     double F;      // [EI/L^2]
   };
-  std::vector<Turn> turns() const;
+  struct Turns {
+    std::array<Turn, CurvePiece::degree> at;
+    std::size_t count;
+    std::size_t size() const { return count; }
+    const Turn* begin() const { return at.data(); }
+    const Turn* end() const { return at.data() + count; }
+  };
+  Turns turns() const;
 
  private:
   CurvePiece piece_;

@@ -11,6 +11,7 @@
 #include "fibre/state_table.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
+#include "numerics/interpolant.h"
 #include "numerics/polynomial.h"
 #include "numerics/root.h"
 
@@ -23,12 +24,9 @@ CurveSample straight(double direction, double compliance, double q) {
   return {true, {1, q, 0, 0, 0, infinity}, direction * slope, slope};
 }
 
-// What is known of the fibre at one length.
-struct FibreThere {
-  double w, F, w_S, w_q, F_S, F_q;  // NaN beyond the end of the branch
-};
-
-CurveSample sample_of(double direction, const Rig& rig, double S, const FrictionPoint& mu, const FibreThere& fibre) {
+// The fibre is NaN beyond the end of the branch.
+CurveSample sample_of(double direction, const Rig& rig, double S, const FrictionPoint& mu,
+                      const Fibre::TabulatedSlopes& fibre) {
   const double q = direction * mu.mu, compliance = 1 / rig.stiffness;
   if (S == 1 && rig.fibre.begins_straight()) return straight(direction, compliance, q);
   const double sigma = rig.fibre.way(S);  // that of the rounded S, at which everything is evaluated
@@ -69,6 +67,12 @@ std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sl
     result.push_back(sample_of(direction, rig, S[i], {mu.mu[i], mu.slope[i]},
                                {at.w[i], at.F[i], at.w_S[i], at.w_q[i], at.F_S[i], at.F_q[i]}));
   return result;
+}
+
+CurveSample tabulated_sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x) {
+  const double S = rig.fibre.length_at(x), direction = direction_of(sliding);
+  const FrictionPoint mu = friction.at(S);
+  return sample_of(direction, rig, S, mu, rig.fibre.tabulated_state_slopes(S, direction * mu.mu));
 }
 
 SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sliding)

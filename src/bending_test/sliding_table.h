@@ -35,6 +35,8 @@ CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding,
 inline constexpr double tabulated_error = 1e-9;
 std::vector<CurveSample> samples_at(const Friction& friction, const Rig& rig, Sliding sliding,
                                     std::span<const double> x);
+// The one of those, bit by bit.
+CurveSample tabulated_sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x);
 
 // Farther than that no specimen reaches: one that is drawn in so far slips through its supports.
 inline constexpr double longest_sliding = 100;  // [L]

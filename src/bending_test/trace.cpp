@@ -15,6 +15,8 @@
 #include "bending_test/sliding_piece.h"
 #include "bending_test/sliding_table.h"
 #include "contact/over_rollers.h"
+#include "numerics/elementary.h"
+#include "numerics/interpolant.h"
 #include "numerics/polynomial.h"
 #include "numerics/root.h"
 

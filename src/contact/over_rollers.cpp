@@ -149,24 +149,30 @@ void OverRollers::add_knots(double S_most) {
 
 double steepest_followed(const Fibre& fibre, double most, double S_most) {
   if (fibre.on_edges()) return infinity;
-  constexpr int samples = 48;
   const double rolled = 2 * fibre.supports().radius;
   const double first = fibre.way(1), last = fibre.way(std::max(S_most, 1.0)), shallow = 3 * fibre.supports().half_depth;
-  std::vector<double> S, w, q;
-  for (int i = 1; i <= samples; ++i)
-    for (const double friction : {-most, 0.0, most}) {
-      const double part = static_cast<double>(i) / samples;
-      S.push_back(fibre.length_at(first + part * (last - first)));
-      w.push_back(part * shallow);
-      q.push_back(friction);
-    }
   double moved = 0;
-  const auto count = [&](const std::vector<double>& by_friction) {
-    for (const double each : by_friction)
+  // At so many parts of a way.
+  const auto sample = [&](int samples, const auto& place_at, const auto& by_friction) {
+    std::vector<double> places, q;
+    for (int i = 1; i <= samples; ++i)
+      for (const double friction : {-most, 0.0, most}) {
+        places.push_back(place_at(static_cast<double>(i) / samples));
+        q.push_back(friction);
+      }
+    for (const double each : by_friction(places, q))
       if (std::isfinite(each)) moved = std::max(moved, std::abs(each));
   };
-  if (rolled > 0) count(fibre.contacts({S, q}).length_q);
-  if (!fibre.begins_straight()) count(fibre.lengths_by_friction(w, q));
+  if (rolled > 0)
+    sample(
+        48, [&](double part) { return fibre.length_at(first + part * (last - first)); },
+        [&](const auto& S, const auto& q) {
+          return fibre.contacts({S, q}).length_q;
+        });
+  if (!fibre.begins_straight())
+    sample(
+        6, [&](double part) { return part * shallow; },
+        [&](const auto& w, const auto& q) { return fibre.lengths_by_friction(w, q); });
   return 1 / moved;
 }
 

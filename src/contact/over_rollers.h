@@ -44,7 +44,7 @@ class OverRollers final : public PathDependentFriction {
 // [1/L] How steep friction may be along the specimen, |dμ/dS|, for its fibre to be drawn in by up to S_most under friction of up to `most`: the
 // point that touches moves with friction, and where friction changes faster than that, several frictions agree with one length. Infinite on
 // edges of a specimen without thickness.
-// Method:     sampled, at 48 lengths and, before the surface slides in, deflections.
+// Method:     sampled, at 48 lengths and, before the surface slides in, at 6 deflections, of which it is the last that counts.
 double steepest_followed(const Fibre& fibre, double most, double S_most);
 
 // The friction of the specimen as its fibre meets it: on edges that of its points.

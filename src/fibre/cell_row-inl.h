@@ -35,11 +35,6 @@ struct Row {
   RowVector part[row_vectors];
 };
 
-template <class V>
-HWY_INLINE V floor_of(V vector) {
-  return hn::Floor(vector);
-}
-
 HWY_INLINE InEachLane in_each_lane(double value) { return hn::Set(row_tag, value); }
 
 HWY_INLINE Row load_row(const double* from) {

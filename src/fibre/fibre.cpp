@@ -39,10 +39,11 @@ const Supports& Fibre::supports() const {
   return tables_ ? tables_->supports : edges;
 }
 
-Fibre::BentState Fibre::bent(double w, double q) const {
-  BentState at = drawn_in(w, q);
-  if (w == 0 || at.state.status != FibreStatus::ok) return at;
-  const PairSlope turned = tables_->contacts(w, q);
+Fibre::BentState Fibre::bent(double w, double q) const { return with_contacts(drawn_in(w, q)); }
+
+Fibre::BentState Fibre::with_contacts(BentState at) const {
+  if (at.state.w == 0 || at.state.status != FibreStatus::ok) return at;
+  const PairSlope turned = tables_->contacts(at.state.w, at.state.q);
   at.state.theta0 = turned[0], at.state.Pn = turned[1];
   at.theta0_w = turned[2], at.theta0_q = turned[3], at.Pn_w = turned[4], at.Pn_q = turned[5];
   return at;
@@ -115,13 +116,16 @@ std::vector<double> Fibre::lengths_by_friction(std::span<const double> w, std::s
 FibreState Fibre::state(double S, double q) const { return on_edges() ? fibre_state(S, q) : state_slopes(S, q).state; }
 
 FibreStateSlopes Fibre::state_slopes(double S, double q) const {
+  return state_slopes(S, q, on_edges() || is_straight(S) ? 0 : tables_->deflection(S, q));
+}
+
+FibreStateSlopes Fibre::state_slopes(double S, double q, double w) const {
   if (on_edges()) return fibre_state_slopes(S, q);
   FibreStateSlopes result{};
-  if (S == 1 && supports().half_depth == 0) {
+  if (is_straight(S)) {
     result.state = fibre_state(1, q);
     return result;
   }
-  const double w = tables_->deflection(S, q);
   result.state = nothing_at(S, q);
   if (std::isnan(w)) return result;
   const BentState at = bent(w, q);
@@ -226,7 +230,7 @@ SlopeArrays Fibre::slopes_by_deflection(std::span<const double> S, std::span<con
   const std::size_t n = S.size();
   const PairSlopes at = tables_->sliding(w, q);
   SlopeArrays result(n);
-  const bool has_straight = supports().half_depth == 0;
+  const bool has_straight = begins_straight();
   for (std::size_t i = 0; i < n; ++i) {
     if (has_straight && S[i] == 1) {
       result.w[i] = result.F[i] = 0;
@@ -268,6 +272,20 @@ SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {
   return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::computed);
 }
 
+Fibre::TabulatedSlopes Fibre::tabulated_state_slopes(double S, double q) const {
+  if (on_edges()) {
+    const auto [state, d] = fibre_state_slopes(S, q);
+    return {state.w, state.F, d.w_S, d.w_q, d.F_S, d.F_q};
+  }
+  const FibrePoints point({&S, 1}, {&q, 1});
+  TabulatedSlopes at{};
+  const std::array columns{&at.w, &at.F, &at.w_S, &at.w_q, &at.F_S, &at.F_q};
+  const double length = S - least_length_ + 1;
+  tables_->by_length().slopes(&length, &q, 1, columns);
+  complete(point, columns, WhereForceEnds::computed);
+  return at;
+}
+
 SlopeArrays Fibre::states_slopes_under_force(const FibrePoints& points) const {
   return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::left_out);
 }
@@ -296,7 +314,7 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
   for (std::size_t i = 0; i < n; ++i)
     if (w[i] > 0 && w[i] >= least && w[i] <= deepest_on_supports) active.push_back(i);
   // The force rises with friction, nearly in proportion. Less than the least friction looked for is none; more than the largest is told, as what makes
-  // a point suspect.
+  // a point suspect, up to the end of the tables: each state beyond would cost as much as hundreds.
   for (int round = 0; round < 12 && !active.empty(); ++round) {
     std::vector<double> w_now, q_now;
     for (const std::size_t i : active) {
@@ -317,7 +335,7 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
         const double next = q[i] + std::clamp(step, -longest, longest);
         const bool is_less = q[i] == least_q && next < least_q;
         q[i] = std::max(next, least_q);
-        if (!is_less && q[i] < largest_q) active[left++] = i;
+        if (!is_less && q[i] < table_q.greatest) active[left++] = i;
       } else if (q[i] < largest_q_on_supports) {
         q[i] += 0.25;  // where the branch has ended more friction makes a force
         active[left++] = i;

@@ -41,12 +41,19 @@ class Fibre {
   //             more for q beyond [-2, 4).
   FibreState state(double S, double q) const;
   FibreStateSlopes state_slopes(double S, double q) const;
+  // The same of a state whose deflection is known, to the error of that: what it saves is to look for it.
+  FibreStateSlopes state_slopes(double S, double q, double w) const;
   FibreState state_from_force(double w, double F) const;
 
   StateArrays states(const FibrePoints& points) const;
   SlopeArrays states_slopes(const FibrePoints& points) const;
   StateArrays tabulated_states(const FibrePoints& points) const;
   SlopeArrays tabulated_states_slopes(const FibrePoints& points) const;
+  // The one state of those, bit by bit, in memory of its own; on edges that of states_slopes.
+  struct TabulatedSlopes {
+    double w, F, w_S, w_q, F_S, F_q;
+  };
+  TabulatedSlopes tabulated_state_slopes(double S, double q) const;
   // The same but for the last of the branch: if not on edges, NaN within a cell of the table (0.024 of the way, 1/8 of q) from its end, where
   // hardly any force is left and each state costs 0.1 ms.
   SlopeArrays states_slopes_under_force(const FibrePoints& points) const;
@@ -63,8 +70,9 @@ class Fibre {
     void move_by(double dq);  // along the tangent, the deflection as it is; an error of dq²
   };
   BentState bent(double w, double q) const;
-  BentState drawn_in(double w, double q) const;     // the same in half the time: θ0 and Pn are NaN, unless w = 0
-  FibreState state_bent(double w, double q) const;  // with its energy
+  BentState drawn_in(double w, double q) const;       // the same in half the time: θ0 and Pn are NaN, unless w = 0
+  BentState with_contacts(BentState drawn_in) const;  // which adds them
+  FibreState state_bent(double w, double q) const;    // with its energy
   // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
   std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
 
@@ -112,6 +120,7 @@ class Fibre {
   std::vector<double> curvatures_at_midspan(const FibrePoints& points, std::span<const double> w) const;
 
  private:
+  bool is_straight(double S) const { return S == 1 && begins_straight(); }
   enum class WhereForceEnds { computed, left_out };
 
   std::vector<double> from_the_least(const FibrePoints& points) const;

@@ -42,6 +42,7 @@ HWY_INLINE LanesMask operator<(Lanes a, Lanes b) { return {hn::Lt(a.v, b.v)}; }
 HWY_INLINE LanesMask operator&(LanesMask a, LanesMask b) { return {hn::And(a.m, b.m)}; }
 HWY_INLINE Lanes sqrt(Lanes a) { return hn::Sqrt(a.v); }
 HWY_INLINE Lanes abs(Lanes a) { return hn::Abs(a.v); }
+HWY_INLINE Lanes floor(Lanes a) { return hn::Floor(a.v); }
 HWY_INLINE Lanes choose(LanesMask mask, Lanes yes, Lanes no) { return hn::IfThenElse(mask.m, yes.v, no.v); }
 
 HWY_INLINE Lanes reciprocal(Lanes a) { return 1.0 / a; }
@@ -49,6 +50,7 @@ HWY_INLINE Lanes reciprocal(Lanes a) { return 1.0 / a; }
 HWY_INLINE double reciprocal(double a) { return 1.0 / a; }
 HWY_INLINE double sqrt(double a) { return std::sqrt(a); }
 HWY_INLINE double abs(double a) { return std::abs(a); }
+HWY_INLINE double floor(double a) { return std::floor(a); }
 HWY_INLINE double choose(bool mask, double yes, double no) { return mask ? yes : no; }
 
 // Two reciprocals for one division: divisions are what a state costs.

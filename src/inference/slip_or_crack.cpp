@@ -11,6 +11,7 @@
 #include "fibre/state_table.h"
 #include "inference/verdict_coefficients.h"
 #include "numerics/elementary.h"
+#include "numerics/interpolant.h"
 #include "numerics/minimum.h"
 #include "numerics/polynomial.h"
 #include "numerics/root.h"

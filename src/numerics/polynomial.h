@@ -1,14 +1,9 @@
-// Polynomials: their values, slopes and roots, interpolants through values and slopes, series of Chebyshev's.
+// Polynomials: their values, slopes and roots, cubics through values and slopes, series of Chebyshev's.
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <utility>
-
-#include "numerics/elementary.h"
 
 namespace flexslip {
 
@@ -39,6 +34,22 @@ double series_at(const std::array<double, size>& c, double t) {
   double b2 = 0;
   for (std::size_t k = size - 1; k > 0; --k) b2 = std::exchange(b1, c[k] + 2 * t * b1 - b2);
   return c[0] + t * b1 - b2;
+}
+
+// The same at some points, four of them side by side.
+template <std::size_t size, std::size_t points>
+std::array<double, points> series_at(const std::array<double, size>& c, const std::array<double, points>& t) {
+  constexpr std::size_t width = 4;
+  static_assert(points % width == 0);
+  std::array<double, points> values;
+  for (std::size_t first = 0; first < points; first += width) {
+    std::array<double, width> twice, b1{}, b2{};
+    for (std::size_t i = 0; i < width; ++i) twice[i] = 2 * t[first + i];
+    for (std::size_t k = size - 1; k > 0; --k)
+      for (std::size_t i = 0; i < width; ++i) b2[i] = std::exchange(b1[i], c[k] + twice[i] * b1[i] - b2[i]);
+    for (std::size_t i = 0; i < width; ++i) values[first + i] = c[0] + t[first + i] * b1[i] - b2[i];
+  }
+  return values;
 }
 
 // The same with its derivative, which is Σ c_k k U_{k-1}.
@@ -121,68 +132,5 @@ int sign_changes(const std::array<double, size>& b) {
   for (std::size_t i = 0; i + 1 < size; ++i) changes += (b[i] < 0) != (b[i + 1] < 0);
   return changes;
 }
-
-// Polynomials through values at the Chebyshev-Lobatto points of [-1, 1].
-
-// Linear maps from values at the nodes -cos(π j/n), j = 0, ..., n, where n is the degree; these include both ends.
-template <std::size_t degree>
-class Interpolant {
- public:
-  using Values = std::array<double, degree + 1>;
-
-  static double node(std::size_t j) { return maps().node[j]; }
-  // Coefficients of T_0, ..., T_n.
-  static Values chebyshev(const Values& at_nodes) { return apply(maps().chebyshev, at_nodes); }
-  // Bernstein coefficients on [-1, 1]: the polynomial lies between the least and the greatest of them, and has no more zeros than
-  // they have changes of sign (Descartes).
-  static Values bernstein(const Values& at_nodes) { return apply(maps().bernstein, at_nodes); }
-
- private:
-  using Matrix = std::array<Values, degree + 1>;  // a row for each node: sums of many coefficients side by side
-
-  static Values apply(const Matrix& map, const Values& values) {
-    Values result{};
-    for (std::size_t j = 0; j <= degree; ++j)
-      for (std::size_t i = 0; i <= degree; ++i) result[i] += map[j][i] * values[j];
-    return result;
-  }
-
-  struct Maps {
-    Values node{};
-    Matrix chebyshev{};
-    Matrix bernstein{};
-
-    Maps() {
-      const auto real = [](std::size_t i) { return static_cast<double>(i); };
-      const auto binomial = [&](std::size_t n, std::size_t r) {
-        double value = 1;
-        for (std::size_t i = 1; i <= r; ++i) value = value * real(n - r + i) / real(i);
-        return value;
-      };
-      const auto half_at_end = [](std::size_t i) { return i == 0 || i == degree ? 0.5 : 1.0; };
-      // The cosine of π i/n, of an argument within a turn.
-      const auto cosine = [&](std::size_t i) {
-        return elementary::sine_and_cosine(std::numbers::pi * real(i % (2 * degree)) / real(degree)).cosine;
-      };
-      for (std::size_t j = 0; j <= degree; ++j) node[j] = -cosine(j);
-      for (std::size_t k = 0; k <= degree; ++k)
-        for (std::size_t j = 0; j <= degree; ++j)
-          chebyshev[j][k] = (k % 2 == 0 ? 2.0 : -2.0) / real(degree) * half_at_end(j) * half_at_end(k) * cosine(k * j);
-      // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full one.
-      for (std::size_t i = 0; i <= degree; ++i)
-        for (std::size_t k = 0; k <= degree; ++k) {
-          double from_k = 0;
-          for (std::size_t r = i + k > degree ? i + k - degree : 0; r <= std::min(i, k); ++r)
-            from_k += ((k - r) % 2 == 0 ? 1.0 : -1.0) * binomial(2 * k, 2 * r) * binomial(degree - k, i - r);
-          for (std::size_t j = 0; j <= degree; ++j) bernstein[j][i] += from_k / binomial(degree, i) * chebyshev[j][k];
-        }
-    }
-  };
-
-  static const Maps& maps() {
-    static const Maps value;
-    return value;
-  }
-};
 
 }  // namespace flexslip

@@ -1,4 +1,5 @@
 // A test on rollers, or of a specimen with a thickness: the first part of its way (shallow.h), folds, energies.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -184,6 +185,24 @@ TEST_CASE("rollers, oracle: forces through a programme are those of small steps"
       CAPTURE(stages[i]);
       CHECK(std::abs(history.path[i].F - stepped.force_at(stages[i])) < 2e-3);
     }
+  }
+}
+
+TEST_CASE("rollers, oracle: before the surface slides in, the steepest that is followed is that of a dense sample") {
+  for (const Supports& supports : {Supports{0, .002}, {0, .0136}, {0, .05}, {.02, .031}, {.078, .031}}) {
+    const Fibre fibre(supports);
+    constexpr double most = .9;
+    std::vector<double> w, q;
+    for (int i = 1; i <= 60; ++i)
+      for (int j = -6; j <= 6; ++j) {
+        w.push_back(3 * supports.half_depth * i / 60);
+        q.push_back(most * j / 6);
+      }
+    double moved = 0;
+    for (const double each : fibre.lengths_by_friction(w, q)) moved = std::max(moved, std::abs(each));
+    const double steepest = steepest_followed(fibre, most, 1.1);
+    CHECK(steepest <= (1 + 1e-12) / moved);  // on rollers, which roll on as it is drawn in, maybe less
+    if (supports.radius == 0) CHECK(steepest == to(1e-12, 1 / moved));
   }
 }
 

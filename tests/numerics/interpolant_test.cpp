@@ -1,3 +1,5 @@
+#include "numerics/interpolant.h"
+
 #include <cmath>
 
 #include <doctest/doctest.h>
