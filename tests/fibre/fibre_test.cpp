@@ -169,6 +169,31 @@ TEST_CASE("fibre, definition: many states are the same as one by one") {
   }
 }
 
+TEST_CASE(
+    "fibre, definition: a single tabulated state is that of many, bit by bit, and one of a known deflection that of "
+    "its length") {
+  for (const Supports& supports : {Supports{0, 0}, {0, .0157}, {.008, .0157}}) {
+    const Fibre fibre(supports);
+    std::vector<double> S, q;
+    for (int i = 0; i < 200; ++i) {
+      S.push_back(1.0002 + 0.003 * i);
+      q.push_back(-0.5 + 0.012 * i);
+    }
+    const FibrePoints points(S, q);
+    const SlopeArrays many = fibre.on_edges() ? fibre.states_slopes(points) : fibre.tabulated_states_slopes(points);
+    const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
+    for (std::size_t i = 0; i < S.size(); ++i) {
+      CAPTURE(S[i]);
+      const auto one = fibre.tabulated_state_slopes(S[i], q[i]);
+      CHECK((same(one.w, many.w[i]) && same(one.F, many.F[i]) && same(one.w_S, many.w_S[i])));
+      CHECK((same(one.w_q, many.w_q[i]) && same(one.F_S, many.F_S[i]) && same(one.F_q, many.F_q[i])));
+      const auto [state, d] = fibre.state_slopes(S[i], q[i]);
+      const auto known = fibre.state_slopes(S[i], q[i], state.w);
+      CHECK((same(known.state.F, state.F) && same(known.state.U, state.U) && same(known.slopes.Pn_S, d.Pn_S)));
+    }
+  }
+}
+
 TEST_CASE("fibre, bad input: supports that leave no span") {
   CHECK_THROWS_AS(Fibre({0.4, 0.1}), std::invalid_argument);
   CHECK_THROWS_AS(Fibre({-0.1, 0.1}), std::invalid_argument);
