@@ -405,7 +405,16 @@ double SupportedTables::beyond(double S, double q) const {
 CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::span<const double> q) const {
   std::vector<double> S;
   for (const double way : x) S.push_back(least_length(supports) + way * way);
-  CellTable::Pair pair{deflections(S, q, std::vector<double>(S.size(), not_a_number)), {}};
+  const std::vector<double> unknown(S.size(), not_a_number);
+  // Towards the end of the branch each state is sought for long: of a cell the farthest come first, and without one of these it has nothing.
+  constexpr std::size_t row = CellTable::nodes_across;
+  if (x.size() > row) {
+    const std::vector<double> farthest =
+        deflections(std::span(S).first(row), q.first(row), std::vector<double>(row, not_a_number));
+    if (std::any_of(farthest.begin(), farthest.end(), [](double w) { return std::isnan(w); }))
+      return {unknown, unknown};
+  }
+  CellTable::Pair pair{deflections(S, q, unknown), {}};
   const PairSlopes at = sliding(pair.first, q);
   for (std::size_t i = 0; i < x.size(); ++i) {
     pair.first[i] = (pair.first[i] - least_w()) / x[i];
