@@ -10,6 +10,7 @@
 #include "bending_test/history.h"
 #include "contact/over_rollers.h"
 #include "fibre/elastica.h"
+#include "numerics/effort.h"
 #include "numerics/elementary.h"
 #include "tests/approximately.h"
 #include "tests/fig_8.h"
@@ -307,6 +308,27 @@ TEST_CASE("design, contract: what is out of its domain is refused with its value
   CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, -1}); }).find("-1") != std::string::npos);
   CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, infinity}); }).find("inf") != std::string::npos);
   CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, 1e-30}); }).find("readings") != std::string::npos);
+}
+
+TEST_CASE(
+    "design, limit: a friction table that ends a hair beyond the span is that of its last value, for no more work") {
+  const Fibre thick(Supports{0, 0.0136});
+  const Design constant{Friction::constant(0.5), {90, thick}, 0.4, 2e-3};
+  const auto effort_of = [](const Design& design, DesignOutcome& outcome) {
+    effort_spent.clear();
+    outcome = outcome_of(design);
+    return effort_spent.spent();
+  };
+  DesignOutcome expected{}, found{};
+  outcome_of(constant);  // builds the tables
+  const auto work = effort_of(constant, expected);
+  for (const double beyond : {1e-14, 1e-9, 1e-6, 1e-3}) {
+    CAPTURE(beyond);
+    const Design design{Friction::table({{1.0, 1 + beyond}, {0.5, 0.5}}), {90, thick}, 0.4, 2e-3};
+    CHECK(effort_of(design, found) < 4 * work + 20'000);  // of each halving of the way to its knots
+    CHECK(found.work == to(1e-9, expected.work));
+    CHECK(found.friction_heat == to(1e-9, expected.friction_heat));
+  }
 }
 
 }  // namespace flexslip

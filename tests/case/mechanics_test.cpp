@@ -168,6 +168,21 @@ bool begins(const std::string& text, std::string_view part) { return text.find(p
 
 }  // namespace
 
+TEST_CASE(
+    "mechanics: a specimen thinner than what rounding leaves of its sliding is refused, unless friction acts at its "
+    "axis (limit)") {
+  const auto fibre_of_diameter = [](const std::string& diameter, const std::string& rig) {
+    const Test test = read_case("[specimen]\ndiameter = \"" + diameter +
+                                    "\"\nmodulus = \"30 GPa\"\n[rig]\nspan = \"1 mm\"\nstiffness = \"inf\"\n" + rig,
+                                "case.toml");
+    return fibre_of(test, scales_of(test)).supports().half_depth;
+  };
+  CHECK(fibre_of_diameter("2.1 nm", "") == to(1e-9, 1.05e-6));
+  CHECK(message_of([&] { fibre_of_diameter("1.9 nm", ""); }).find("of at least 2 nm, found 1.9 nm") !=
+        std::string::npos);
+  CHECK(fibre_of_diameter("1.9 nm", "friction_at = \"axis\"\n") == 0);
+}
+
 TEST_CASE("identity: friction stated at a reference is the same friction stated at the span, along a whole test") {
   constexpr double span = 1278e-6, reference = 1.4e-3;
   for (const double drift : {800.0, -300.0}) {
