@@ -164,10 +164,10 @@ class Fit(FitFields):
 
         Parameters
         ----------
-        figure : {"force", "profile", "wavelengths", "teeth", "loops", "boxes"}
-            Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds; slide or stick between the
-            drops. Of a test that unloads: its force there and back; its loops in length and friction, and friction of both directions below. Those that
-            the report has: without slips there are no teeth. Of a record that no friction explains: "record".
+        figure : {"force", "profile", "wavelengths", "loops", "boxes"}
+            Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds. Of a test that unloads:
+            its force there and back; its loops in length and friction, and friction of both directions below. Those that the report has. Of a record that
+            no friction explains: "record".
         ax : matplotlib Axes, optional
             Where to draw: as many as the figure has panels ("force" has two; "boxes" one and one for each of up to four loops), or one for the first of them.
 

@@ -14,8 +14,8 @@ namespace {
 // That of an answer's unit; of what has none, that of plain numbers.
 const Kind& kind_of(const std::string& unit) {
   if (!unit.empty())
-    for (const Kind* kind : {&kind::length, &kind::inverse_length, &kind::force, &kind::stiffness, &kind::compliance,
-                             &kind::pressure, &kind::bending_stiffness, &kind::energy, &kind::time})
+    for (const Kind* kind : {&kind::length, &kind::inverse_length, &kind::force, &kind::stiffness, &kind::pressure,
+                             &kind::bending_stiffness, &kind::energy, &kind::time})
       if (parse_unit(unit).dimension == kind->dimension) return *kind;
   return kind::number;
 }

@@ -64,7 +64,7 @@ class Figures(unittest.TestCase):
                     self.assertTrue(any(np.isfinite(line.get_xdata()).any() for ax in each for line in ax.lines))
                     plt.close(each[0].figure)
                     names.append(name)
-        for name in ("simulated teeth", "cyclic loops", "cyclic boxes", "equilibrium", "region", "surface with friction"):
+        for name in ("cyclic loops", "cyclic boxes", "equilibrium", "region", "surface with friction"):
             self.assertIn(name, names)
 
     def test_outside_matplotlib_finds_every_font(self):
@@ -81,7 +81,7 @@ class Figures(unittest.TestCase):
                 of_report = {path.stem for path in pathlib.Path(folder, "figures").glob("*.gp")}
             self.assertEqual({figure["name"] for figure in fitted(name)._part("figures")}, of_report, name)
 
-    def test_identity_what_is_drawn_of_teeth_and_loops_is_the_data_of_the_report(self):
+    def test_identity_what_is_drawn_of_loops_is_the_data_of_the_report(self):
         fit = fitted("cyclic")
         figures = {figure["name"]: figure for figure in fit._part("figures")}
         data = {name: figure["data"] for name, figure in figures.items()}
@@ -91,10 +91,6 @@ class Figures(unittest.TestCase):
             self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
         axes = fit.plot("boxes")
         self.assertEqual(len(axes), 1 + len(fit.cycles.loops))
-        fit = fitted("simulated")
-        slides = sum(tooth.verdict == "sliding" for tooth in fit.teeth.teeth)
-        points = [line for line in fit.plot("teeth").lines if line.get_label() == "slides"]
-        self.assertEqual(np.isfinite(points[0].get_xdata()).sum(), slides)
 
     def test_identity_ranges_titles_and_colours_are_those_of_the_report(self):
         fit = fitted("simulated")

@@ -42,20 +42,6 @@ Fields<Slip> slip_fields() {
               "length between the supports after the slip: the span and what was pulled in", &Slip::S_after);
 }
 
-Fields<Tooth> tooth_fields() {
-  return Fields<Tooth>()
-      .row("first_row", "first row of the rise in the file", &Tooth::first)
-      .row("last_row", "last row of the rise in the file", [](const Tooth& tooth) { return tooth.last - 1; })
-      .estimate("slope", kind::stiffness, "mean slope of force over stage position in the rise", &Tooth::slope)
-      .estimate("position", kind::number,
-                "position p of the slope between sliding (0) and sticking (1); its error from scatter",
-                &Tooth::position)
-      .number("position_systematic", "error of position from EI, contact and load train, common to all rises",
-              &Tooth::position_systematic)
-      .words("verdict", "what the specimen does during the rise: sliding, as_if_stuck or undecided",
-             [](const Tooth& tooth) { return name_of(tooth.verdict); });
-}
-
 Fields<DropOf> drop_fields() {
   using D = const DropOf&;
   const auto before = [](std::vector<double> Record::*column) {
@@ -125,23 +111,6 @@ Fields<SlipOrCrack> slip_or_crack_fields() {
              [](const SlipOrCrack& judged) { return judged.features.rises; })
       .count("stiffer_rises", "number of judged rises that grow stiffer towards their end",
              &SlipOrCrack::stiffer_rises);
-}
-
-Fields<Teeth> teeth_fields() {
-  const auto if_found = [](auto part) {
-    return [part](const Teeth& teeth) {
-      return teeth.compliance.is_found() ? std::optional(teeth.compliance.*part) : std::nullopt;
-    };
-  };
-  return Fields<Teeth>()
-      .estimate(
-          "compliance", kind::compliance,
-          "compliance of both supports together that would explain the slopes if the specimen were stuck",
-          if_found(&SupportCompliance::estimate),
-          Fields<Teeth>().number("p_value", "probability of slopes that scatter at least as much about the compliance",
-                                 if_found(&SupportCompliance::p_value)))
-      .count("too_short", "number of rises with fewer than four rows", &Teeth::too_short)
-      .list("teeth", "rises between drops", tooth_fields(), &Teeth::teeth);
 }
 
 std::vector<SuspectPoint> suspects_of(T test) {
@@ -785,8 +754,6 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "slips", "drops that can be slips at the stated bending stiffness, read off at that of the fit",
           slips_fields(), [](T test) -> const auto& { return test.analysis; })
-      .group("teeth", "whether the specimen sticks or slides between the drops; null if that was not asked",
-             teeth_fields(), [](T test) { return is_fitted(test) ? test.analysis.teeth : std::nullopt; })
       .list("suspects", "points that need implausibly high friction, at the stated bending stiffness", suspect_fields(),
             suspects_of)
       .only_where(is_fitted)

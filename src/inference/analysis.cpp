@@ -306,8 +306,6 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.slip_summary = summarise(analysis.slips);
   stages.enter("slips or cracks", 0.06);
   analysis.slip_or_crack = slip_or_crack(analysis.reduced, analysis.rig, analysis.drops.drops);
-  if (analysis.drops.drops.size() >= 2 && std::isfinite(analysis.rig.stiffness))
-    analysis.teeth = judge_teeth(analysis.reduced, analysis.rig, errors, analysis.drops.drops, options.teeth);
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
   analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);

@@ -16,7 +16,6 @@
 #include "inference/fit.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
-#include "inference/teeth.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -72,8 +71,7 @@ struct AnalysisOptions {
   DropOptions drops;
   double suspect_limit = 1.0;       // [1] friction above it is implausible
   double most_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
-  ToothOptions teeth{};
-  bool check_stability = false;  // fits once more, see check_stability
+  bool check_stability = false;     // fits once more, see check_stability
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
@@ -134,7 +132,6 @@ struct TestAnalysis {
   double most_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   SlipOrCrack slip_or_crack{};
-  std::optional<Teeth> teeth{};  // between the drops; none under displacement control, or with fewer than two
   SuspectReport suspects{};
   FrictionFit fit{};
   FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05

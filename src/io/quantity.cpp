@@ -497,13 +497,12 @@ std::string_view best_unit(double magnitude, const Kind& kind) {
 const Kind& in_inches(const Kind& kind) {
   static constexpr std::array<std::string_view, 3> pressure{"psi", "ksi", "Msi"};
   static constexpr std::array<std::string_view, 1> length{"in"}, inverse_length{"1/in"}, force{"lbf"},
-      stiffness{"lbf/in"}, compliance{"in/lbf"}, bending_stiffness{"lbf in^2"}, area_moment{"in^4"}, energy{"lbf in"};
-  static constexpr std::array<Kind, 9> kinds{
+      stiffness{"lbf/in"}, bending_stiffness{"lbf in^2"}, area_moment{"in^4"}, energy{"lbf in"};
+  static constexpr std::array<Kind, 8> kinds{
       Kind{kind::length.name, kind::length.dimension, length, "0.05 in"},
       Kind{kind::inverse_length.name, kind::inverse_length.dimension, inverse_length, "5 1/in"},
       Kind{kind::force.name, kind::force.dimension, force, "0.003 lbf"},
       Kind{kind::stiffness.name, kind::stiffness.dimension, stiffness, "0.5 lbf/in"},
-      Kind{kind::compliance.name, kind::compliance.dimension, compliance, "2 in/lbf"},
       Kind{kind::pressure.name, kind::pressure.dimension, pressure, "4.3 Msi"},
       Kind{kind::bending_stiffness.name, kind::bending_stiffness.dimension, bending_stiffness, "7e-10 lbf in^2"},
       Kind{kind::area_moment.name, kind::area_moment.dimension, area_moment, "2e-13 in^4"},

@@ -49,7 +49,6 @@ inline constexpr std::array<std::string_view, 4> length{"nm", "um", "mm", "m"};
 inline constexpr std::array<std::string_view, 3> inverse_length{"1/m", "1/mm", "1/um"};
 inline constexpr std::array<std::string_view, 5> force{"nN", "uN", "mN", "N", "kN"};
 inline constexpr std::array<std::string_view, 5> stiffness{"uN/m", "mN/m", "N/m", "N/mm", "kN/mm"};
-inline constexpr std::array<std::string_view, 4> compliance{"nm/N", "um/N", "mm/N", "m/N"};
 inline constexpr std::array<std::string_view, 4> pressure{"Pa", "kPa", "MPa", "GPa"};
 inline constexpr std::array<std::string_view, 6> bending_stiffness{"nN mm^2", "uN mm^2", "mN mm^2",
                                                                    "N mm^2",  "kN mm^2", "N m^2"};
@@ -63,7 +62,6 @@ inline constexpr Kind length{"a length", {.metre = 1}, shown_in::length, "1278 u
 inline constexpr Kind inverse_length{"an inverse length", {.metre = -1}, shown_in::inverse_length, "0.2 1/mm"};
 inline constexpr Kind force{"a force", {1, 1, -2, 0}, shown_in::force, "12 mN"};
 inline constexpr Kind stiffness{"a stiffness", {0, 1, -2, 0}, shown_in::stiffness, "90.65 N/m"};
-inline constexpr Kind compliance{"a compliance", {0, -1, 2, 0}, shown_in::compliance, "3 um/mN"};
 inline constexpr Kind pressure{"a modulus", {-1, 1, -2, 0}, shown_in::pressure, "29.6 GPa"};
 inline constexpr Kind bending_stiffness{
     "a bending stiffness", {3, 1, -2, 0}, shown_in::bending_stiffness, "2.1e-9 N m^2"};

@@ -29,10 +29,6 @@ Plot profile_figure(const FittedTest& test);
 Plot wavelength_figure(const FittedTest& test);
 bool has_waves(const FittedTest& test);  // is one claimed, or would any of those scanned add to the evidence?
 
-// The position of every tooth between sliding and sticking, along the specimen. Domain: has_judged_teeth.
-Plot teeth_figure(const FittedTest& test);
-bool has_judged_teeth(const FittedTest& test);  // is a verdict known of two at least?
-
 // A record of which there is no fit, to look at: force against deflection, with what the bending stiffness stated would give with small
 // deflections and without friction. Domain: analysis.status is not_explained.
 Plot record_figure(const FittedTest& test);

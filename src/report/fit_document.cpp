@@ -234,32 +234,6 @@ Chapter snaps_chapter(T test) {
                    {"after", "length_after"}})}};
 }
 
-Chapter teeth_chapter(T test) {
-  const std::string title = "Stick or slide";
-  if (!test.analysis.teeth)
-    return {title, {std::string("There are no rises to judge: fewer than two drops, or no load train is stated.")}};
-  Chapter chapter{
-      title,
-      {numbers(test, "teeth"),
-       fmt::format("A rise is called as if stuck where less than {:.0f} % of the stage's motion is pulled in, "
-                   "and sliding where more is, at {:.0f} %. A rise that is as if stuck need not be stuck: "
-                   "sliding is as steep where friction rises steeply. Just after a reversal, where the "
-                   "specimen must stick, the authors' tests pull in 8 to 35 % of the stage's motion. "
-                   "Supports that yield imitate sliding, as does friction that builds up, in rises that "
-                   "pull in less than three times its length.",
-                   100 * test.provenance.options.teeth.min_share, 100 * tooth_confidence)}};
-  if (has_judged_teeth(test)) chapter.blocks.emplace_back(picture(teeth_figure, test));
-  chapter.blocks.emplace_back(listed(test, "teeth.teeth",
-                                     {{.heading = "Rows", .field = "first_row", .last = "last_row"},
-                                      {"Slope", "slope"},
-                                      {"Position p", "position"},
-                                      {"common error", "position_systematic", 2},
-                                      {.heading = "Verdict",
-                                       .field = "verdict",
-                                       .in_words = {{"sliding", "slides"}, {"as_if_stuck", "as if stuck"}}}}));
-  return chapter;
-}
-
 // ---- Loading and unloading
 
 // What friction that builds up after a reversal leaves of the waves and the roughness as fitted; "" where none is told.
@@ -396,7 +370,6 @@ std::vector<Chapter> document_of(const FittedTest& test) {
           checks_chapter(test, answer),
           drops_chapter(test, answer),
           trusted ? snaps_chapter(test) : Chapter{},
-          trusted ? teeth_chapter(test) : Chapter{},
           test.cycles ? cycles_chapter(test) : Chapter{},
           trusted ? Chapter{test.cycles ? "Where the work of this loading went" : "Where the work went",
                             {caution_of(test, answer), open_numbers(test, "energy")}}

@@ -263,64 +263,6 @@ Plot wavelength_figure(const FittedTest& test) {
                   .marks = std::move(marks)}}};
 }
 
-bool has_judged_teeth(const FittedTest& test) {
-  const auto& teeth = test.analysis.teeth;
-  return teeth && std::count_if(teeth->teeth.begin(), teeth->teeth.end(),
-                                [](const Tooth& tooth) { return tooth.verdict != ToothVerdict::undecided; }) > 1;
-}
-
-Plot teeth_figure(const FittedTest& test) {
-  const Slid slid = slid_of(test);
-  PlotTable teeth{"teeth",
-                  {slid.column(), slid.unit.column("begin"), slid.unit.column("end"), "position p", "low by noise",
-                   "high by noise", "low by what is common", "high by what is common", "p if compliant",
-                   "verdict (0 sliding; 1 as if stuck; 2 undecided)"}};
-  double lowest = -0.2, highest = 1.15;
-  for (const Tooth& tooth : test.analysis.teeth.value().teeth) {
-    if (!std::isfinite(tooth.S_begin) || !std::isfinite(tooth.S_end)) continue;
-    const double p = tooth.position.value, noise = two_sided_95 * tooth.position.standard_error,
-                 common = two_sided_95 * tooth.position_systematic, all = std::hypot(noise, common) + 0.05;
-    lowest = std::min(lowest, p - all);
-    highest = std::max(highest, p + all);
-    const double begin = slid(tooth.S_begin), end = slid(tooth.S_end);
-    teeth.rows.push_back({0.5 * (begin + end), begin, end, p, p - noise, p + noise, p - common, p + common,
-                          tooth.compliant_position, static_cast<double>(tooth.verdict)});
-  }
-  const double stuck = 1 - test.provenance.options.teeth.min_share;
-  const auto verdict = [](ToothVerdict which, Symbol symbol, Colour colour, const char* words) {
-    return Mark{
-        Mark::points, "teeth", {0, 3}, styles::mark(symbol, colour, 3.5), words, {{9, static_cast<double>(which)}}};
-  };
-  return {.name = "teeth",
-          .title = "Stick or slide between the drops: " + test.name,
-          .caption =
-              "Every rise of the force between two drops, on a scale from sliding at constant friction (0) to sticking "
-              "(1). Below 1 the specimen slides in; below 0 friction falls at the same time. Thin bars: noise, 95 %. "
-              "Wide grey bars: stiffness and contact, 95 %, common to all rises. Orange: not distinguishable from "
-              "sticking; sliding against steeply rising friction looks the same. Crosses: a stuck specimen on supports "
-              "that give way by the one compliance that fits best.",
-          .width = two_columns,
-          .height = 78,
-          .data = {std::move(teeth)},
-          .panels = {{.x = {slid_label, slid.unit.unit},
-                      .y = {"Position *p* (0: sliding, 1: stuck)", "", std::max(lowest, -1.5), std::min(highest, 2.0)},
-                      .marks = {rectangle(-edge, stuck, edge, edge, styles::fill(colours::orange, 0.16)),
-                                level(1, styles::zero),
-                                level(0, styles::zero),
-                                label(-edge, stuck, "as if stuck"),
-                                {Mark::bars, "teeth", {0, 6, 7}, {colours::silver, 4}, "95 %: common to all"},
-                                {Mark::bars, "teeth", {0, 4, 5}, {colours::black, 0.8}, "95 %: noise"},
-                                {Mark::spans, "teeth", {1, 2, 3}, {colours::grey, 0.8}},
-                                verdict(ToothVerdict::sliding, Symbol::disc, colours::blue, "slides"),
-                                verdict(ToothVerdict::as_if_stuck, Symbol::square, colours::vermillion, "as if stuck"),
-                                verdict(ToothVerdict::undecided, Symbol::circle, colours::black, "undecided"),
-                                {Mark::points,
-                                 "teeth",
-                                 {0, 8},
-                                 styles::mark(Symbol::cross, colours::green, 3, 0.8),
-                                 "if stuck, compliant"}}}}};
-}
-
 Plot record_figure(const FittedTest& test) {
   const TestAnalysis& analysis = test.analysis;
   const Record& record = analysis.record;

@@ -54,7 +54,7 @@ struct Shown {
   std::vector<std::pair<std::string_view, std::string_view>> in_words{};  // what is shown for words of the answer
 };
 
-// A list in an answer, a row an entry; "teeth.teeth" lies in a group. A cell is empty where there is nothing.
+// A list in an answer, a row an entry; "cycles.loops" lies in a group. A cell is empty where there is nothing.
 // Fails:      std::invalid_argument for a list or a field that is not described, or is none of these.
 PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, std::string_view list,
                    const std::vector<Shown>& columns);

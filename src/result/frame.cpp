@@ -28,8 +28,6 @@ constexpr std::array quantities{
     Quantity{kind::energy.dimension, "J", "EI/L", [](double x, const Scales& s) { return s.physical_energy(x); }},
     Quantity{kind::stiffness.dimension, "N/m", "EI/L^3",
              [](double x, const Scales& s) { return s.physical_stiffness(x); }},
-    Quantity{kind::compliance.dimension, "m/N", "L^3/EI",
-             [](double x, const Scales& s) { return x / s.stiffness_unit(); }},
     Quantity{kind::pressure.dimension, "Pa", "EI/L^4",
              [](double x, const Scales& s) { return x * s.force_unit() / (s.span() * s.span()); }},
     Quantity{kind::bending_stiffness.dimension, "N m^2", "EI",

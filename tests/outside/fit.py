@@ -32,7 +32,7 @@ ALWAYS = {"mu0", "drift", "roughness", "correlation_length", "bending_stiffness"
 WAVE = {"amplitude", "wavelength", "phase", "phase_at_middle"}
 CRACKED = SOURCE / "../shared/data/cracked"
 SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
-FIGURES = ["force", "profile", "wavelengths", "teeth"]
+FIGURES = ["force", "profile", "wavelengths"]
 
 
 class OddButLegal(InFolder):
