@@ -21,12 +21,12 @@ from ._rollers import RollerStates, elastica_on_rollers, elastica_on_rollers_inv
 from ._simulate import Profile, Simulation, friction_profile, simulate
 from ._states import Details, Inverse, Slopes, States, elastica, elastica_details, elastica_inverse, elastica_slopes
 from ._surface import Surface, surface
-from ._sweep import Sweep, sweep
+from ._sweep import sweep
 
 __all__ = [
     "Answer", "Campaign", "Case", "Description", "Design", "DesignMap", "Details", "Draws", "Equilibrium", "EquilibriumRegion", "Estimate",
     "Export", "Fit", "FolderError", "ForbiddenFileError", "InputError", "Inverse", "MissingFileError", "Modulus", "Profile", "Quantity",
-    "RollerStates", "Simulation", "Slopes", "States", "Surface", "Sweep", "Table", "campaign", "design", "elastica", "elastica_details",
+    "RollerStates", "Simulation", "Slopes", "States", "Surface", "Table", "campaign", "design", "elastica", "elastica_details",
     "elastica_inverse", "elastica_on_rollers", "elastica_on_rollers_inverse", "elastica_slopes", "equilibrium", "equilibrium_region", "fit",
     "friction_profile", "keys", "modulus", "read", "simulate", "surface", "sweep",
 ]

@@ -17,7 +17,6 @@ EquilibriumFields = _made("equilibrium", "equilibrium --json", "EquilibriumField
 EquilibriumRegionFields = _made("equilibrium_region", "equilibrium --region --json", "EquilibriumRegionFields", "All equilibria.")
 ModulusFields = _made("modulus", "modulus --json", "ModulusFields", "The numbers of the bending standards.")
 SurfaceFields = _made("surface", "surface --json", "SurfaceFields", "What a height profile says of its surface.")
-SweepFields = _made("sweep", "sweep --json, merge --json", "SweepFields", "What came of a sweep.")
 ExportFields = _made("export", "read --json", "ExportFields", "What an export holds.")
 
 globals().update({made.__name__: made for made in made_classes()})

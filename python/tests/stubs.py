@@ -38,7 +38,7 @@ forces: np.float64 = curve.curve.force[0]
 modulus = flexslip.modulus("test.csv", span="64 mm", window=(0.1, 0.3)).modulus
 pascals: float = modulus.value
 slope = flexslip.surface("trace.csv", wavelength=["10 um"]).rms_slope
-designs: int | None = flexslip.sweep("case.toml", axes={"mu0": [0.3, 0.5]}).rows
+designs: int = len(flexslip.sweep("case.toml", axes={"mu0": [0.3, 0.5]}))
 on_rollers = flexslip.elastica_on_rollers([0.1], 0.3, roller_radius=0.05)
 for each in flexslip.campaign("tests").tests:
     print(each.name, each.category)

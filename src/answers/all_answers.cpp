@@ -49,8 +49,7 @@ std::vector<Description> sweep_columns() {
   std::vector<Description> columns;
   for (const DesignParameter& known : design_parameters())
     columns.push_back({known.name, Shape::number, known.kind(), known.description});
-  for (Description& outcome : map_fields({}).descriptions()) columns.push_back(std::move(outcome));
-  std::erase_if(columns, [](const Description& column) { return column.name == "stiffness_margin"; });
+  for (Description& outcome : point_fields({}).descriptions()) columns.push_back(std::move(outcome));
   return columns;
 }
 
@@ -108,8 +107,7 @@ std::vector<AnswerDescription> all_answers() {
       {"design --over --json", "planned tests, beside the parameters that are varied", false,
        design_map_fields({}).descriptions()},
       {"design --over", "planned tests, beside the parameters that are varied", true, map_fields({}).descriptions()},
-      {"sweep, HDF5", "/inputs, one for each axis, and /outcomes", true, sweep_columns()},
-      {"sweep --json, merge --json", "outcome of a sweep", false, sweep_fields().descriptions()},
+      {"sweep", "designs of a sweep, of the parameters those that are varied", true, sweep_columns()},
       {"state --json", "states on edges", false, states_fields(no_state, edge_state_fields(true)).descriptions()},
       {"state --json on rollers", "states on rollers, or of a thick specimen", false,
        states_fields(no_state, roller_state_fields()).descriptions()},

@@ -15,7 +15,7 @@ Fields<CaseKey> key_fields();
 struct AnswerDescription {
   std::string_view command;  // "fit --json"
   std::string_view what;     // in a few words
-  bool is_table;             // CSV or HDF5: of columns; else JSON, of keys
+  bool is_table;             // CSV: of columns; else JSON, of keys
   std::vector<Description> entries;
 };
 

@@ -1,4 +1,4 @@
-// The commands of the program, one file each; merge with sweep.
+// The commands of the program, one file each.
 //
 // A command reads its arguments in its callback. It throws an InputError for bad input, and CalculationFailed, once what
 // could be computed is written, if that is not all; main() turns these into messages and exit codes.
@@ -16,7 +16,7 @@ struct CalculationFailed : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Exit code 130: what was done is kept.
+// Exit code 130.
 struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -31,7 +31,6 @@ void add_fit_command(CLI::App& app);
 void add_read_command(CLI::App& app);
 void add_campaign_command(CLI::App& app);
 void add_sweep_command(CLI::App& app);
-void add_merge_command(CLI::App& app);
 void add_modulus_command(CLI::App& app);
 void add_studio_command(CLI::App& app);
 void add_keys_command(CLI::App& app);

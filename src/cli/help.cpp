@@ -35,7 +35,6 @@ const std::vector<Everyday>& everyday() {
         "--json"}},
       {"design", {"--over", "--figure", "--set", "--output", "--json"}},
       {"simulate", {"--output", "--noise", "--seed", "--figure", "--set", "--json"}},
-      {"sweep", {"--output", "--threads", "--set", "--shard", "--slurm"}},
       {"state", {"--S", "--w", "--q", "--roller-radius", "--thickness", "--output", "--json"}}};
   return commands;
 }

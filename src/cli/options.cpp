@@ -198,9 +198,13 @@ void add_output_option(CLI::App& command, std::string& path) {
   add_output_file(command, "-o,--output", path, "Write to this file; - is standard output")->capture_default_str();
 }
 
+void add_quiet_flag(CLI::App& command, Output& output) {
+  command.add_flag("--quiet", output.quiet, "Write no remarks on standard error, only errors");
+}
+
 void add_output_flags(CLI::App& command, Output& output, const std::string& json) {
   command.add_flag("--json", output.json, json);
-  command.add_flag("--quiet", output.quiet, "Write no remarks on standard error, only errors");
+  add_quiet_flag(command, output);
 }
 
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise) {

@@ -134,7 +134,8 @@ CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::s
                              const std::string& meaning);
 void add_output_option(CLI::App& command, std::string& path);
 
-// Gives a command the options --json, of this meaning, and --quiet; and with --output, where without --json it writes `otherwise`.
+// Gives a command the option --quiet; with --json, of this meaning; and with --output, where without --json it writes `otherwise`.
+void add_quiet_flag(CLI::App& command, Output& output);
 void add_output_flags(CLI::App& command, Output& output, const std::string& json);
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise = "text");
 

@@ -131,12 +131,6 @@ std::uint64_t points_of(const DesignAxis& axis) {
   return range ? range->points : std::get<AxisValues>(axis.values).size();
 }
 
-std::vector<double> values_of(const DesignAxis& axis) {
-  std::vector<double> values(points_of(axis));
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = grid_value(axis, i);
-  return values;
-}
-
 std::vector<double> grid_inputs(const std::vector<DesignAxis>& axes, std::uint64_t row) {
   std::vector<double> inputs(axes.size());
   for (std::size_t i = inputs.size(); i-- > 0;) {
@@ -145,6 +139,11 @@ std::vector<double> grid_inputs(const std::vector<DesignAxis>& axes, std::uint64
     row /= points;
   }
   return inputs;
+}
+
+Test with_values(Test test, const std::vector<DesignAxis>& axes, const std::vector<double>& values) {
+  for (std::size_t i = 0; i < axes.size(); ++i) set(test, axes[i].parameter.name, values.at(i));
+  return test;
 }
 
 }  // namespace flexslip

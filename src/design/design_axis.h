@@ -70,12 +70,15 @@ struct DesignAxis {
 // Method:     linear; or halving the ratio of the ends by square roots until it is linear to rounding.
 double value_at(const AxisRange& range, double t);
 
-// How many values an axis of a grid has, and all of them, in their order.
+// How many values an axis of a grid has.
 std::uint64_t points_of(const DesignAxis& axis);
-std::vector<double> values_of(const DesignAxis& axis);
 
 // The numbers of a row of a grid, one for each axis: SI or reduced, as the case. The last axis changes fastest.
 // Domain:     at least one axis, row below the product of their points.
 std::vector<double> grid_inputs(const std::vector<DesignAxis>& axes, std::uint64_t row);
+
+// The test with a value for each axis.
+// Fails:      as set.
+Test with_values(Test test, const std::vector<DesignAxis>& axes, const std::vector<double>& values);
 
 }  // namespace flexslip

@@ -257,7 +257,7 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
     throw InputError({.field = "--over",
                       .expected = fmt::format("at most {} designs", max_designs),
                       .found = std::to_string(designs),
-                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk"});
+                      .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk holds"});
   return axes;
 }
 
@@ -267,9 +267,8 @@ std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis
   std::vector<MapPoint> points(count);
   for_each_index(count, threads, [&](std::size_t i) {
     MapPoint& point = points[i];
-    Test there = input;
     point.values = grid_inputs(axes, i);
-    for (std::size_t k = 0; k < axes.size(); ++k) set(there, axes[k].parameter.name, point.values[k]);
+    const Test there = with_values(input, axes, point.values);
     point.result = result_of(there);
     point.margin =
         point.result.outcome ? stiffness_margin(design_of(there).design, *point.result.outcome) : not_a_number;

@@ -61,7 +61,7 @@ struct DesignResult {
 // What a number is too extreme for is not computable, whatever part of the computation finds out.
 DesignResult result_of(const Test& loading);
 
-// The numbers of an outcome, each described once: the same names in CSV, JSON and HDF5. None where there is no outcome.
+// The numbers of an outcome, each described once: the same names in CSV and JSON. None where there is no outcome.
 const Fields<DesignResult>& outcome_fields();
 
 // A range from "stiffness=10 N/m:1000 N/m:50": name, ends and how many values. They are evenly spaced, in the logarithm where the ends
@@ -73,9 +73,13 @@ DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usua
 // Fails:      InputError as map_axis; for more axes, the same parameter twice, and more than a million designs.
 std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::string>& texts);
 
-struct MapPoint {
+// A design of a map or a sweep.
+struct DesignPoint {
   std::vector<double> values;  // of the parameters of the axes
   DesignResult result;
+};
+
+struct MapPoint : DesignPoint {
   double margin;  // [1] as stiffness_margin; above 0 the specimen does not snap; NaN where there is no outcome
 };
 

@@ -11,7 +11,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -68,13 +67,6 @@ fs::path new_file_beside(const fs::path& file, mode_t mode) {
     close(descriptor);
     return name;
   }
-}
-
-bool is_open_as(int descriptor, const fs::path& name) {
-  struct stat opened {};
-  struct stat named {};
-  return fstat(descriptor, &opened) == 0 && stat(name.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
-         opened.st_ino == named.st_ino;
 }
 
 }  // namespace
@@ -141,32 +133,6 @@ void OutputFile::finish() {
   if (error) refuse(path_, error);
   rename_synced(name_, file_);
   is_replaced_ = false;
-}
-
-fs::path UnfinishedFile::name_for(const fs::path& file) { return fs::path(file) += suffix; }
-
-UnfinishedFile::UnfinishedFile(fs::path file) : file_(std::move(file)), name_(name_for(file_)) {
-  while (!is_open_as(lock_, name_)) {  // again if it was finished or removed before it was locked
-    if (lock_ >= 0) close(lock_);
-    lock_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (lock_ < 0) refuse(name_.string(), last_error());
-    if (flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) continue;  // or a file system without locks
-    close(lock_);
-    throw InputError({.file = file_.string(),
-                      .remedy = "wait for it, or pass another --output",
-                      .problem = "is being written by another program"});
-  }
-}
-
-UnfinishedFile::~UnfinishedFile() {
-  std::error_code absent;
-  if (!is_finished_) fs::remove(name_, absent);
-  close(lock_);
-}
-
-void UnfinishedFile::finish() {
-  rename_synced(name_, file_);
-  is_finished_ = true;
 }
 
 std::time_t date_of_source(std::time_t otherwise) {

@@ -48,28 +48,6 @@ class OutputFile {
   bool is_replaced_ = false;  // yet to be
 };
 
-// A file that takes long to write: beside it, always under the same name, so that what a program left there that was killed is
-// replaced by the next one; and locked, as two that wrote it at once would spoil it.
-class UnfinishedFile {
- public:
-  // Fails:      InputError if another program is writing it.
-  explicit UnfinishedFile(std::filesystem::path file);
-  ~UnfinishedFile();  // removes it unless it is finished
-  UnfinishedFile(const UnfinishedFile&) = delete;
-  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
-
-  static std::filesystem::path name_for(const std::filesystem::path& file);
-  const std::filesystem::path& name() const { return name_; }
-
-  // As that of OutputFile.
-  void finish();
-
- private:
-  std::filesystem::path file_, name_;
-  int lock_ = -1;  // descriptor
-  bool is_finished_ = false;
-};
-
 // The date that files bear, [s] SOURCE_DATE_EPOCH where it is set, so that they can be made again to the byte; and a date of Greenwich.
 std::time_t date_of_source(std::time_t otherwise);
 std::tm calendar_date(std::time_t seconds);

@@ -123,7 +123,7 @@ test("faults are the program's own sentences and codes; what a page cannot do, i
   await same(t, ["simulate", "case.toml"], { "case.toml": text("[rig]\nspan = 3\n") });
   await same(t, ["flt"], {});
   await same(t, ["--version"], {});
-  const sweep = await inPage(["sweep", "sweep.toml", "--output", "s.h5"], { "sweep.toml": new Uint8Array(readFileSync(join(root, "examples/sweep.toml"))) });
+  const sweep = await inPage(["sweep", "sweep.toml"], { "sweep.toml": new Uint8Array(readFileSync(join(root, "examples/sweep.toml"))) });
   assert.equal(sweep.code, 2);
   assert.match(sweep.err, /run the same command with the program flexslip, outside the studio/);
   const report = await inPage(["fit", "case.toml", "--report", "report", "--quiet"], filesOf(join(root, "examples/simulated")));

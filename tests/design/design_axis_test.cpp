@@ -57,7 +57,7 @@ TEST_CASE("table: the rows of a grid, the last axis fastest") {
   const std::vector<DesignAxis> axes{{design_parameter("mu0"), AxisValues{0.3, 0.1}},
                                      {design_parameter("step"), AxisRange{1, 2, Spacing::linear, 3}}};
   CHECK(points_of(axes[0]) == 2);
-  CHECK(values_of(axes[1]) == std::vector{1.0, 1.5, 2.0});
+  CHECK(points_of(axes[1]) == 3);
   const std::vector<std::vector<double>> rows{{0.3, 1}, {0.3, 1.5}, {0.3, 2}, {0.1, 1}, {0.1, 1.5}, {0.1, 2}};
   for (std::size_t i = 0; i < rows.size(); ++i) CHECK(grid_inputs(axes, i) == rows[i]);
 }

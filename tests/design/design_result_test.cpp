@@ -186,7 +186,6 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
   const std::vector<DesignAxis> axes{map_axis(input, "stiffness=20 N/m:400 N/m:4", 10),
                                      map_axis(input, "mu0=0:0.6", 3)};
   CHECK(std::get<AxisRange>(axes[0].values).spacing == Spacing::logarithmic);
-  CHECK(values_of(axes[1]) == std::vector{0.0, 0.3, 0.6});
   const auto points = design_map(input, axes, 2);
   REQUIRE(points.size() == 12);
   for (const auto& point : points) {
@@ -195,6 +194,7 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
     set(there, "mu0", point.values[1]);
     CHECK(point.result.outcome->snaps == outcome_of(design_of(there).design).snaps);
   }
+  for (const std::size_t i : {0, 1, 2}) CHECK(points[i].values[1] == std::vector{0.0, 0.3, 0.6}[i]);
 }
 
 TEST_CASE("limit: a design or a map of them that is stopped gives nothing, on any thread") {
@@ -211,8 +211,8 @@ TEST_CASE("design map, contract: a range that makes no sense is refused with a r
   CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("did you mean 'stiffness'?") !=
         std::string::npos);
   CHECK(message_of([&] { map_axis(input, "stiffness=1:2", 5); }).find("unit") != std::string::npos);
-  CHECK(values_of(map_axis(input, "phase=0:90 deg", 5)).back() == to(1e-15, std::numbers::pi / 2));
-  CHECK(values_of(map_axis(input, "phase=0:6.25", 5)).back() == 6.25);  // radians
+  CHECK(grid_inputs({map_axis(input, "phase=0:90 deg", 5)}, 4)[0] == to(1e-15, std::numbers::pi / 2));
+  CHECK(grid_inputs({map_axis(input, "phase=0:6.25", 5)}, 4)[0] == 6.25);  // radians
   CHECK(message_of([&] { map_axis(input, "mu0=0:1:1", 5); }).find("points") != std::string::npos);
   CHECK(message_of([&] { map_axis(input, "mu0", 5); }).find("write it as") != std::string::npos);
 }

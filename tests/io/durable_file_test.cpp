@@ -100,39 +100,4 @@ TEST_CASE("output file, identity: devices and pipes are written as they are") {
   CHECK(fs::is_fifo(pipe));
 }
 
-TEST_CASE("unfinished file, identity: it has its name once it is finished, and is gone if it is not") {
-  const TemporaryFolder folder;
-  const auto file = folder.path() / "map.h5";
-  folder.file("map.h5", "old");
-  {
-    const UnfinishedFile unfinished(file);
-    CHECK(is_unfinished(unfinished.name()));
-    std::ofstream(unfinished.name()) << "half";
-  }
-  CHECK(bytes_of(file) == "old");
-  CHECK(files_in(folder) == 1);
-  {
-    UnfinishedFile unfinished(file);
-    std::ofstream(unfinished.name()) << "whole";
-    unfinished.finish();
-  }
-  CHECK(bytes_of(file) == "whole");
-  CHECK(files_in(folder) == 1);
-}
-
-TEST_CASE("unfinished file, contract: two writers are kept apart, and what one left that was killed is replaced") {
-  const TemporaryFolder folder;
-  const auto file = folder.path() / "map.h5";
-  {
-    const UnfinishedFile first(file);
-    CHECK(message_of([&] { const UnfinishedFile second(file); }).find("map.h5") != std::string::npos);
-  }
-  folder.file("map.h5.unfinished", "left behind");
-  UnfinishedFile next(file);
-  std::ofstream(next.name()) << "whole";
-  next.finish();
-  CHECK(bytes_of(file) == "whole");
-  CHECK(files_in(folder) == 1);
-}
-
 }  // namespace flexslip

@@ -186,7 +186,7 @@ class BadCase(InFolder):
         for command in ("simulate", "equilibrium", "design"):
             self.refuses_case(steep, ":14:", *limit, command=command)
         sweep = steep + '[sweep]\nmethod = "grid"\naxes = { mu0 = [0.1, 0.2] }\n'
-        self.refused("sweep", self.file("case.toml", sweep), "--output", self.folder / "x.h5", says=["case.toml:14", *limit])
+        self.refused("sweep", self.file("case.toml", sweep), says=["case.toml:14", *limit])
         self.refuses_case(TRUTH.replace("mu0        = 0.5", "mu0 = 19"), ":13:", "[friction] mu0", "at most 2 at the surface, its waves")
         table = TRUTH.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "t.csv"\nlength = "S [um]"\n'
         self.file("t.csv", "S [um],mu\n1278,0.5\n1300,25\n")

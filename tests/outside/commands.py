@@ -638,9 +638,9 @@ class Changes(InFolder):
             with self.subTest(command):
                 self.assertNotEqual(self.succeeds(command, example, "--set", "specimen.diameter=36 um", "--quiet"), self.succeeds(command, example, "--quiet"))
         sweep = '[sweep]\nmethod = "grid"\n[sweep.axes]\nmu0 = [0.3, 0.4]\n'
-        for file, changed in (("case.toml", changes), ("other.toml", ())):
-            self.file(file, (self.folder / file).read_text(encoding="utf-8") + sweep)
-            self.succeeds("sweep", self.folder / file, *changed, "--quiet", "--output", self.folder / f"{file}.h5")
+        for file in case, other:
+            self.file(file.name, file.read_text(encoding="utf-8") + sweep)
+        self.assertEqual(self.succeeds("sweep", case, *changes, "--quiet"), self.succeeds("sweep", other, "--quiet"))
         tests = self.json("campaign", SOURCE / "examples", "--set", "specimen.diameter=35 um", "--quiet")["tests"]
         self.assertEqual(len(tests), 4)
 

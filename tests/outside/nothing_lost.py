@@ -76,7 +76,7 @@ class NothingLost(InFolder):
             (["simulate", "simulated.toml"], simulate, ["--output"]),
             (["design", "wavy.toml"], ["wavy.toml"], ["--output"]),
             (["equilibrium", "simulated.toml"], simulate, ["--output"]),
-            (["sweep", "sweep.toml"], ["sweep.toml"], ["--output", "--slurm"]),
+            (["sweep", "sweep.toml"], ["sweep.toml"], ["--output"]),
             (["campaign", "tests.csv", "--common", "common.toml"], ["tests.csv", "common.toml", "test.csv"], ["--output"]),
         ]
 
@@ -98,7 +98,7 @@ class NothingLost(InFolder):
         tried |= {("fit", "--report"), ("campaign", "--report")}  # below
         tried |= {(command, "--figure") for command in ("design", "simulate", "equilibrium", "surface")}  # below
         tried |= {("studio", "--output")}  # outside/studio_command
-        tried |= {("merge", "--output"), ("completions", "--output"), ("keys", "--output"), ("results", "--output"), ("cite", "--output")}  # which read no file of the user's
+        tried |= {("completions", "--output"), ("keys", "--output"), ("results", "--output"), ("cite", "--output")}  # which read no file of the user's
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Commands:")[1], re.MULTILINE)
         self.assertGreaterEqual(len(commands), 12)
         reads = {"--common"}
@@ -129,7 +129,6 @@ class NothingLost(InFolder):
         self.nothing_is_written("fit", "case.toml", "--curves", "dangling", "--profile", "none yet.csv", says=["dangling", "none yet.csv"])
         self.nothing_is_written("fit", "case.toml", "--report", ".", "-o", "report.html", says=["--report", "--output", "report.html"])
         self.nothing_is_written("fit", "case.toml", "--report", "r", "-o", "r/figures/x.csv", says=["--report", "--output", "r/figures/x.csv"])
-        self.nothing_is_written("sweep", "sweep.toml", "-o", "map.h5", "--slurm", "map.h5", says=["--slurm", "--output", "map.h5"])
         for name in ("map.svg", "map.gp", "map-path.csv"):
             for order in (["-o", name, "--figure", "map.svg"], ["--figure", "map.svg", "-o", name]):
                 self.nothing_is_written("simulate", "wavy.toml", *order, says=["--figure", "--output", name])

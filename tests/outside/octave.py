@@ -1,12 +1,10 @@
 #!/usr/bin/python3
-"""outside: examples/octave as Octave runs it, against h5py and the program's JSON; skipped where there is no Octave."""
+"""outside: examples/octave as Octave runs it, against the program's JSON; skipped where there is no Octave."""
 import os
 import shutil
 import subprocess
 import sys
 import unittest
-
-import h5py
 
 from program import PROGRAM, SOURCE, InFolder, numbers
 
@@ -30,18 +28,6 @@ class Octave(InFolder):
         self.succeeds("fit", SOURCE / "examples/simulated/case.toml", "--quiet", "--curves", curves)
         force = numbers(curves.read_text(encoding="utf-8"), "F [N]")
         self.assertIn(f"{len(force)} rows, greatest force {1e3 * max(force):.3f} mN", said)
-
-    def test_a_sweep_read_by_octave_has_the_numbers_that_h5py_reads(self):
-        said = self.said_by("read_sweep.m")
-        path = self.folder / "sweep.h5"
-        self.succeeds("sweep", SOURCE / "examples/sweep.toml", "--output", path, "--quiet")
-        with h5py.File(path) as file:
-            snaps = file["outcomes/snaps"][:].reshape(file.attrs["shape"]) > 0
-            stiffness = file["axes/stiffness"][:]
-            computed = int((file["outcomes/status"][:] == 0).sum())
-        self.assertIn(f"{snaps.size} designs, {computed} computed, {int(snaps.sum())} of them snap", said)
-        for i in (0, len(stiffness) // 2 - 1, len(stiffness) - 1):
-            self.assertIn(f"at {stiffness[i]:.0f} N/m {100 * snaps[i].mean():.0f} % of the designs snap", said)
 
 
 if __name__ == "__main__":

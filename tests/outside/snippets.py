@@ -18,11 +18,8 @@ FENCE = re.compile(r"^( *)```(\w*)\n(.*?)^ *```$", re.MULTILINE | re.DOTALL)
 PAGES = sorted(path for path in [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *(SOURCE / "docs").glob("*.md")] if path.name not in ("case-files.md", "python.md"))
 # A block is named by its page and the words that it begins with.
 NOT_RUN = {
-    ("sweeps.md", "parallel flexslip"): "outside/sweep runs it on a smaller sweep",
-    ("sweeps.md", "flexslip sweep map.toml --slurm"): "outside/slurm runs it on a Slurm of its own",
-    ("sweeps.md", "flexslip merge here"): "outside/sweep joins parts of two folders",
-    ("sweeps.md", "shape = double(h5readatt"): "MATLAB's own reader of HDF5; outside/octave reads the same file",
-    ("sweeps.md", "import h5py\nwith h5py.File(\"sample.h5\")"): "outside/sweep runs it on a sample",
+    ("sweeps.md", "sbatch"): "outside/slurm runs it on a Slurm of its own",
+    ("sweeps.md", "awk"): "outside/slurm and outside/sweep run it on the parts that they have made",
     ("studio.md", "./run studio"): "opens a browser on the page that tools/build-studio builds; outside/studio_command writes such pages",
     ("studio.md", "./run studio"): "opens a browser on a page that is built apart; outside/studio_command writes such pages",
     ("install.md", "sudo "): "installs on this machine; tools/try-package does it in a tree of its own",

@@ -1,5 +1,4 @@
-// Commands that a page cannot run: sweeps, which take hours, threads and HDF5, and the list of results, which names those of sweeps. They are there,
-// and say so.
+// Commands that a page does without: sweeps, which take long and many threads, and the list of results. They are there, and say so.
 #include <string>
 
 #include <fmt/format.h>
@@ -23,7 +22,6 @@ void add(CLI::App& app, const std::string& name, const std::string& description)
 }  // namespace
 
 void add_sweep_command(CLI::App& app) { add(app, "sweep", "Many designs (outside the studio)"); }
-void add_merge_command(CLI::App& app) { add(app, "merge", "Parts of a sweep put together (outside the studio)"); }
 void add_results_command(CLI::App& app) { add(app, "results", "What every number means (outside the studio)"); }
 
 }  // namespace flexslip

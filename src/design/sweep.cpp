@@ -1,4 +1,4 @@
-#include "design/sweep_plan.h"
+#include "design/sweep.h"
 
 #include <algorithm>
 #include <bit>
@@ -10,24 +10,18 @@
 #include <variant>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "case/case_changes.h"
 #include "case/keys.h"
 #include "case/toml.h"
 #include "design/design_result.h"
-#include "io/sha256.h"
-#include "io/text_file.h"
-#include "numerics/elementary.h"
+#include "io/parallel.h"
+#include "numerics/effort.h"
 
 namespace flexslip {
 namespace {
 
 constexpr std::uint64_t max_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
-constexpr std::uint64_t max_axis_points = 1'000'000;   // of an axis; all its values stand in the file
-constexpr std::uint64_t many_chunks = 512;             // enough for every core that a cluster gives one person
-constexpr std::uint64_t min_chunk = 64;                // [rows] 20 ms of a core: a file for less would cost as much
-constexpr std::uint64_t max_chunk = 1 << 16;           // [rows] 20 s of a core: what a kill may lose
 
 enum class Method { grid, latin_hypercube };
 
@@ -61,8 +55,6 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameter& par
                   keys.quantity("to", parameter.kind(), Range::any),
                   keys.has("spacing") ? static_cast<Spacing>(keys.word("spacing", {"linear", "log"})) : Spacing::linear,
                   is_grid ? keys.whole_number("points", 2) : 0};
-  if (range.points > max_axis_points)
-    keys.refuse("points", fmt::format("at most {} points", max_axis_points), std::to_string(range.points));
   if (range.from == range.to)
     keys.refuse("to", "a value other than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
   if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))
@@ -168,16 +160,16 @@ void set_from_axis(Test& design, const SweepPlan& plan, const DesignAxis& axis, 
   try {
     set(design, axis.parameter.name, value);
   } catch (const InputError& error) {
-    throw wrong_value(plan.input, key, error.fault.expected, error.fault.found, error.fault.remedy);
+    throw wrong_value(plan.loading, key, error.fault.expected, error.fault.found, error.fault.remedy);
   }
 }
 
 void check(const SweepPlan& plan) {
-  Test design = one_loading_of(plan.input);
+  Test design = plan.loading;
   for (const DesignAxis& axis : plan.axes) {
     const std::string key = axis_key(axis);
     if (!value_of(design, axis.parameter.name))
-      throw wrong_value(plan.input, key, "a parameter that the case has", in_quotes(axis.parameter.name),
+      throw wrong_value(plan.loading, key, "a parameter that the case has", in_quotes(axis.parameter.name),
                         "choose another axis, or another kind of case");
     if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
       set_from_axis(design, plan, axis, key + ".from", range->from);
@@ -193,14 +185,15 @@ void check(const SweepPlan& plan) {
 }  // namespace
 
 SweepPlan read_sweep(std::string_view text, const std::string& source, const std::vector<std::string>& changes) {
-  SweepPlan plan{read_case(text, source, changes), std::string(text), changes, {}, {}, 0};
+  const Test input = read_case(text, source, changes);
   const toml::table unchanged = parse_toml(text, source);
   const toml::table file = with_changes(unchanged, changes);
-  const toml::node& section = Keys(file, "", plan.input).need("sweep");
-  if (!section.is_table()) throw wrong_value(plan.input, "sweep", "a section [sweep]", kind_of_node(section));
-  const Keys sweep(*section.as_table(), "sweep", plan.input);
+  const toml::node& section = Keys(file, "", input).need("sweep");
+  if (!section.is_table()) throw wrong_value(input, "sweep", "a section [sweep]", kind_of_node(section));
+  const Keys sweep(*section.as_table(), "sweep", input);
   sweep.only({"method", "samples", "seed", "axes"});
   const auto method = static_cast<Method>(sweep.word("method", words_of(*case_key("sweep", "method"))));
+  SweepPlan plan;
   if (method == Method::latin_hypercube) {
     plan.method = LatinHypercube{sweep.whole_number("samples", 1), sweep.whole_number("seed", 0)};
   } else {
@@ -210,23 +203,15 @@ SweepPlan read_sweep(std::string_view text, const std::string& source, const std
   }
   const toml::node& axes = sweep.need("axes");
   if (!axes.is_table()) sweep.refuse("axes", "a section [sweep.axes]", kind_of_node(axes));
-  plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), plan.input}, method, plan.input, unchanged);
+  plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), input}, method, input, unchanged);
   plan.rows = rows_of(sweep, plan.axes, plan.method);
-  return plan;
-}
-
-SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes) {
-  SweepPlan plan = read_sweep(case_text(path), path == "-" ? "standard input" : path, changes);
+  plan.loading = one_loading_of(input);
   check(plan);
   return plan;
 }
 
-std::vector<std::uint64_t> shape_of(const SweepPlan& plan) {
-  std::vector<std::uint64_t> shape;
-  if (std::holds_alternative<LatinHypercube>(plan.method)) return shape;
-  shape.reserve(plan.axes.size());
-  for (const DesignAxis& axis : plan.axes) shape.push_back(points_of(axis));
-  return shape;
+SweepPlan read_sweep(const std::string& path, const std::vector<std::string>& changes) {
+  return read_sweep(case_text(path), path == "-" ? "standard input" : path, changes);
 }
 
 std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
@@ -235,99 +220,14 @@ std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
   return hypercube ? inputs_of_sample(plan, *hypercube, row) : grid_inputs(plan.axes, row);
 }
 
-std::uint64_t row_from_all_over(const SweepPlan& plan, std::uint64_t i) {
-  const double place = static_cast<double>(i) * 0.6180339887498949;
-  const auto row = static_cast<std::uint64_t>((place - std::floor(place)) * static_cast<double>(plan.rows));
-  return std::min(row, plan.rows - 1);
-}
-
-std::uint64_t rows_in_chunk(const SweepPlan& plan) {
-  return std::clamp(std::bit_ceil(plan.rows / many_chunks), min_chunk, max_chunk);
-}
-
-std::uint64_t chunks_of(const SweepPlan& plan) { return (plan.rows - 1) / rows_in_chunk(plan) + 1; }
-
-RowSpan rows_of_chunk(const SweepPlan& plan, std::uint64_t chunk) {
-  const std::uint64_t first = chunk * rows_in_chunk(plan);
-  if (first >= plan.rows) throw std::invalid_argument(fmt::format("rows_of_chunk: no chunk {}", chunk));
-  return {first, std::min(rows_in_chunk(plan), plan.rows - first)};
-}
-
-namespace {
-
-StoredAs stored_as(Shape shape) { return shape == Shape::count ? StoredAs::uint32 : StoredAs::float64; }
-
-double number_in(const Json& value, Shape shape) {
-  if (!value.is_null()) return value.get<double>();
-  return shape == Shape::count ? 0 : not_a_number;
-}
-
-}  // namespace
-
-std::vector<SweepColumn> columns_of(const SweepPlan& plan) {
-  const auto units = [&](const Kind& kind) { return std::string(unit_of(kind, plan.input.reduced)); };
-  std::vector<SweepColumn> columns;
-  for (const auto& [parameter, values] : plan.axes)
-    columns.push_back({fmt::format("/inputs/{}", parameter.name), units(parameter.kind()),
-                       std::string(parameter.description), StoredAs::float64});
-  columns.push_back({"/outcomes/status", units(kind::number), "whether the design could be computed, and how it ended",
-                     StoredAs::uint8});
-  for (const Description& outcome : outcome_fields().descriptions())
-    columns.push_back({fmt::format("/outcomes/{}", outcome.name), units(outcome.kind), std::string(outcome.meaning),
-                       stored_as(outcome.shape)});
-  return columns;
-}
-
-std::size_t status_column(const SweepPlan& plan) { return plan.axes.size(); }
-
-RowComputer::RowComputer(const SweepPlan& plan) : loading_(one_loading_of(plan.input)) {
-  parameters_.reserve(plan.axes.size());
-  for (const DesignAxis& axis : plan.axes) parameters_.push_back(axis.parameter.name);
-}
-
-std::vector<double> RowComputer::operator()(std::span<const double> inputs) {
-  for (std::size_t i = 0; i < inputs.size(); ++i) set(loading_, parameters_[i], inputs[i]);
-  const DesignResult result = result_of(loading_);
-  std::vector<double> values{static_cast<double>(result.status)};
-  const Frame frame;  // outcomes are in the units of their own design
-  for (const auto& outcome : outcome_fields())
-    values.push_back(number_in(outcome_fields().of(outcome, result, frame), outcome.what.shape));
-  return values;
-}
-
-namespace {
-
-// In place of the name of a file, what is in it.
-std::string content_digest(const std::string& file) { return digest_of(*open_to_read(file)).sha256; }
-
-std::string text_of_case(Test input) {
-  input.record.reset();
-  for (std::string* file : files_of(input)) *file = content_digest(*file);
-  return to_toml(input);
-}
-
-std::string text_of(const DesignAxis& axis) {
-  if (const auto* values = std::get_if<AxisValues>(&axis.values))
-    return fmt::format("{} {}", axis.parameter.name, *values);
-  const auto& range = std::get<AxisRange>(axis.values);
-  return fmt::format("{} {} {} {} {}", axis.parameter.name, range.from, range.to, range.points,
-                     range.spacing == Spacing::linear ? "linear" : "log");
-}
-
-}  // namespace
-
-std::string digest_of_sweep(const SweepPlan& plan) { return digest_of_sweep(plan, RowComputer(plan)); }
-
-std::string digest_of_sweep(const SweepPlan& plan, const RowFunction& outcomes_of) {
-  constexpr std::uint64_t answers = 8;
-  std::string text = fmt::format("sweep of FlexSlip {}\n{}", FLEXSLIP_VERSION, text_of_case(plan.input));
-  if (const auto* hypercube = std::get_if<LatinHypercube>(&plan.method))
-    text += fmt::format("latin hypercube {} {}\n", hypercube->samples, hypercube->seed);
-  for (const DesignAxis& axis : plan.axes) text += text_of(axis) + "\n";
-  for (const SweepColumn& column : columns_of(plan)) text += column.path + "\n";
-  for (std::uint64_t i = 0; i < answers; ++i)  // to the last bit
-    text += fmt::format("{}\n", outcomes_of(inputs_of(plan, row_from_all_over(plan, i))));
-  return sha256_of(text);
+std::vector<DesignPoint> points_of(const SweepPlan& plan, RowSpan rows, unsigned threads) {
+  std::vector<DesignPoint> points(rows.count);
+  for_each_index(points.size(), threads, [&](std::size_t i) {
+    effort_spent += 1;  // A design that is refused at once can be stopped, too.
+    points[i].values = inputs_of(plan, rows.first + i);
+    points[i].result = result_of(with_values(plan.loading, plan.axes, points[i].values));
+  });
+  return points;
 }
 
 }  // namespace flexslip
