@@ -36,7 +36,6 @@ void add_studio_command(CLI::App& app);
 void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
-void add_cite_command(CLI::App& app);
 
 // ---- The two lengths of help (help.cpp): -h shows the options that people use, --help all of them
 

@@ -47,7 +47,7 @@ void note(const Output& output, std::string_view remark);
 
 // Ctrl-C and SIGTERM as a request to stop, so that what is done is kept.
 
-inline constexpr int exit_interrupted = 130;  // whichever of the two it was: what was done is kept
+inline constexpr int exit_interrupted = 130;  // whichever of the two it was
 
 // While one of these lives, a first request sets interrupted(), and a second one ends the program.
 class WhileInterruptible {

@@ -98,7 +98,7 @@ class NothingLost(InFolder):
         tried |= {("fit", "--report"), ("campaign", "--report")}  # below
         tried |= {(command, "--figure") for command in ("design", "simulate", "equilibrium", "surface")}  # below
         tried |= {("studio", "--output")}  # outside/studio_command
-        tried |= {("completions", "--output"), ("keys", "--output"), ("results", "--output"), ("cite", "--output")}  # which read no file of the user's
+        tried |= {("completions", "--output"), ("keys", "--output"), ("results", "--output")}  # which read no file of the user's
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Commands:")[1], re.MULTILINE)
         self.assertGreaterEqual(len(commands), 12)
         reads = {"--common"}
