@@ -189,56 +189,33 @@ std::string friction_in_standard(const CampaignTest& test) {
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   const double per_length = units.length.factor;
-  PrintedTable table{
-      .head = {"Test",
-               "Verdict",
-               "Sawtooth",
-               "Standing",
-               "Friction",
-               titled("Spacing", units.length),
-               "σ",
-               titled("ℓ", units.length),
-               "A",
-               titled("λ", units.length),
-               titled("Height", units.length),
-               "Slope",
-               titled("EI", units.bending_stiffness),
-               titled("Residual", units.force),
-               "Drops",
-               titled("Work", units.energy),
-               "Work (%)",
-               titled("E_f", units.modulus),
-               titled("σ_f", units.strength),
-               "Friction in E_f, σ_f (%)",
-               "Doubts"},
-      .rows = {},
-      .folding = Folding::never,
-      .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"},
-      .paper = {
-          .label = "friction",
-          .caption =
-              "Friction in bending tests, by the sawtooth of their force curves: friction averaged over the length "
-              "that slid, amplitude $A$ and wavelength $\\lambda$ of one wave of friction along the specimen (in "
-              "brackets where it is only indicative), height (half of crest to trough) and rms slope of a surface that "
-              "would explain them, bending stiffness $EI$, root mean square of measured less model force, drops of the "
-              "force, and the share of the work that was friction; $\\pm$ standard error, $\\times$ suspect.",
-          .columns = {"Test", "Friction", "A", "λ", "Height", "Slope", "EI", "Residual", "Drops", "Work (%"}}};
-  for (const auto& [category, title] : {std::pair{SawtoothCategory::clear, "Clear sawtooth"},
-                                        {SawtoothCategory::nominal, "Nominal sawtooth"},
-                                        {SawtoothCategory::none, "No sawtooth, or hardly any"}}) {
-    std::vector<std::size_t> members;
-    std::size_t row = 0;
-    for (const auto& test : campaign.tests) {
-      if (!test.summary) continue;
-      if (test.summary->category == category) members.push_back(row);
-      ++row;
-    }
-    if (!members.empty()) table.paper.groups.emplace_back(title, members);
-  }
+  PrintedTable table{.head = {"Test",
+                              "Verdict",
+                              "Sawtooth",
+                              "Standing",
+                              "Friction",
+                              titled("Spacing", units.length),
+                              "σ",
+                              titled("ℓ", units.length),
+                              "A",
+                              titled("λ", units.length),
+                              titled("Height", units.length),
+                              "Slope",
+                              titled("EI", units.bending_stiffness),
+                              titled("Residual", units.force),
+                              "Drops",
+                              titled("Work", units.energy),
+                              "Work (%)",
+                              titled("E_f", units.modulus),
+                              titled("σ_f", units.strength),
+                              "Friction in E_f, σ_f (%)",
+                              "Doubts"},
+                     .rows = {},
+                     .folding = Folding::never,
+                     .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
-    if (summary.suspect) table.paper.crossed.push_back(table.rows.size());
     const bool tells = std::isfinite(summary.mu0.value);
     const bool is_rough = summary.model == ProfileModel::roughness && tells;
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
@@ -280,9 +257,7 @@ PrintedTable category_rows(const Campaign& campaign) {
   PrintedTable table{.head = {"Sawtooth", "Suspects", "Tests", "Friction", "A", titled("λ", length),
                               titled("Height", length), "Slope"},
                      .rows = {},
-                     .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"},
-                     .paper = {.label = "friction-categories",
-                               .caption = "Friction by category of the sawtooth: mean (least to greatest)."}};
+                     .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"}};
   for (const auto& category : campaign.categories)
     for (const auto* spreads : {&category.without_suspects, &category.with_suspects}) {
       // Brackets where some of the waves are only indicative.
@@ -300,13 +275,7 @@ PrintedTable category_rows(const Campaign& campaign) {
 }
 
 PrintedTable specimen_rows(const Campaign& campaign) {
-  PrintedTable table{
-      .head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"},
-      .rows = {},
-      .paper = {.label = "friction-specimens",
-                .caption = "Friction between specimens, suspects left out: mean of $\\mu_0$ and its standard deviation "
-                           "between specimens; middle roughness $\\sigma$ and correlation length $\\ell$, and the "
-                           "factor by which specimens differ; 95\\,\\% intervals."}};
+  PrintedTable table{.head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"}, .rows = {}};
   for (const auto& line : specimen_lines(campaign)) {
     const auto [unit, factor] = print_unit(line.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";
@@ -325,11 +294,7 @@ PrintedTable specimen_rows(const Campaign& campaign) {
 }
 
 PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{.head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"},
-                     .rows = {},
-                     .paper = {.label = "friction-shared",
-                               .caption = "One value for several tests, with its 95\\,\\% interval; $p$: probability "
-                                          "that tests that share it differ as much."}};
+  PrintedTable table{.head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"}, .rows = {}};
   for (const auto& shared : campaign.shared) {
     const std::string tests = fmt::format("{}", shared.tests);
     if (!std::isfinite(shared.estimate.value)) {

@@ -61,13 +61,8 @@ const std::array table_files{
               [](const std::string& path, const Campaign& campaign) { write_csv(path, specimen_table(campaign)); }},
     TableFile{"campaign.json", "all of it, for scripts",
               [](const std::string& path, const Campaign& campaign) { write_json(path, campaign_json(campaign)); }},
-    TableFile{"campaign.xlsx", "for spreadsheets",
-              [](const std::string& path, const Campaign& campaign) {
+    TableFile{"campaign.xlsx", "for spreadsheets", [](const std::string& path, const Campaign& campaign) {
                 write_workbook(path, "Friction in bending tests", sheets_of(campaign));
-              }},
-    TableFile{"tables.tex", "for LaTeX, with booktabs and longtable",
-              [](const std::string& path, const Campaign& campaign) {
-                write_text(path, in_latex(document_of(campaign, with_error)));
               }}};
 
 // Of a run before, besides what it was writing when it was stopped: its pages, as there may be fewer now.

@@ -1,8 +1,6 @@
 #include "report/document.h"
 
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,8 +8,6 @@
 
 namespace flexslip {
 namespace {
-
-// ---- For a terminal
 
 std::string padded(std::string_view text, std::size_t width, bool to_the_right) {
   const std::string space(width - std::min(width, width_of(text)), ' ');
@@ -102,94 +98,6 @@ bool are_apart(const Block& above, const Block& below, const Chapter& chapter) {
          (chapter.title.empty() && std::holds_alternative<std::string>(above) && std::holds_alternative<Rows>(below));
 }
 
-// ---- For a paper
-
-// Characters that LaTeX takes for more; [ and * are an argument of the row's end before them.
-constexpr std::array<std::pair<char, std::string_view>, 15> commands{{{'\\', "\\textbackslash{}"},
-                                                                      {'{', "\\{"},
-                                                                      {'}', "\\}"},
-                                                                      {'$', "\\$"},
-                                                                      {'&', "\\&"},
-                                                                      {'#', "\\#"},
-                                                                      {'_', "\\_"},
-                                                                      {'%', "\\%"},
-                                                                      {'^', "\\textasciicircum{}"},
-                                                                      {'~', "\\textasciitilde{}"},
-                                                                      {'<', "\\textless{}"},
-                                                                      {'>', "\\textgreater{}"},
-                                                                      {'|', "\\textbar{}"},
-                                                                      {'[', "{[}"},
-                                                                      {'*', "{*}"}}};
-
-// Of our tables, beyond the letters that the fonts of a document have.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> symbols{{{"\"", "''"},
-                                                                                 {"μ₀", "$\\mu_0$"},
-                                                                                 {"σ", "$\\sigma$"},
-                                                                                 {"ℓ", "$\\ell$"},
-                                                                                 {"λ", "$\\lambda$"},
-                                                                                 {"μ", "$\\mu$"},
-                                                                                 {"µ", "$\\mu$"},
-                                                                                 {"±", "$\\pm$"},
-                                                                                 {"×", "$\\times$"},
-                                                                                 {"²", "$^{2}$"},
-                                                                                 {"³", "$^{3}$"},
-                                                                                 {"⁴", "$^{4}$"},
-                                                                                 {"–", "--"},
-                                                                                 {"\u00a0", "~"}}};
-
-// A cell of numbers: a hyphen before a digit is a minus sign, and a limit has its sign.
-std::string latex_of_numbers(std::string_view cell) {
-  constexpr std::string_view limit = "at most ";
-  if (cell.starts_with(limit)) return "$\\leq$ " + latex_of_numbers(cell.substr(limit.size()));
-  std::string out;
-  std::size_t from = 0;
-  for (std::size_t i = 0; i + 1 < cell.size(); ++i) {
-    const bool begins = i == 0 || cell[i - 1] == ' ' || cell[i - 1] == '(' || cell[i - 1] == '[';
-    if (cell[i] != '-' || !begins || !is_digit(cell[i + 1])) continue;
-    out += latex_escaped(cell.substr(from, i - from)) + "$-$";
-    from = i + 1;
-  }
-  return out + latex_escaped(cell.substr(from));
-}
-
-std::string latex_row(const std::vector<std::string>& cells, std::string_view mark = "") {
-  std::string row = latex_escaped(cells.front() + std::string(mark));
-  for (std::size_t i = 1; i < cells.size(); ++i) row += " & " + (cells[i].empty() ? "{}" : latex_of_numbers(cells[i]));
-  return row + " \\\\\n";
-}
-
-// On one page, or with groups of rows on as many as they take.
-std::string latex_table(const PrintedTable& all) {
-  const OnPaper& paper = all.paper;
-  const PrintedTable table = picked(all, paper.columns);
-  std::string columns = "l";
-  for (std::size_t i = 1; i < table.head.size(); ++i) columns += is_of_numbers(table, i) ? 'r' : 'l';
-  const std::string head = latex_row(table.head);
-  const auto row = [&](std::size_t i) {
-    const bool crossed = std::find(paper.crossed.begin(), paper.crossed.end(), i) != paper.crossed.end();
-    return latex_row(table.rows[i], crossed ? " ×" : "");
-  };
-  std::string rows;
-  if (paper.groups.empty()) {
-    if (table.rows.empty()) return "";
-    for (std::size_t i = 0; i < table.rows.size(); ++i) rows += row(i);
-    return fmt::format(
-        "\n\\begin{{table}}\n\\centering\\footnotesize\n\\caption{{{}}}\n\\label{{tab:{}}}\n\\begin{{tabular}}{{{}}}\n"
-        "\\toprule\n{}\\midrule\n{}\\bottomrule\n\\end{{tabular}}\n\\end{{table}}\n",
-        paper.caption, paper.label, columns, head, rows);
-  }
-  for (const auto& [title, members] : paper.groups) {
-    rows += fmt::format("{}\\multicolumn{{{}}}{{l}}{{\\emph{{{}}}}} \\\\*\n", rows.empty() ? "" : "\\addlinespace\n",
-                        table.head.size(), title);
-    for (const std::size_t i : members) rows += row(i);
-  }
-  return fmt::format(
-      "{{\\footnotesize\\setlength{{\\tabcolsep}}{{4pt}}\n\\begin{{longtable}}{{{}}}\n\\caption{{{}}}\n"
-      "\\label{{tab:{}}}\\\\\n\\toprule\n{}\\midrule\n\\endfirsthead\n\\toprule\n{}\\midrule\n\\endhead\n\\bottomrule\n"
-      "\\endfoot\n{}\\end{{longtable}}}}\n",
-      columns, paper.caption, paper.label, head, head, rows);
-}
-
 }  // namespace
 
 std::size_t width_of(std::string_view text) {
@@ -235,29 +143,6 @@ std::string in_text(const std::vector<Chapter>& chapters, std::size_t width) {
     if (!chapter.title.empty()) out += chapter.title + "\n";
     out += words;
   }
-  return out;
-}
-
-std::string in_latex(const std::vector<Chapter>& chapters) {
-  std::string out = fmt::format(
-      "% FlexSlip {}. Needs \\usepackage{{booktabs,longtable}}; letters beyond those of the document's fonts, in "
-      "names, need others.\n",
-      FLEXSLIP_VERSION);
-  for (const Chapter& chapter : chapters)
-    for (const Block& block : chapter.blocks)
-      if (const auto* table = std::get_if<PrintedTable>(&block); table && !table->paper.label.empty())
-        out += latex_table(*table);
-  return out;
-}
-
-std::string latex_escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    const auto known =
-        std::find_if(commands.begin(), commands.end(), [c](const auto& each) { return each.first == c; });
-    out += known == commands.end() ? std::string(1, c) : std::string(known->second);
-  }
-  for (const auto& [symbol, command] : symbols) out = replaced(out, symbol, command);
   return out;
 }
 

@@ -1,4 +1,4 @@
-// An answer for people, as chapters of words, rows, tables and pictures: made once, and laid out for a terminal, a page and a paper.
+// An answer for people, as chapters of words, rows, tables and pictures: made once, and laid out for a terminal and a page.
 #pragma once
 
 #include <cstddef>
@@ -49,13 +49,5 @@ std::size_t width_of(std::string_view text);
 // Breaks a text at spaces, to lines of so many characters; lines after the first begin with the indent, the first with `begin`.
 std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin = "",
                     std::size_t length = line_length);
-
-// ---- For a paper
-
-// The tables that have a label, each to \input into a document that loads booktabs and longtable.
-std::string in_latex(const std::vector<Chapter>& chapters);
-
-// Text as LaTeX prints it.
-std::string latex_escaped(std::string_view text);
 
 }  // namespace flexslip

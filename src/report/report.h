@@ -37,7 +37,7 @@ void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions
 
 // Writes into the folder; files of the same names are replaced:
 //   report.html                   needs no other file; links to tests/<name>/report.html where that exists
-//   tests.csv, categories.csv, specimens.csv, campaign.json, campaign.xlsx, tables.tex
+//   tests.csv, categories.csv, specimens.csv, campaign.json, campaign.xlsx
 //   figures/                      distributions and atlas pages as SVG, PDF and PNG, with their scripts and data
 // Without figures the tables alone.
 // Fails:      as draw(); InputError if a file cannot be written. Without gnuplot the report has no pictures and says so.

@@ -12,16 +12,6 @@
 
 namespace flexslip {
 
-// How a table is printed on paper.
-struct OnPaper {
-  std::string label{}, caption{};  // in LaTeX; without a label it is not printed
-  // Headings of the columns that are printed; all if there are none.
-  std::vector<std::string_view> columns{};
-  // Titles, each with the rows below it; all rows below none if there are none.
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> groups{};
-  std::vector<std::size_t> crossed{};  // rows that have a × behind their first cell
-};
-
 // Is a table on a page folded, so that its rows show when they are asked for?
 enum class Folding { never, of_long, always };  // of_long: of more than 12 rows
 
@@ -33,7 +23,6 @@ struct PrintedTable {
   Folding folding = Folding::of_long;
   // Headings of the columns that a terminal has room for, the last of them cut where the line ends; all if there are none.
   std::vector<std::string_view> on_terminal{};
-  OnPaper paper{};
 };
 
 // Has a column, beside the first, cells that begin as numbers do, and no others?

@@ -26,7 +26,7 @@ NOT_RUN = {
     ("install.md", "tools/"): "./check --all runs them",
     ("install.md", "cmake --preset release"): "outside/library does the same from the build that is tested",
 }
-NO_CODE = {"", "text", "csv", "json", "latex", "html"}  # output, data, formulas; latex: two lines of a document, which outside/cite's bibtex and campaign's tables test
+NO_CODE = {"", "text", "csv", "json", "html"}  # output, data, formulas
 WITHOUT = {"matlab": "octave-cli"}  # languages whose program may be missing
 
 
