@@ -64,9 +64,9 @@ class Estimate:
     Attributes
     ----------
     value, stderr : float
-        The estimate and its standard error, in `unit`. The error is also `standard_error`.
+        The estimate and its standard error, in `unit`.
     ci95 : tuple of float
-        The interval that holds 95 %; also `interval95`.
+        The interval that holds 95 %.
     unit : str
         ``"1"`` of plain numbers.
 
@@ -82,16 +82,6 @@ class Estimate:
         low, high = data.get("interval95") or (None, None)
         self.ci95: tuple[float, float] = (_float(low), _float(high))
         self.unit: str = data.get("unit") or "1"
-
-    @property
-    def standard_error(self) -> float:
-        """The same as `stderr`."""
-        return self.stderr
-
-    @property
-    def interval95(self) -> tuple[float, float]:
-        """The same as `ci95`."""
-        return self.ci95
 
     if not TYPE_CHECKING:  # what else stands beside an estimate is known to its class in _fields.pyi
 
@@ -156,7 +146,9 @@ def meant(name: str, names: Iterable[str]) -> str:
 
 
 def _attribute(name: str) -> str:
-    """The name of a field as an attribute."""
+    """The name of a field as an attribute: parameters are `params`, as in lmfit."""
+    if name == "parameters":
+        return "params"
     return name + "_" if keyword.iskeyword(name) else name
 
 
@@ -217,8 +209,7 @@ class Answer:
     def _has_no(self, name: str) -> str:
         for entry in self._entries:
             if entry["shape"] == "group" and any(below["name"] == name for below in entry["entries"]):
-                group = "params" if entry["name"] == "parameters" and hasattr(type(self), "params") else entry["name"]
-                return f"no {name!r}; did you mean {group}.{name}?"
+                return f"no {name!r}; did you mean {_attribute(entry['name'])}.{name}?"
         return f"no {name!r}" + (meant(name, dir(self)) or f"; there are {', '.join(self._data)}")
 
     if not TYPE_CHECKING:  # to which every name would be one

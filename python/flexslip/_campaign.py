@@ -10,18 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._answers import ANSWERS, table_of
-from ._case import KEYS, cell_of, path_of, set_of
-from ._errors import InputError, in_python, one_of, wrong
+from ._case import KEYS, cell_of, set_of
+from ._errors import InputError, in_python, one_of, path_of, positive, whole, wrong
 from ._fields import CampaignFields
-from ._fit import positive
 from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
-from ._simulate import whole
 
 if TYPE_CHECKING:
     import pandas
-
-    from ._fields import CategoryRowsTable, SpecimenRowsTable, TestRowsTable
-
 
 
 class Campaign(CampaignFields):
@@ -30,9 +25,7 @@ class Campaign(CampaignFields):
     Attributes
     ----------
     tests : Table
-        A row a test; ``tests.name``, ``tests[0].parameters["mu0"].value``.
-    table, category_table, specimen_table : Table
-        The columns of tests.csv, categories.csv and specimens.csv.
+        A row a test; ``tests.name``, ``tests[0].params["mu0"].value``.
     success : bool
         Could a test be evaluated?
     message : str
@@ -52,32 +45,17 @@ class Campaign(CampaignFields):
         return self._kept[name]
 
     def __reduce__(self) -> tuple[Any, ...]:
-        for name in ("test_table", "category_table", "specimen_table", "figures", "text"):
+        for name in ("test_table", "figures", "text"):
             self._part(name)
         return _campaign_again, (self._data, self._kept)
 
-    @property
-    def table(self) -> TestRowsTable:
-        """The columns of tests.csv, a row a test."""
-        table: TestRowsTable = table_of(self._part("test_table"), table_columns("campaign: tests.csv"))
-        return table
-
-    @property
-    def category_table(self) -> CategoryRowsTable:
-        """The columns of categories.csv."""
-        table: CategoryRowsTable = table_of(self._part("category_table"), table_columns("campaign: categories.csv"))
-        return table
-
-    @property
-    def specimen_table(self) -> SpecimenRowsTable:
-        """The columns of specimens.csv."""
-        table: SpecimenRowsTable = table_of(self._part("specimen_table"), table_columns("campaign: specimens.csv"))
-        return table
+    def _table(self) -> Any:
+        columns = [column for entry in ANSWERS["campaign: tests.csv"]["entries"] for column in _split(entry, entry["title"] or entry["name"])]
+        return table_of(self._part("test_table"), columns)
 
     def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each test: the columns of tests.csv, in SI."""
-        frame = self.table.to_frame()
-        return frame.set_index("test")
+        return self._table().to_frame().set_index("test")
 
     def summary(self) -> str:
         """The answer in words, as the program prints it."""
@@ -95,7 +73,7 @@ class Campaign(CampaignFields):
     @property
     def success(self) -> bool:
         """Could a test be evaluated? If none could, `message` says why."""
-        return len(self.failures) < len(self.table)
+        return len(self.failures) < len(self._table())
 
     @property
     def message(self) -> str:
@@ -115,7 +93,7 @@ class Campaign(CampaignFields):
 
         answer = [f"<p><b>{html.escape(line)}</b></p>" for line in self.message.split("\n")]
         notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
-        return "".join(answer + notes) + self.table._repr_html_()
+        return "".join(answer + notes) + str(self._table()._repr_html_())
 
 
 def _cause(failure: Any) -> str:
@@ -123,15 +101,8 @@ def _cause(failure: Any) -> str:
     return re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason))
 
 
-def table_columns(answer: str) -> list[dict[str, Any]]:
-    """The columns of a table, those of an estimate one by one."""
-    columns: list[dict[str, Any]] = []
-    for entry in ANSWERS[answer]["entries"]:
-        columns += _split(entry, entry["title"] or entry["name"])
-    return columns
-
-
 def _split(entry: Mapping[str, Any], name: str) -> list[dict[str, Any]]:
+    """The columns of a field in a table, those of an estimate one by one."""
     if entry["shape"] == "group":
         return [column for below in entry["entries"] for column in _split(below, f"{name}_{below['title'] or below['name']}")]
     if entry["shape"] != "estimate":
@@ -250,7 +221,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     --------
     >>> import flexslip
     >>> examples = flexslip.campaign("examples")
-    >>> sorted(examples.table.test)
+    >>> sorted(examples.to_frame().index)
     ['cracked', 'cyclic', 'simulated', 'surface']
     """
     if model is not None:

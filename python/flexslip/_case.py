@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import Answer, Quantity
-from ._errors import ARRAYS, InputError, error_of, of_keywords, wrong, yes_no
+from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, wrong, yes_no
 from ._frames import is_frame, record_of
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -388,14 +388,6 @@ def _without_key(text: str, name: str) -> str:
                 if tomllib.loads(shorter) == wanted:
                     return shorter
     raise wrong(name, "a key on lines of its own", "one beside others", "take it out of the case file", key=name)
-
-
-def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
-    """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
-    path: str = os.fsdecode(file)
-    if not path or path == "-" or "\0" in path:
-        raise wrong(field, what, repr(path))
-    return path
 
 
 def _stated(values: Mapping[str, Any], above: str = "") -> list[str]:

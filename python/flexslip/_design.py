@@ -10,9 +10,8 @@ import numpy as np
 from . import _flexslip
 from ._answers import table_of
 from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
-from ._errors import wrong
+from ._errors import whole, wrong
 from ._fields import DesignFields
-from ._simulate import whole
 
 if TYPE_CHECKING:
     import pandas

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
+from ._errors import whole
 from ._fields import EquilibriumFields, EquilibriumRegionFields
-from ._simulate import whole
 
 if TYPE_CHECKING:
     import pandas

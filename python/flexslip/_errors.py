@@ -1,6 +1,7 @@
-"""What is wrong with an input, as exceptions that Python's users expect."""
+"""What is wrong with an input, as exceptions that Python's users expect, and the checks of arguments that raise them."""
 from __future__ import annotations
 
+import operator
 import os
 import re
 from collections.abc import Sequence
@@ -171,3 +172,33 @@ def one_of(field: str, word: Any, known: Sequence[str]) -> None:
     """Refuses an argument that is none of some words."""
     if not isinstance(word, str) or word not in known:
         raise wrong(field, f"one of {', '.join(known)}", word)
+
+
+def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
+    """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
+    path: str = os.fsdecode(file)
+    if not path or path == "-" or "\0" in path:
+        raise wrong(field, what, repr(path))
+    return path
+
+
+def whole(name: str, value: Any, least: int, most: int) -> int:
+    """An option that is a whole number."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise wrong(name, f"a whole number from {least} to {most}", value) from None
+    if isinstance(value, bool) or not least <= number <= most:
+        raise wrong(name, f"a whole number from {least} to {most}", value)
+    return number
+
+
+def positive(name: str, value: Any) -> float:
+    """An option that is a positive number."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise wrong(name, "a positive number", value) from None
+    if not 0 < number < float("inf"):
+        raise wrong(name, "a positive number", value)
+    return number

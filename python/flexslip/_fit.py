@@ -10,9 +10,9 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import ANSWERS, same, table_of
-from ._case import Case, case_of, in_words_of, path_of, with_keywords
-from ._errors import one_of, wrong
-from ._fields import FitDraws, FitFields, FitParameters
+from ._case import Case, case_of, in_words_of, with_keywords
+from ._errors import one_of, path_of, positive
+from ._fields import FitDraws, FitFields
 
 if TYPE_CHECKING:
     import pandas
@@ -30,7 +30,7 @@ class Fit(FitFields):
     Attributes
     ----------
     params : parameters
-        ``fit.params["mu0"].value``, ``.stderr``, ``.ci95``, ``.unit``; the same as `parameters`.
+        ``fit.params["mu0"].value``, ``.stderr``, ``.ci95``, ``.unit``.
     success : bool
         Is there an answer? If not, `message` says why, and what depends on it is None or NaN.
     message : str
@@ -72,11 +72,6 @@ class Fit(FitFields):
         """The verdict's sentence; where there is no answer, what to do about it, too."""
         has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
         return self.verdict.sentence if has_answer or not self.next else f"{self.verdict.sentence} {self.next}"
-
-    @property
-    def params(self) -> FitParameters:
-        """The parameters, each with `value`, `stderr`, `ci95` and `unit`: ``fit.params.mu0.value``. The same as `parameters`."""
-        return self.parameters
 
     @property
     def curves(self) -> FitCurvesTable:
@@ -149,7 +144,7 @@ class Fit(FitFields):
 
     def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each parameter."""
-        return self.parameters.to_frame()
+        return self.params.to_frame()
 
     def report(self, folder: Any) -> str:
         """Writes report.html and its figures into a folder, as ``flexslip fit --report`` does; gives the path of the former."""
@@ -193,7 +188,7 @@ class Fit(FitFields):
         for words in self._found():
             lines += textwrap.wrap(words, _WIDTH, initial_indent="  - ", subsequent_indent="    ")
         if self._parameters_hold():
-            lines += [f"  {name:<20} {value}" for name, value, _ in self.parameters._shown()]
+            lines += [f"  {name:<20} {value}" for name, value, _ in self.params._shown()]
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
@@ -201,7 +196,7 @@ class Fit(FitFields):
 
         found = "".join(f"<li>{html.escape(words)}</li>" for words in self._found())
         head = f"<p><b>{html.escape(f'{self.name}  {self.verdict.sentence}')}</b></p>" + (f"<ul>{found}</ul>" if found else "")
-        return head + (self.parameters._repr_html_() if self._parameters_hold() else "")
+        return head + (self.params._repr_html_() if self._parameters_hold() else "")
 
 
 def _concluded(data: Mapping[str, Any]) -> dict[str, Any]:
@@ -266,17 +261,6 @@ class Draws(FitDraws):
 
     def __repr__(self) -> str:
         return f"<{len(self.profiles)} profiles at {len(self.length)} lengths>"
-
-
-def positive(name: str, value: Any) -> float:
-    """An option that is a positive number."""
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        raise wrong(name, "a positive number", value) from None
-    if not 0 < number < float("inf"):
-        raise wrong(name, "a positive number", value)
-    return number
 
 
 @with_keywords("specimen", "rig", "record")

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ._errors import InputError, error_of, one_of, wrong
+from ._read import read
 
 NAME = "frame"  # what such data are called
 _ROLES = ("stage", "deflection", "force")  # that titles can say
@@ -77,8 +78,6 @@ def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
 
 def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str], dict[str, str]]:
     """The titles of stage, deflection and force, as far as they say so, and the units of all columns."""
-    from ._read import read  # which is made of cases
-
     if displacement is not None:
         one_of("displacement", displacement, ("crosshead", "deflection"))
     with tempfile.TemporaryDirectory() as folder:

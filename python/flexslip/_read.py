@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _flexslip
-from ._case import path_of
-from ._errors import one_of, wrong
+from ._errors import one_of, path_of, whole, wrong
 from ._fields import ExportFields
-from ._simulate import whole
 
 if TYPE_CHECKING:
     import pandas

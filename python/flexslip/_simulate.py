@@ -6,12 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
-from ._errors import wrong
+from ._errors import whole
 from ._fields import ProfileFields, SimulationFields
 
 if TYPE_CHECKING:
     import pandas
-
 
 
 class Simulation(SimulationFields):
@@ -113,19 +112,6 @@ class Profile(ProfileFields):
 
     def __repr__(self) -> str:
         return f"<Profile: {self.status}, {len(self.profile)} points>"
-
-
-def whole(name: str, value: Any, least: int, most: int) -> int:
-    """An option that is a whole number."""
-    import operator
-
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise wrong(name, f"a whole number from {least} to {most}", value) from None
-    if isinstance(value, bool) or not least <= number <= most:
-        raise wrong(name, f"a whole number from {least} to {most}", value)
-    return number
 
 
 @with_keywords("specimen", "rig", "friction", "stage")

@@ -9,10 +9,9 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import ANSWERS, table_of
-from ._case import encodable, path_of, quantity_in_words
-from ._errors import wrong
+from ._case import encodable, quantity_in_words
+from ._errors import path_of, whole, wrong
 from ._fields import SurfaceFields
-from ._simulate import whole
 
 if TYPE_CHECKING:
     import pandas

@@ -10,8 +10,7 @@ import numpy as np
 from . import _flexslip
 from ._answers import Quantity
 from ._case import _in_quotes, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
-from ._errors import one_of, wrong
-from ._simulate import whole
+from ._errors import one_of, whole, wrong
 
 if TYPE_CHECKING:
     import pandas

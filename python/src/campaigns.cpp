@@ -73,8 +73,6 @@ void add_campaigns(py::module_& module) {
       .def("told",
            [](const Campaign& campaign) { return plain(campaign_json(campaign), campaign_fields().descriptions()); })
       .def("test_table", [](const Campaign& campaign) { return plain(test_table(campaign)); })
-      .def("category_table", [](const Campaign& campaign) { return plain(category_table(campaign)); })
-      .def("specimen_table", [](const Campaign& campaign) { return plain(specimen_table(campaign)); })
       .def("figures", figures_of_campaign)
       .def("text", campaign_text);
   module.def("campaign", [](const std::string& path, const std::optional<std::string>& common,

@@ -277,7 +277,7 @@ class Faults(unittest.TestCase):
         self.assertFalse(hasattr(fit, "spam") or hasattr(fit, "_spam") or hasattr(fit.params, "spam"))
         no_answer = flexslip.fit(CASE, modulus="1 GPa")
         self.assertFalse(no_answer.success)
-        pickle.loads(pickle.dumps(fit.params)), repr(no_answer.parameters)
+        pickle.loads(pickle.dumps(fit.params)), repr(no_answer.params)
 
     def test_outside_a_value_that_is_given_twice_is_refused(self):
         for call, told in ((lambda: flexslip.Case(rig={"span": 1.278e-3}, span="2 mm"), "^span: expected one value, found rig={'span': 0.001278} and span='2 mm'; leave one out"),

@@ -139,7 +139,7 @@ class Records(unittest.TestCase):
             with open(case, "w") as file:
                 file.write(f"""[specimen]
 diameter = "34.8 um"
-bending_stiffness = "{self.usual.parameters["bending_stiffness"].value} N m^2"
+bending_stiffness = "{self.usual.params["bending_stiffness"].value} N m^2"
 [rig]
 span = "1278 um"
 stiffness = "{stiffness} N/m"
@@ -166,7 +166,7 @@ class Campaigns(unittest.TestCase):
             absolute.to_csv(path, index=False)
             of_file = flexslip.campaign(path, "examples/simulated/case.toml")
             campaign = flexslip.campaign(frame, "examples/simulated/case.toml")
-            np.testing.assert_array_equal(campaign.table.mu0, of_file.table.mu0)
+            np.testing.assert_array_equal(campaign.to_frame().mu0, of_file.to_frame().mu0)
             self.assertEqual(list(campaign.tests.file), ["examples/simulated/test.csv"] * 2)
             self.assertEqual(list(campaign.to_frame()["file"]), ["examples/simulated/test.csv"] * 2)
             report = os.path.join(folder, "report")
@@ -184,14 +184,14 @@ class Campaigns(unittest.TestCase):
         bare = pandas.DataFrame({"file": said.file, "diameter": [34.8e-6, 34.9e-6], "diameter uncertainty": [1e-7, 1e-7], "rig.span": [1.278e-3, np.float64(1.279e-3)],
                                  "stiffness": [90, 91], "until": [400.0, 410.0], "first": [10e-6, 20e-6]}).set_index(pandas.Index(["a", "b"], name="test"))
         of_words, of_numbers = flexslip.campaign(said, common), flexslip.campaign(bare, common)
-        self.assertEqual(list(of_numbers.table.test), ["a", "b"])
+        self.assertEqual(list(of_numbers.to_frame().index), ["a", "b"])
         self.assertTrue(of_words.success and of_numbers.success, of_numbers)
-        np.testing.assert_array_equal(of_words.table.mu0, of_numbers.table.mu0)
-        self.assertEqual(len({*of_numbers.table.mu0}), 2)
+        np.testing.assert_array_equal(of_words.to_frame().mu0, of_numbers.to_frame().mu0)
+        self.assertEqual(len({*of_numbers.to_frame().mu0}), 2)
         by_file = flexslip.campaign(bare.set_index("file")[:1], common)
-        self.assertEqual((list(by_file.table.test), list(by_file.tests.file)), (["test"], ["examples/simulated/test.csv"]))
+        self.assertEqual((list(by_file.to_frame().index), list(by_file.tests.file)), (["test"], ["examples/simulated/test.csv"]))
         of_common = flexslip.campaign(bare.drop(columns="file"), common)  # whose file it is
-        self.assertEqual((list(of_common.table.test), list(of_common.tests.file)), (["a", "b"], ["row 'a'", "row 'b'"]))
+        self.assertEqual((list(of_common.to_frame().index), list(of_common.tests.file)), (["a", "b"], ["row 'a'", "row 'b'"]))
 
     def test_outside_a_campaign_without_an_answer_says_the_first_cause(self):
         table = pandas.DataFrame({"file": ["examples/simulated/test.csv"] * 3, "span": ["1 mm", "2 N", "3 N"]}, index=["a", "b", "c"])
@@ -211,11 +211,11 @@ class Campaigns(unittest.TestCase):
             shutil.copy("examples/simulated/test.csv", copy)
             table = pandas.DataFrame({"name": list("abcd"), "file": ["examples/simulated/test.csv"] * 3 + [copy], "diameter": 34.8e-6})
             campaign = flexslip.campaign(table, "examples/simulated/case.toml")
-            self.assertEqual(list(campaign.table.test), ["a"])
+            self.assertEqual(list(campaign.to_frame().index), ["a"])
             self.assertEqual(list(campaign.notes), [f"'{name}' is left out, as it has the record of 'a', to the byte" for name in "bcd"])
             self.assertIn(campaign.notes[2], repr(campaign))
             table.loc[1:, "diameter"] += 1e-7
-            self.assertEqual(list(flexslip.campaign(table, "examples/simulated/case.toml").table.test), ["a", "b"])
+            self.assertEqual(list(flexslip.campaign(table, "examples/simulated/case.toml").to_frame().index), ["a", "b"])
 
 
 class Equality(unittest.TestCase):
@@ -235,12 +235,12 @@ class Equality(unittest.TestCase):
         other = flexslip.fit("examples/simulated/case.toml", stiffness="100 N/m")
         self.assertTrue(fit == again and hash(fit) == hash(again) and not fit != again)
         self.assertNotEqual(fit, other)
-        self.assertEqual(fit.parameters, again.parameters)
+        self.assertEqual(fit.params, again.params)
         self.assertEqual(fit.params.mu0, again.params.mu0)
         self.assertNotEqual(fit.params.mu0, other.params.mu0)
         self.assertEqual(fit.profile, again.profile)
         self.assertNotEqual(fit.profile, other.profile)
-        self.assertNotEqual(fit, fit.parameters)
+        self.assertNotEqual(fit, fit.params)
         self.assertNotEqual(fit, 3)
 
 

@@ -153,7 +153,7 @@ class Parser(html.parser.HTMLParser):
 class Words(unittest.TestCase):
     def answers(self):
         fit = fitted("cyclic")
-        yield from (fit, fit.parameters, fit.profile, fit.drops, fit.judgement, fit.params.mu0, fit.describe(), fit.draws, fit.curves, fit.case,
+        yield from (fit, fit.params, fit.profile, fit.drops, fit.judgement, fit.params.mu0, fit.describe(), fit.draws, fit.curves, fit.case,
                     flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"), flexslip.design(DESIGN),
                     flexslip.design(DESIGN, over={"mu0": (0.1, 0.9, 3)}), flexslip.friction_profile(case("simulated")),
                     flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN), flexslip.equilibrium_region(DESIGN, points=9),
@@ -220,7 +220,7 @@ class Words(unittest.TestCase):
 
         self.assertRegex(shown(fit.drops), r"row_before row_after stage \[µm\] .* force_fall \[(µ|m)N\] .* pulled_in .* \d\.\d\d ± 0\.\d\d µm ")
         self.assertRegex(shown(flexslip.design(DESIGN, over={"stiffness": (10, 40, 3)})), r"stiffness \[N/m\] .* largest_drop \[[µm]N\]")
-        self.assertIn("work_of_fracture [µJ]", [*campaign_of_examples().table._shown()])
+        self.assertIn("work_of_fracture [µJ]", [*campaign_of_examples()._table()._shown()])
         for table in fit.drops, fit.curves, fit.sensitivities:
             cells = [float(cell) for column in table._shown() for cell in table._shown()[column] if re.fullmatch(r"-?[\d.]+(e-?\d+)?", cell)]
             self.assertGreater(len(cells), 10)
@@ -274,7 +274,7 @@ class Words(unittest.TestCase):
         for name in "parameters.mu0", "profile[].mu_error", "energy.friction_share":
             self.assertIn(name, told)
             self.assertIn(f"`{name}`", page)
-        self.assertIn("mean friction", type(fit.parameters).mu0.__doc__)
+        self.assertIn("mean friction", type(fit.params).mu0.__doc__)
 
 
 class Frames(unittest.TestCase):
