@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <numeric>
@@ -435,20 +436,24 @@ double greatest_of(std::span<const double> force) {
   return greatest;
 }
 
-// Are changes other than those of a coarse converter, which are a few of its steps?
-bool are_fine(const std::vector<double>& changes) {
-  if (changes.empty()) return false;
-  const double least = *std::min_element(changes.begin(), changes.end());
-  if (median_of(changes) > 4 * least) return true;
-  const auto is_whole = [&](double change) {
-    constexpr double rounding = 0.01;
-    return std::abs(change / least - std::round(change / least)) < rounding;
-  };
-  return 2 * std::count_if(changes.begin(), changes.end(), is_whole) < static_cast<std::ptrdiff_t>(changes.size());
+// The step of a force: the least difference of two forces that is not rounding. 0 for a force that does not change.
+double step_of(std::vector<double> force, double greatest) {
+  constexpr double rounding = 1e-9;  // [greatest force] more than doubles round, less than a converter tells
+  std::sort(force.begin(), force.end());
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < force.size(); ++i)
+    if (const double gap = force[i] - force[i - 1]; gap > rounding * greatest) step = std::min(step, gap);
+  return std::isfinite(step) ? step : 0;
+}
+
+// True if the changes are not those of a coarse converter, which are a few of its steps.
+bool are_fine(std::vector<double> changes, double step) {
+  constexpr double few = 4;
+  return !changes.empty() && median_of(std::move(changes)) > few * step;
 }
 
 // Whether equal forces one after the other are held values; all of them are where a specimen bears a load.
-bool holds_values(std::span<const double> force, double loaded) {
+bool holds_values(std::span<const double> force, double loaded, double step) {
   std::vector<double> changes;
   std::size_t steps = 0, equal = 0;
   for (std::size_t i = 1; i < force.size(); ++i) {
@@ -460,39 +465,64 @@ bool holds_values(std::span<const double> force, double loaded) {
     else
       ++equal;
   }
-  return 4 * equal >= steps && are_fine(changes);
+  return 4 * equal >= steps && are_fine(std::move(changes), step);
+}
+
+// The largest second difference of rows that are interpolated between readings; nothing if the record has no such rows.
+// A force in steps as coarse as its noise is straight over many rows, too. It bends by one step more often than by none.
+// In a file of few digits rounding bends interpolated rows by one digit about as often as by none, and never by two.
+std::optional<double> bend_of_interpolated(const std::vector<double>& bends, double step, double greatest) {
+  constexpr double rounding = 1e-7;  // [greatest force] more than a file of eight digits rounds
+  constexpr double share = 0.1;      // of the rows
+  const auto count = [&](double from, double to) {
+    return static_cast<double>(
+        std::count_if(bends.begin(), bends.end(), [=](double bend) { return bend > from && bend <= to; }));
+  };
+  const auto others_are_fine = [&](double tolerance) {
+    std::vector<double> others;
+    std::copy_if(bends.begin(), bends.end(), std::back_inserter(others), [=](double bend) { return bend > tolerance; });
+    return are_fine(std::move(others), step);
+  };
+  const double enough = share * static_cast<double>(bends.size());
+  const double exact = rounding * greatest, by_one = 1.5 * step;
+  if (count(-1, exact) - count(exact, by_one) > enough && others_are_fine(exact)) return exact;
+  const double straight = count(-1, by_one), by_two = count(by_one, by_one + 2 * step);
+  const bool is_rounded = count(0.5 * step, by_one) > share * straight;
+  constexpr double at_most = 4;  // times as many would bend by two steps for noise as coarse as the step, or finer
+  if (is_rounded && straight - at_most * by_two > enough && others_are_fine(by_one)) return by_one;
+  return {};
 }
 
 // Where a record goes straight on from row to row, to the last digits, there is no noise: its readings are where it bends, or the row
 // beside. Empty: it does not.
 std::vector<std::size_t> readings_of(std::span<const double> displacement, const std::vector<double>& force,
-                                     double greatest) {
-  constexpr double straight = 1e-7;  // [greatest force] less than converters tell, more than files round
+                                     double greatest, double loaded) {
   const auto bend_at = [&](std::size_t i) { return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]); };
-  const auto bends_at = [&](std::size_t i) { return bend_at(i) > straight * greatest; };
-  std::vector<std::size_t> readings{0};
+  // While the stage stands nothing lies between readings: all such rows are.
+  const auto stands_at = [&](std::size_t i) {
+    return displacement[i - 1] == displacement[i] || displacement[i] == displacement[i + 1];
+  };
   std::vector<double> bends;
-  std::size_t rows_straight = 0;
+  for (std::size_t i = 1; i + 1 < force.size(); ++i)
+    if (!stands_at(i) && std::abs(force[i]) > loaded) bends.push_back(bend_at(i));
+  const auto interpolated = bend_of_interpolated(bends, step_of(force, greatest), greatest);
+  if (!interpolated) return {};
+  const auto bends_at = [&](std::size_t i) { return bend_at(i) > *interpolated; };
+  std::vector<std::size_t> readings{0};
   for (std::size_t i = 1; i + 1 < force.size(); ++i) {
-    // While the stage stands nothing lies between readings: all such rows are.
-    if (displacement[i - 1] == displacement[i] || displacement[i] == displacement[i + 1]) {
+    if (stands_at(i)) {
       readings.push_back(i);
       continue;
     }
-    if (!bends_at(i)) {
-      ++rows_straight;
-      continue;
-    }
+    if (!bends_at(i)) continue;
     // A reading between two rows bends both: the one that is not on the way of a fall counts.
-    bends.push_back(bend_at(i));
     const bool bends_next = i + 2 < force.size() && bends_at(i + 1);
     const bool falls_then = bends_next && force[i + 2] < force[i + 1];
     readings.push_back(bends_next && !falls_then ? i + 1 : i);
     if (bends_next) ++i;
   }
   constexpr std::size_t min_readings = 100;  // what bends more rarely may be straight by itself
-  constexpr std::size_t of_rows = 10;        // by chance far fewer lie straight
-  if (readings.size() < min_readings || of_rows * rows_straight < force.size() || !are_fine(bends)) return {};
+  if (readings.size() < min_readings) return {};
   readings.push_back(force.size() - 1);
   return readings;
 }
@@ -592,12 +622,12 @@ Sampling sampling_of(std::span<const double> displacement, std::span<const doubl
   constexpr double of_greatest = 0.05;
   const double loaded = of_greatest * greatest;
   auto forces = values_at(rows, force);
-  if (holds_values(forces, loaded)) {
+  if (holds_values(forces, loaded, step_of(forces, greatest))) {
     sampling.held = leave_out(
         rows, [&](std::size_t i) { return i == 0 || forces[i] != forces[i - 1] || !(std::abs(forces[i]) > loaded); });
     forces = values_at(rows, force);
   }
-  if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest); !readings.empty())
+  if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest, loaded); !readings.empty())
     sampling.interpolated =
         leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
   thin(sampling, displacement, force, most);

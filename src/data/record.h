@@ -173,11 +173,13 @@ struct Sampling {
 };
 
 // Domain:     columns of one length; most >= 1: no more rows count.
-// Method:     Repeated rows never count. Held ones do not where they are a quarter of the rows above a twentieth of the greatest force, and
-//             forces change by more than four times their least change: a coarse converter repeats values, too, and means them. A
-//             record of which a tenth goes straight on from row to row, to 1e-7 of the greatest force, is interpolated: the rows at which
-//             it bends count, if they are a hundred. Where more are left than `most`, those at rest do not, those before and after the load
-//             count up to a tenth of that each, the nearest, and of all these every so many, and the greatest force.
+// Method:     Repeated rows never count. Held rows do not count if they are a quarter of the rows above a twentieth of the greatest force, and
+//             the median change of the force is more than four of its steps: a coarse converter repeats values, too, and means them.
+//             A record is interpolated if exactly straight triples of rows exceed the triples that bend by up to one step of the force
+//             by a tenth of the rows, and the other triples bend by more than four steps in the median. Only the rows where such a
+//             record bends count, if they are a hundred. Where more than `most` rows are left, rows at rest do not count. Of the rows
+//             before and after the load the nearest count, up to a tenth of `most` each. Of the rest, one row in so many counts, and
+//             the greatest force.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
 
 }  // namespace flexslip

@@ -3,11 +3,14 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "data/record.h"
+#include "tests/uniform.h"
 
 namespace flexslip {
 namespace {
@@ -40,6 +43,36 @@ Columns interpolated(const Columns& from, std::size_t rows) {
     columns.force.push_back(from.force[j] + part * (from.force[j + 1] - from.force[j]));
   }
   return columns;
+}
+
+// A force that rises to a greatest force of 1, smoothly or with drops, with noise of 0.03 to 0.4 %.
+struct Noisy {
+  Columns columns;
+  double noise;
+};
+
+Noisy noisy(Uniform& uniform, int rows) {
+  Noisy record{{}, 3e-4 * std::pow(13, uniform(0, 1))};
+  const double drops = uniform(0, 1) < 0.5 ? 0 : std::floor(uniform(1, 40));
+  const double decade = std::pow(10, uniform(-4, 0));
+  for (int i = 0; i < rows; ++i) {
+    const double at = i / static_cast<double>(rows), since = at * drops - std::floor(at * drops);
+    const double normal = std::sqrt(-2 * std::log(1 - uniform(0, 1))) * std::cos(2 * std::numbers::pi * uniform(0, 1));
+    const double fallen = at * drops < 1 ? 0 : 0.03 * std::exp(-3 * since);
+    record.columns.displacement.push_back(i);
+    record.columns.force.push_back(decade * (std::sin(1.4 * at) - fallen + record.noise * normal));
+  }
+  record.noise *= decade;
+  return record;
+}
+
+void round_to_steps(std::vector<double>& force, double step) {
+  for (double& each : force) each = step * std::round(each / step);
+}
+
+// As a file holds it that writes so many digits of a force in mN, read in N.
+void write_digits(std::vector<double>& force, int digits) {
+  for (double& each : force) each = 1e-3 * std::stod(fmt::format("{:.{}g}", 1e3 * each, digits));
 }
 
 Sampling sampling_of(const Columns& columns, std::size_t most = 2000) {
@@ -83,11 +116,34 @@ TEST_CASE("identity: a force held over two rows or three counts where it is new"
   }
 }
 
-TEST_CASE("limit: a coarse converter repeats values and means them") {
-  auto columns = readings();
-  for (double& force : columns.force) force = 0.02 * std::round(force / 0.02);
-  const auto sampling = sampling_of(columns);
-  CHECK(sampling.rows.size() == 400);
+TEST_CASE("identity: a force in steps of 0.2 to 2 times its noise, of 4 to 10 digits, loses no row") {
+  Uniform uniform;
+  constexpr int records = 280;
+  int lose = 0;
+  for (int i = 0; i < records; ++i) {
+    auto [columns, noise] = noisy(uniform, static_cast<int>(uniform(200, 3000)));
+    round_to_steps(columns.force, noise * 0.2 * std::pow(10, uniform(0, 1)));
+    write_digits(columns.force, 4 + i % 7);
+    lose += sampling_of(columns, 3000).rows.size() < columns.force.size() ? 1 : 0;
+  }
+  CAPTURE(lose);
+  CHECK(100 * lose <= records);
+}
+
+TEST_CASE("identity: rows that are interpolated two to ten times are recognised in most files of 4 to 10 digits") {
+  Uniform uniform;
+  constexpr int records = 280;
+  int recognised = 0;
+  for (int i = 0; i < records; ++i) {
+    auto [columns, noise] = noisy(uniform, static_cast<int>(uniform(200, 1000)));
+    if (uniform(0, 1) < 0.3) round_to_steps(columns.force, noise * 0.2 * std::pow(10, uniform(0, 1)));
+    auto many =
+        interpolated(columns, static_cast<std::size_t>(uniform(2, 10) * static_cast<double>(columns.force.size())));
+    write_digits(many.force, 4 + i % 7);
+    recognised += sampling_of(many, 10000).interpolated > 0 ? 1 : 0;
+  }
+  CAPTURE(recognised);
+  CHECK(100 * recognised >= 85 * records);
 }
 
 TEST_CASE(
