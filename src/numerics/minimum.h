@@ -110,6 +110,7 @@ template <class Function, class Vector>
 Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector>& box, SquareOf<Vector>& inverse,
                         int iterations, double negligible) {
   const Eigen::Index n = start.size();
+  if (n < 1) return start;  // no number can move, and a gradient of none has no first element
   Vector x = start.cwiseMax(box.low).cwiseMin(box.high);
   auto now = f(x);
   double gain = std::numeric_limits<double>::infinity();
@@ -130,7 +131,7 @@ Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector
       has_risen = then.value > now.value;
     }
     if (!has_risen) break;
-    const Vector s = next - x, y = now.gradient - then.gradient;  // of minus the function
+    const Vector s = next - x, y = (now.gradient - then.gradient).head(n);  // of minus the function
     const double sy = s.dot(y);
     gain = then.value - now.value;
     if (sy > 1e-12) {
