@@ -57,10 +57,10 @@ void run_campaign_command(const CampaignRequest& request) {
   for (const std::string& remark : run.campaign.notes) note(request.output, remark);
   if (run.found > 0)
     note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.tests.size()));
-  if (!request.report.empty())
-    note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
   write_words(
       request.output, [&] { return campaign_json(run.campaign); }, [&] { return campaign_text(run.campaign); });
+  if (!request.report.empty())
+    note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !is_answered(test); });
   for (const Shareable parameter : shareables_named(request.shared))

@@ -28,9 +28,10 @@ void run_design(const DesignRequest& request) {
   const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
     const auto points = design_map(input, axes, request.threads);
+    write_rows(request.output, design_map_fields(axes), points, map_fields(axes), points,
+               {Scales(1, 1), input.reduced});
     if (!request.figure.empty()) draw_for(request.output, design_map_figure(input, axes, points), request.figure);
-    return write_rows(request.output, design_map_fields(axes), points, map_fields(axes), points,
-                      {Scales(1, 1), input.reduced});
+    return;
   }
   constexpr double many = 1e5;
   const Design planned = design_of(input).design;
@@ -38,7 +39,6 @@ void run_design(const DesignRequest& request) {
     note(request.output,
          fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
   const DesignAnswer answer = answer_of(input);
-  if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
   write_words(
       request.output,
       [&] {
@@ -46,6 +46,7 @@ void run_design(const DesignRequest& request) {
                                {answer.scales, input.reduced});
       },
       [&] { return in_text(document_of(answer)); });
+  if (!request.figure.empty()) draw_for(request.output, design_figure(answer), request.figure);
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ void run_equilibrium(const EquilibriumRequest& request) {
                                               study.reduced     ? kind::number
                                               : study.in_inches ? in_inches(kind::length)
                                                                 : kind::length)));
-  if (!request.figure.empty()) draw_for(request.output, equilibrium_figure(study), request.figure);
   const EquilibriumColumns columns = columns_of(study);
   write_rows(request.output, equilibria_fields(columns), study, equilibrium_fields(columns), points_of(study),
              {study.scales, study.reduced});
+  if (!request.figure.empty()) draw_for(request.output, equilibrium_figure(study), request.figure);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "cli/options.h"
 #include "finding/answer.h"
 #include "report/answer_documents.h"
+#include "report/page.h"
 #include "report/report.h"
 
 namespace flexslip {
@@ -37,13 +38,14 @@ void run_fit(const FitRequest& request) {
   if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
   if (!request.draws.empty() && !is_fitted(test))
     note(request.output, fmt::format("{} is not written: there is no fit to draw profiles from", request.draws));
-  if (!request.report.empty()) note_pictures(request.output, write_report_with_studio(request.report, test));
+  if (!request.report.empty()) make_folder(request.report);
   write_words(
       request.output, [&] { return fit_json(test); },
       [&] {
         return (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
                (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report));
       });
+  if (!request.report.empty()) note_pictures(request.output, write_report_with_studio(request.report, test));
   if (const auto code = answer_of(test).verdict.code; !is_answered(code))
     throw CalculationFailed(fmt::format("{}: {}; the answer says why", test.measurement.file, word_of(code)));
 }

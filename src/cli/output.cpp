@@ -20,8 +20,8 @@
 namespace flexslip {
 
 void draw_for(const Output& output, const Plot& plot, const std::string& path) {
-  if (draw(plot, path) == DrawStatus::no_gnuplot)
-    note(output, "gnuplot is not installed: the script and data of the figure are written, but no picture");
+  if (const Drawing drawing = draw(plot, path); !drawing.is_done())
+    note(output, drawing.why_not + ": the script and data of the figure are written, but no picture");
 }
 
 void write_words(const Output& output, const std::function<Json()>& all, const std::function<std::string()>& words) {
@@ -40,9 +40,9 @@ ScreenStyle screen_style(const Output& output) {
   return style;
 }
 
-void note_pictures(const Output& output, DrawStatus status) {
-  if (status == DrawStatus::no_gnuplot)
-    note(output, "gnuplot is not installed: the report holds the scripts and data of the figures, but no pictures");
+void note_pictures(const Output& output, const Drawing& drawing) {
+  if (!drawing.is_done())
+    note(output, drawing.why_not + ": the report holds the scripts and data of all figures, but not all pictures");
 }
 
 void note(const Output& output, std::string_view remark) {

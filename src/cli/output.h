@@ -34,10 +34,10 @@ void write_rows(const Output& output, const Fields<Answer>& all, const Answer& a
     write_csv(output.path, columns, rows, frame);
 }
 
-// Draws a figure; without gnuplot a remark says that only its script and data are there.
+// Draws a figure; if that fails, a remark says why only its script and data are there. To be called after the answer is written.
 void draw_for(const Output& output, const Plot& plot, const std::string& path);
 // Likewise of the pictures of a report.
-void note_pictures(const Output& output, DrawStatus status);
+void note_pictures(const Output& output, const Drawing& drawing);
 
 // As wide as the terminal, and in colour on one, unless NO_COLOR is set; of results that go into a file, as a file has them.
 ScreenStyle screen_style(const Output& output);

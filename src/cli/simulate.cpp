@@ -60,11 +60,11 @@ void run_simulate(const SimulateRequest& request) {
   const SimulatedTest test =
       simulate(input, {request.points, noise, request.seed, progress_of("stage positions", request.output)}, farthest);
   for (const std::string& remark : test.remarks) note(request.output, remark);
+  write_test(request, test);
   if (!request.figure.empty())
     draw_for(request.output,
              marked.empty() ? simulated_figure(test, cracks_of(input, test.scales)) : equilibria_figure(test, marked),
              request.figure);
-  write_test(request, test);
   if (!test.why_it_ends.empty()) throw CalculationFailed(test.why_it_ends);
 }
 

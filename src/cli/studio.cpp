@@ -24,7 +24,7 @@ struct StudioRequest {
 // By whichever program this computer opens files with.
 bool opened(const std::string& page) {
   for (const std::string program : {"xdg-open", "wslview", "open"}) {
-    const ChildResult result = run_child({program, page}, ".");
+    const ChildResult result = run_child({program, page});
     if (result.status == ChildStatus::exited && result.exit_code == 0) return true;
   }
   return false;

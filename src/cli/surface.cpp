@@ -32,9 +32,9 @@ void run_surface(const SurfaceRequest& request) {
   const SurfaceStudy study = study_surface(read_trace(request.file, trace_options_of(request.trace)), options);
   if (!request.profile.empty()) write_csv(request.profile, trace_fields(), points_of(study), {});
   if (!request.spectrum.empty()) write_csv(request.spectrum, spectrum_fields(), spectrum_points_of(study), {});
-  if (!request.figure.empty()) draw_for(request.output, surface_figure(study), request.figure);
   write_words(
       request.output, [&] { return surface_fields()(study, {}); }, [&] { return in_text(document_of(study)); });
+  if (!request.figure.empty()) draw_for(request.output, surface_figure(study), request.figure);
   if (study.texture.drowned) throw CalculationFailed(fmt::format("{}: {}", study.file.source, surface_in_short(study)));
 }
 

@@ -94,11 +94,11 @@ void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions
   options.presented = with_reports ? "report" : "";
 }
 
-DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures) {
+Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures) {
   make_folder(folder);
   remove_from(folder, is_unfinished);
   for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign);
-  if (!with_figures) return DrawStatus::drawn;
+  if (!with_figures) return {};
   remove_from(fs::path(folder) / "figures", is_old_figure);
   std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));
   FilesBeside files;

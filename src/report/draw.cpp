@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -353,12 +354,10 @@ std::string finished_png(std::string text) {
 // Where gnuplot draws: it would cut short or spoil a picture that is there.
 class DrawingFolder {
  public:
+  // Fails: std::system_error.
   DrawingFolder() {
     std::string name = fs::absolute(fs::temp_directory_path() / "flexslip-XXXXXX").string();
-    if (!mkdtemp(name.data()))
-      throw InputError({.file = fs::temp_directory_path().string(),
-                        .expected = "a folder that can be written to",
-                        .found = std::generic_category().message(errno)});
+    if (!mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
     path_ = name;
   }
   ~DrawingFolder() {
@@ -372,6 +371,13 @@ class DrawingFolder {
  private:
   fs::path path_;
 };
+
+std::string last_line(std::string_view text) {
+  const auto end = text.find_last_not_of(" \r\n\t");
+  if (end == std::string_view::npos) return "";
+  text = text.substr(0, end + 1);
+  return std::string(text.substr(text.find_last_of("\r\n") + 1));
+}
 
 }  // namespace
 
@@ -398,32 +404,44 @@ void require_own_files(const Plot& plot, const fs::path& base) {
 
 }  // namespace
 
-DrawStatus draw(const Plot& plot, const std::string& folder, const std::vector<std::string>& formats) {
+Drawing draw(const Plot& plot, const std::string& folder, const std::vector<std::string>& formats) {
   const fs::path base = folder.empty() ? fs::path(".") : fs::path(folder);
   const std::string script = plot.name + ".gp";
   for (const auto& table : plot.data) write_text((base / data_file(plot, table)).string(), csv(table));
   write_text((base / script).string(), script_of(laid_out(plot)));
-  const DrawingFolder drawing;
-  const auto result = run_child(
-      {"gnuplot", "-e",
-       fmt::format("formats='{}'; folder={}", fmt::join(formats, " "), in_script((drawing.path() / "").string())),
-       "./" + script},
-      base.string());
-  if (result.status == ChildStatus::not_found) return DrawStatus::no_gnuplot;
-  if (result.exit_code != 0)
-    throw std::runtime_error(fmt::format("gnuplot could not draw {}: {}", (base / script).string(), result.output));
-  for (const auto& format : formats) {
-    const std::string picture = fmt::format("{}.{}", plot.name, format);
-    const auto drawn = read_text((drawing.path() / picture).string());
-    if (!drawn) throw std::runtime_error(fmt::format("gnuplot has not drawn {}", (base / picture).string()));
-    write_text((base / picture).string(), format == "svg"   ? finished_svg(*drawn, plot)
-                                          : format == "pdf" ? finished_pdf(*drawn)
-                                                            : finished_png(*drawn));
+  std::vector<std::string> pictures;
+  try {
+    const DrawingFolder drawing;
+    constexpr std::chrono::seconds limit{20};
+    // Neither a file of the user, by -d, nor a variable says how it draws.
+    const auto result = run_child(
+        {"gnuplot", "-d", "-e",
+         fmt::format("formats='{}'; folder={}", fmt::join(formats, " "), in_script((drawing.path() / "").string())),
+         "./" + script},
+        {.folder = base.string(), .limit = limit, .unset_variables = {"GNUTERM"}});
+    if (result.status == ChildStatus::not_found) return {"gnuplot is not installed"};
+    if (result.status == ChildStatus::too_long)
+      return {fmt::format("gnuplot did not finish {} within {} s", script, limit.count())};
+    if (result.exit_code != 0)
+      return {fmt::format("gnuplot could not draw {} (exit code {}): {}", script, result.exit_code,
+                          last_line(result.output))};
+    for (const auto& format : formats) {
+      const auto drawn = read_text((drawing.path() / fmt::format("{}.{}", plot.name, format)).string());
+      if (!drawn || drawn->empty() || (format == "svg" && drawn->find("<svg") == std::string::npos))
+        return {fmt::format("gnuplot wrote no {} of {}", format, script)};
+      pictures.push_back(format == "svg"   ? finished_svg(*drawn, plot)
+                         : format == "pdf" ? finished_pdf(*drawn)
+                                           : finished_png(*drawn));
+    }
+  } catch (const std::runtime_error& error) {
+    return {fmt::format("gnuplot could not be run: {}", error.what())};
   }
-  return DrawStatus::drawn;
+  for (std::size_t i = 0; i < formats.size(); ++i)
+    write_text((base / fmt::format("{}.{}", plot.name, formats[i])).string(), pictures[i]);
+  return {};
 }
 
-DrawStatus draw(Plot plot, const std::string& picture) {
+Drawing draw(Plot plot, const std::string& picture) {
   const fs::path path(picture);
   const std::string format = path.extension().empty() ? "" : path.extension().string().substr(1);
   if (format != "svg" && format != "pdf" && format != "png")

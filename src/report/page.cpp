@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <stdexcept>
 #include <string_view>
 #include <system_error>
 
@@ -135,7 +134,6 @@ struct AsHtml {
 // Several pictures in one page must not share the names of their parts.
 std::string inline_svg(const fs::path& path, const Plot& plot) {
   std::string svg = read_text(path.string()).value_or("");
-  if (svg.find("<svg") == std::string::npos) throw std::runtime_error(fmt::format("no picture in {}", path.string()));
   svg.erase(0, svg.find("<svg"));
   for (const std::string_view before : {"id='", "id=\"", "xlink:href='#", "xlink:href=\"#", "url(#"})
     svg = replaced(svg, before, fmt::format("{}{}-", before, plot.name));
@@ -144,20 +142,18 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
 }
 
 // The picture itself, its caption and links to its files.
-std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus drawn, std::size_t number) {
+std::string html_figure(const std::string& folder, const Plot& plot, const Drawing& drawing, std::size_t number) {
   const std::string base = "figures/" + plot.name;
   const bool narrow = plot.width < two_columns;
-  const std::string picture = drawn == DrawStatus::drawn
+  const std::string picture = drawing.is_done()
                                   ? inline_svg(fs::path(folder) / (base + ".svg"), plot)
                                   : fmt::format(
-                                        "<p class=\"note\">Not drawn: gnuplot is not installed. Install it and run "
-                                        "<code>gnuplot {}.gp</code> in the folder "
-                                        "figures, or make the report again.</p>\n",
-                                        plot.name);
+                                        "<p class=\"note\">Not drawn: {}. Once gnuplot works, run <code>gnuplot "
+                                        "{}.gp</code> in the folder figures, or make the report again.</p>\n",
+                                        html_escaped(drawing.why_not), html_escaped(plot.name));
   std::string files;
   for (const std::string_view ending : {"svg", "pdf", "png", "gp"})
-    if (drawn == DrawStatus::drawn || ending == "gp")
-      files += fmt::format(" <a href=\"{}.{}\">{}</a>", base, ending, ending);
+    if (drawing.is_done() || ending == "gp") files += fmt::format(" <a href=\"{}.{}\">{}</a>", base, ending, ending);
   for (const auto& data : plot.data)
     files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
   return fmt::format(
@@ -167,10 +163,10 @@ std::string html_figure(const std::string& folder, const Plot& plot, DrawStatus 
 }
 
 // All of them, two at a time: gnuplot keeps to one core.
-DrawStatus draw_all(const std::vector<Plot>& plots, const std::string& folder) {
-  std::vector<DrawStatus> drawn(plots.size(), DrawStatus::drawn);
-  for_each_index(plots.size(), 2, [&](std::size_t i) { drawn[i] = draw(plots[i], folder, {"svg", "pdf", "png"}); });
-  return drawn.empty() ? DrawStatus::drawn : drawn.front();
+std::vector<Drawing> draw_all(const std::vector<Plot>& plots, const std::string& folder) {
+  std::vector<Drawing> drawings(plots.size());
+  for_each_index(plots.size(), 2, [&](std::size_t i) { drawings[i] = draw(plots[i], folder, {"svg", "pdf", "png"}); });
+  return drawings;
 }
 
 }  // namespace
@@ -193,8 +189,8 @@ std::string answer_in_html(const std::string& words, const Verdict* verdict) {
       in_page(words));
 }
 
-DrawStatus write_page(const std::string& folder, const std::string& title, const std::string& answer,
-                      const std::vector<Chapter>& chapters) {
+Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
+                   const std::vector<Chapter>& chapters) {
   std::vector<Plot> plots;
   std::vector<std::size_t> ends;  // of the pictures of a block
   for (const Chapter& chapter : chapters)
@@ -205,11 +201,11 @@ DrawStatus write_page(const std::string& folder, const std::string& title, const
       }
   const std::string figures = (fs::path(folder) / "figures").string();
   make_folder(figures);
-  const DrawStatus drawn = draw_all(plots, figures);
+  const std::vector<Drawing> drawings = draw_all(plots, figures);
   std::size_t figure = 0, block = 0;
   const std::string body = in_html(chapters, [&] {
     std::string html;
-    for (; figure < ends[block]; ++figure) html += html_figure(folder, plots[figure], drawn, figure + 1);
+    for (; figure < ends[block]; ++figure) html += html_figure(folder, plots[figure], drawings[figure], figure + 1);
     ++block;
     return html;
   });
@@ -219,7 +215,9 @@ DrawStatus write_page(const std::string& folder, const std::string& title, const
                   "content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
                   "</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}{3}</main>\n</body>\n</html>\n",
                   html_escaped(title), page_style, answer, body));
-  return drawn;
+  const auto missing =
+      std::find_if(drawings.begin(), drawings.end(), [](const Drawing& each) { return !each.is_done(); });
+  return missing == drawings.end() ? Drawing{} : *missing;
 }
 
 void make_folder(const std::string& folder) {

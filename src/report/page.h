@@ -11,10 +11,10 @@
 namespace flexslip {
 
 // A page with the answer first, in HTML, and the chapters below it. The figures are drawn on the way, into <folder>/figures, as SVG, PDF and PNG with
-// their scripts and data; without gnuplot the page has no pictures and says so.
+// their scripts and data. Where gnuplot draws no picture, the page says why; what is returned is the first picture that is missing.
 // Fails:      as draw(); InputError if a file cannot be written.
-DrawStatus write_page(const std::string& folder, const std::string& title, const std::string& answer,
-                      const std::vector<Chapter>& chapters);
+Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
+                   const std::vector<Chapter>& chapters);
 
 // next_pictures gives the HTML of the pictures of a block, one block after the other.
 std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string()>& next_pictures);

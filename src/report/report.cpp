@@ -55,7 +55,7 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
 
 }  // namespace
 
-DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
+Drawing write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
   const std::string link = studio.empty() ? ""
                                           : fmt::format(
                                                 "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: "
@@ -71,7 +71,7 @@ void announce_report(CallFiles& files, const std::string& folder, const std::str
   if (built_studio_page()) files.writes(fs::path(folder) / studio_name, option);
 }
 
-DrawStatus write_report_with_studio(const std::string& folder, const FittedTest& test) {
+Drawing write_report_with_studio(const std::string& folder, const FittedTest& test) {
   const auto built = built_studio_page();
   if (!built || test.measurement.file == "-") return write_report(folder, test);
   make_folder(folder);

@@ -18,12 +18,12 @@ void announce_report(CallFiles& files, const std::string& folder, const std::str
 // Writes <folder>/report.html, which needs no other file, and <folder>/figures/: every figure as SVG, PDF and PNG with its gnuplot
 // script and data. The folder is made if it is not there; files of the same names are replaced.
 // It links to a studio page beside it, where one is named, and says of what day it is (that of SOURCE_DATE_EPOCH, where it is set).
-// Fails:      as draw(); without gnuplot the report has no pictures and says so.
-DrawStatus write_report(const std::string& folder, const FittedTest& test, const std::string& studio = "");
+// Fails:      as draw(); the report says which pictures are missing, and why.
+Drawing write_report(const std::string& folder, const FittedTest& test, const std::string& studio = "");
 
 // The same with the studio beside it, the test inside: where there is a built page (report/studio_page.h) and the record is a file.
 // Fails:      likewise, and as write_studio_page().
-DrawStatus write_report_with_studio(const std::string& folder, const FittedTest& test);
+Drawing write_report_with_studio(const std::string& folder, const FittedTest& test);
 
 // What the functions below write, named by an option. The folder is FlexSlip's own: what lies in it may be replaced or removed, and is no input of
 // the next run.
@@ -40,7 +40,7 @@ void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions
 //   tests.csv, categories.csv, specimens.csv, campaign.json, campaign.xlsx
 //   figures/                      distributions and atlas pages as SVG, PDF and PNG, with their scripts and data
 // Without figures the tables alone.
-// Fails:      as draw(); InputError if a file cannot be written. Without gnuplot the report has no pictures and says so.
-DrawStatus write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures = true);
+// Fails:      as draw(); InputError if a file cannot be written. The report says which pictures are missing, and why.
+Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures = true);
 
 }  // namespace flexslip

@@ -482,17 +482,6 @@ class Report(InFolder):
         for path in written:
             self.assertEqual((first / path).read_bytes(), (second / path).read_bytes(), path)
 
-    def test_without_gnuplot_the_rest_is_there(self):
-        path = os.environ["PATH"]
-        self.addCleanup(os.environ.__setitem__, "PATH", path)
-        os.environ["PATH"] = str(self.folder)  # nothing in it
-        result = run("fit", CASE, "--report", self.folder / "report")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertIn("gnuplot is not installed", result.stderr)
-        self.assertIn("gnuplot is not installed", (self.folder / "report/report.html").read_text(encoding="utf-8"))
-        self.assertTrue((self.folder / "report/figures/force.gp").is_file())
-        self.assertTrue((self.folder / "report/figures/force-measured.csv").is_file())
-
     def test_report_into_a_file_is_refused(self):
         self.file("taken", "")
         result = run("fit", CASE, "--report", self.folder / "taken")

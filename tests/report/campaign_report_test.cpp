@@ -18,7 +18,7 @@ TEST_CASE("outside: the report is well-formed, needs no other file, and links to
   const std::string of_test = folder.path() / "tests" / folder_name(awkward_name);
   make_folder(of_test);
   write_text(of_test + "/report.html", "");
-  const DrawStatus drawn = write_campaign_report(folder.path(), some_campaign());
+  const Drawing drawing = write_campaign_report(folder.path(), some_campaign());
   const std::string html = bytes_of(folder.path() / "report.html");
   CHECK(html.find("A &lt;b&gt; &amp; 50%_ü") != std::string::npos);
   CHECK(html.find("href=\"tests/A%20_b_%20%26%2050%25_%C3%BC%20_x_/report.html\"") != std::string::npos);
@@ -31,7 +31,7 @@ TEST_CASE("outside: the report is well-formed, needs no other file, and links to
     INFO(file);
     CHECK(fs::file_size(folder.path() / file) > 100);
   }
-  if (drawn == DrawStatus::no_gnuplot) return;
+  if (!drawing.is_done()) return;
   for (const std::string file : {"distributions.svg", "atlas-clear-1.pdf", "atlas-suspect-1.png", "atlas-none-1.gp"}) {
     INFO(file);
     CHECK(fs::exists(folder.path() / "figures" / file));
@@ -54,8 +54,7 @@ reader = Reader(); reader.feed(open(sys.argv[1], encoding='utf-8').read()); read
 if reader.open: sys.exit('left open: ' + str(reader.open))
 if len(set(reader.ids)) != len(reader.ids): sys.exit('an id twice')
 )",
-                                 folder.path() / "report.html"},
-                                ".");
+                                 folder.path() / "report.html"});
   INFO(result.output);
   CHECK((result.status == ChildStatus::not_found || result.exit_code == 0));
 }

@@ -49,7 +49,7 @@ print(json.dumps({'sheets': {name: rows(path) for name, path in zip(names, paths
 )";
 
 std::optional<Json> read_back(const std::string& path) {
-  const auto result = run_child({"python3", "-c", reader, path}, ".");
+  const auto result = run_child({"python3", "-c", reader, path});
   if (result.status == ChildStatus::not_found) return std::nullopt;
   INFO(result.output);
   REQUIRE(result.exit_code == 0);
