@@ -165,7 +165,7 @@ Candidates candidates_of(std::string_view cell, std::size_t decimals) {
   Candidates candidates;
   for (std::size_t behind = fewest_decimals; behind <= decimals; ++behind) {
     std::string text = digits;
-    text.insert(text.size() - std::min(behind, text.size()), ".");
+    text.insert(text.size() - std::min(behind, text.size()), 1, '.');
     candidates.values[candidates.count++] = number_in(text, {});
   }
   return candidates;

@@ -167,7 +167,8 @@ bool names_statistic(std::string_view cell) {
   const std::string label = folded(trimmed(cell));
   std::size_t end = 0;
   while (end < label.size() && is_letter(label[end])) ++end;
-  if (end > 0 && statistics.find(" " + label.substr(0, end) + " ") != std::string_view::npos) return true;
+  if (end > 0 && statistics.find(fmt::format(" {} ", std::string_view(label).substr(0, end))) != std::string_view::npos)
+    return true;
   return label.starts_with("st. dev") || label.starts_with("standard dev") || label.starts_with("standard err") ||
          label.starts_with("standart sapma");
 }

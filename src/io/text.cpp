@@ -79,7 +79,11 @@ std::string printable(std::string_view text) {
   return out;
 }
 
-std::string without_formula(std::string_view words) { return (is_like_formula(words) ? "'" : "") + std::string(words); }
+std::string without_formula(std::string_view words) {
+  std::string out(words);
+  if (is_like_formula(words)) out.insert(out.begin(), '\'');
+  return out;
+}
 
 std::string with_formula(std::string words) {
   if (words.starts_with('\'') && is_like_formula(words)) words.erase(0, 1);

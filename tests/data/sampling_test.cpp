@@ -1,13 +1,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iomanip>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include <doctest/doctest.h>
-#include <fmt/format.h>
 
 #include "data/record.h"
 #include "tests/uniform.h"
@@ -72,7 +73,11 @@ void round_to_steps(std::vector<double>& force, double step) {
 
 // As a file holds it that writes so many digits of a force in mN, read in N.
 void write_digits(std::vector<double>& force, int digits) {
-  for (double& each : force) each = 1e-3 * std::stod(fmt::format("{:.{}g}", 1e3 * each, digits));
+  for (double& each : force) {
+    std::ostringstream text;
+    text << std::setprecision(digits) << 1e3 * each;
+    each = 1e-3 * std::stod(text.str());
+  }
 }
 
 Sampling sampling_of(const Columns& columns, std::size_t most = 2000) {
