@@ -777,7 +777,7 @@ Fields<FittedTest> every_fit_field() {
                                       }))
       .group("measurement", "part of the file that is evaluated", measurement_fields())
       .list("preparation", "steps from the file to the record", preparation_fields(),
-            [](T test) { return test.measurement.preparation.steps; })
+            [](T test) { return test.measurement.preparation; })
       .group("contact", "point of first contact with the specimen", contact_fields())
       .group("nominal_bending_stiffness", "what was known about EI before the fit", nominal_stiffness_fields())
       .group(

@@ -181,7 +181,7 @@ Fields<StandardTest> modulus_fields() {
       .anywhere()
       .list(
           "preparation", "steps from the file to the record", preparation_fields(),
-          [](const StandardTest& t) -> const auto& { return t.measurement.preparation.steps; });
+          [](const StandardTest& t) -> const auto& { return t.measurement.preparation; });
 }
 
 Fields<PreparationStep> preparation_fields() {

@@ -528,6 +528,8 @@ std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
   return fmt::format("write {} into [{}]", fmt::join(said, " and "), changes.front().section);
 }
 
+std::string to_say(const Test& test, const KeyChange& change) { return to_say(test, std::vector<KeyChange>{change}); }
+
 std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names) {
   if (!test.by_flags) return fmt::format("[{}] {}", section, in_words(names));
   std::vector<std::string> flags;

@@ -102,7 +102,6 @@ std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, con
 
 // Moves the zero of the loading to the contact that its loop tells, and leaves out what comes before. The loops keep theirs.
 void move_contact(Measurement& measurement, const Estimate& contact) {
-  const Kind kind = kind_in(measurement.test, kind::length);
   Record& record = measurement.record;
   const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
   const auto skipped = begin - record.stage.begin();
@@ -113,10 +112,14 @@ void move_contact(Measurement& measurement, const Estimate& contact) {
   measurement.contact_offset += contact.value;
   measurement.contact_error = contact.standard_error;
   measurement.own_contact = counted_from(contact.value, measurement.own_contact);
-  measurement.preparation.add(
-      "contact", true, "displacements of the loading evaluated are counted from the contact that the loops determine",
-      KeyChange{"record", "contact", "\"0 um\""}, PreparedValue{contact.value, contact.standard_error, kind},
-      skipped > 0 ? std::optional(RowRange{1, cyclic_file_row(measurement, measurement.first) - 1}) : std::nullopt);
+  PreparationStep step{
+      .name = "contact",
+      .changed = true,
+      .done = "displacements of the loading evaluated are counted from the contact that the loops determine",
+      .value = value_in(measurement.test, contact.value, contact.standard_error, kind::length),
+      .otherwise = switch_to("contact", "0 um")};
+  if (skipped > 0) step.rows = RowRange{1, cyclic_file_row(measurement, measurement.first) - 1};
+  measurement.preparation.push_back(std::move(step));
 }
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
@@ -283,15 +286,15 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  const auto radius = measurement.test.rig->states_supports() || measurement.test.reduced
-                          ? std::nullopt
-                          : usual_roller_radius(geometry_of(measurement.test));
+  const bool is_settled = measurement.test.rig->states_supports() || measurement.test.reduced;
+  std::optional<double> radius;
+  if (!is_settled) radius = usual_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);
   if (!is_fitted(test) || !radius) return test;
   stages.enter("on rollers", 0.49);
   Measurement on_rollers = measurement;
-  on_rollers.test.rig->roller_radius = *radius;
+  on_rollers.test.rig->roller_radius = radius;
   test.on_rollers = std::make_shared<const FittedTest>(fit_measured(std::move(on_rollers), options));
   return test;
 }

@@ -10,7 +10,7 @@
 
 #include "case/case_file.h"
 #include "case/preparation.h"
-#include "case/rows_that_count.h"
+#include "case/readings.h"
 #include "data/contact.h"
 #include "data/record.h"
 #include "data/small_deflection.h"
@@ -35,8 +35,8 @@ struct EvaluatedLoading {
 // The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
 // test that is unloaded, all of it besides.
 struct Measurement {
-  Test test;                // completed with what the file says, see Readings
-  Preparation preparation;  // how the file became the record
+  Test test;                                   // completed with what the file says, see Readings
+  std::vector<PreparationStep> preparation{};  // how the file became the record
   std::string file;
   std::size_t rows;         // of the file
   std::size_t missing = 0;  // of them those left out, as they hold no number
@@ -75,12 +75,6 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 
 // Row of the file, counted from 1, before that at which the next point begins, or its last row.
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);
-
-// What whoever evaluates a record needs of it.
-struct Needs {
-  std::size_t points;  // at least
-  bool span = false;   // of the case, or of the file: asked for with all else that is open
-};
 
 // Reads the record of a case and prepares it, in the order of Preparation.
 // Domain:     11 points or more; std::invalid_argument otherwise.

@@ -1,16 +1,17 @@
 #include "case/preparation.h"
 
-#include <algorithm>
-#include <stdexcept>
-#include <utility>
+#include <fmt/format.h>
+
+#include "case/case_keys.h"
 
 namespace flexslip {
 
-void Preparation::add(std::string_view name, bool changed, std::string done, std::optional<KeyChange> otherwise,
-                      std::optional<PreparedValue> value, std::optional<RowRange> rows) {
-  const auto known = std::find(preparation_steps.begin(), preparation_steps.end(), name);
-  if (known == preparation_steps.end()) throw std::logic_error("no step of a preparation: " + std::string(name));
-  steps.push_back({*known, changed, std::move(done), value, rows, std::move(otherwise)});
+PreparedValue value_in(const Test& test, double value, std::optional<double> error, const Kind& kind) {
+  return {value, error, kind_in(test, kind)};
+}
+
+KeyChange switch_to(std::string_view key, std::string_view word) {
+  return {"record", key, fmt::format("\"{}\"", word)};
 }
 
 }  // namespace flexslip

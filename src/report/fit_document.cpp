@@ -391,7 +391,7 @@ std::string why_no_answer(const FittedTest& test) {
 
 Rows preparation_rows(const Measurement& measurement) {
   Rows rows;
-  for (const PreparationStep& step : measurement.preparation.steps) {
+  for (const PreparationStep& step : measurement.preparation) {
     std::vector<std::string> about;
     if (const auto& value = step.value)
       about.push_back(value->error ? readable(value->value, *value->error, value->kind)

@@ -104,7 +104,7 @@ class Folder {
 };
 
 const PreparationStep* step_of(const Measurement& measurement, std::string_view name) {
-  for (const PreparationStep& step : measurement.preparation.steps)
+  for (const PreparationStep& step : measurement.preparation)
     if (step.name == name) return &step;
   return nullptr;
 }
@@ -368,7 +368,7 @@ TEST_CASE("measurement: the steps are in their documented order, each with the f
   const Folder folder;
   const Measurement found = folder.measured({.tare = 2.5});
   std::string names;
-  for (const PreparationStep& step : found.preparation.steps) names += std::string(step.name) + " ";
+  for (const PreparationStep& step : found.preparation) names += std::string(step.name) + " ";
   CHECK(names == "columns sign zero compliance end contact ");
   CHECK(step_of(found, "sign")->otherwise->in_case() == "[record] sign = \"reverse\"");
   CHECK(step_of(found, "sign")->otherwise->flag() == "--sign reverse");

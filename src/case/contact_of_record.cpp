@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "case/mechanics.h"
+#include "case/preparing.h"
+#include "data/contact.h"
+#include "inference/first_passages.h"
+#include "io/input_error.h"
+#include "numerics/elementary.h"
+
+// Where displacements are counted from: the contact that a case states, or that the record shows.
+namespace flexslip {
+namespace {
+
+bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
+  // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
+  // specimen in contact from the first row on would show.
+  constexpr double min_free_rows = 5;
+  if (contact.status != ContactStatus::found) return false;
+  const auto free =
+      std::find_if(record.force.begin(), record.force.end(), [&](double force) { return std::abs(force) > 4 * noise; });
+  const double step = (record.stage.back() - record.stage.front()) / static_cast<double>(record.stage.size() - 1);
+  return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / (contact.slope * step);
+}
+
+// What is known of a test before its record is looked at. Without a span, as of a modulus that asks none, the curve is as good as straight.
+BeginningOf beginning_of(const Test& input, const Record& record, double stiffness) {
+  constexpr double straight = 20;  // [greatest deflection]
+  BeginningOf beginning{.span = straight * *std::max_element(record.deflection.begin(), record.deflection.end()),
+                        .load_train_stiffness = stiffness};
+  if (!(beginning.span > 0)) beginning.span = 1;
+  if (!input.rig || !input.rig->span) return beginning;
+  beginning.span = *input.rig->span;
+  if (input.rig->roller_radius) beginning.support_radius = *input.rig->roller_radius;
+  if (states_stiffness(input)) {
+    const BendingStiffnessUsed stated = bending_stiffness_of(input);
+    beginning.bending_stiffness = stated.value;
+    beginning.bending_stiffness_error = stated.relative_error;
+  }
+  return beginning;
+}
+
+// [N] The force under which a record begins whose file counts from the contact, where none of its specimen could be there; below zero where no
+// specimen makes it; else 0.
+double force_at_beginning(const Record& record, const Contact& contact, double slope, double contact_error,
+                          double noise) {
+  constexpr double surely = 3, of_noise = 4, of_greatest = 0.01;
+  const auto& force = record.force;
+  const double first = force_at_start(force);
+  if (first < -std::max(of_noise * noise, of_greatest * *std::max_element(force.begin(), force.end()))) return first;
+  if (contact.status != ContactStatus::found ||
+      contact.offset.value > record.stage.front() - surely * contact_error)  // or its first reading is an outlier
+    return 0;
+  const double way = std::max(record.deflection.front() + surely * contact_error, 0.0);
+  return record.force.front() > slope * way + of_noise * noise ? record.force.front() : 0;
+}
+
+// Fewer readings than a fit needs are bent far enough to tell of friction.
+bool tells_no_friction(const Test& input, const Record& record) {
+  const Scales scales(*input.rig->span, 1);
+  return readings_judged(to_reduced(record, scales), fibre_of(input, scales)).size() < min_readings;
+}
+
+// Do at least so many points lie behind a contact?
+bool leaves(std::size_t points, const Record& record, double contact) {
+  return record.stage.size() >= points && record.stage[record.stage.size() - points] >= contact;
+}
+
+// Does the straight part meet zero force farther behind the contact than friction and supports explain? All before it is then a toe.
+bool begins_with_toe(const Record& record, const StraightPart& straight, const BeamGeometry& geometry, double contact,
+                     double contact_error) {
+  constexpr double surely = 3;
+  const double middle = straight.middle(record);
+  const double error = elementary::length(contact_error, straight.origin_error(record));
+  const double steeper = most_steepening(geometry, middle - contact);
+  return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
+}
+
+// Whether the record shows a contact of its own that displacements are to be counted from.
+bool shows_contact(const Preparing& at, const Contact& contact) {
+  const std::optional<ContactRule>& rule = at.input().record->contact;
+  if (rule) return rule == ContactRule{ContactWord::find};
+  if (contact.status != ContactStatus::found) return false;
+  // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
+  constexpr double far = 10, near = 0.25;
+  const double offset = contact.offset.value;
+  const bool begins_elsewhere = std::abs(offset) > far * contact.offset.standard_error &&
+                                std::abs(offset - at.result.record.stage.front()) < near * std::abs(offset);
+  return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0;
+}
+
+// The points of the record that lie before a contact.
+std::optional<RowRange> rows_before_contact(const Preparing& at, const Contact& contact) {
+  if (contact.points_before == 0) return {};
+  return RowRange{at.sampling().rows[at.result.first] + 1,
+                  rows_of_points(at.sampling(), at.result.first + contact.points_before)};
+}
+
+PreparationStep count_from_straight_part(Preparing& at, const Contact& contact, double usual_error) {
+  Measurement& result = at.result;
+  const StraightPart& straight = *result.straight;
+  result.contact = ContactSource::found;
+  result.contact_offset = straight.origin;
+  const double between = contact.status == ContactStatus::found ? straight.origin - contact.offset.value : 0;
+  result.contact_error = elementary::length(usual_error, between);
+  result.own_contact = counted_from(straight.origin, contact);
+  return {.changed = true,
+          .done = fmt::format("the record begins with a toe: displacements are counted from where the straight part, "
+                              "rows {} to {}, would meet zero force",
+                              at.sampling().rows[result.first + straight.first] + 1,
+                              rows_of_points(at.sampling(), result.first + straight.last)),
+          .value = value_in(at.input(), straight.origin, result.contact_error, kind::length),
+          .otherwise = switch_to("contact", "first row")};
+}
+
+PreparationStep count_from_own_contact(Preparing& at, const Contact& contact) {
+  Measurement& result = at.result;
+  result.contact = ContactSource::found;
+  result.contact_offset = contact.offset.value;
+  // A baseline is off by its error, where it is led on to the contact.
+  result.contact_error = elementary::length(contact.offset.standard_error, result.baseline.error / contact.slope);
+  result.own_contact = counted_from(contact.offset.value, contact);
+  return {.changed = true,
+          .done = "displacements are counted from where the record itself begins",
+          .value = value_in(at.input(), contact.offset.value, contact.offset.standard_error, kind::length),
+          .rows = rows_before_contact(at, contact),
+          .otherwise = switch_to("contact", "first row")};
+}
+
+// From the zero of the file, from the first row, or from what the case states.
+PreparationStep count_from_stated_contact(Preparing& at, const Contact& contact, double usual_error) {
+  Measurement& result = at.result;
+  const std::optional<ContactRule>& rule = at.input().record->contact;
+  const auto* stated = rule ? std::get_if<Known>(&*rule) : nullptr;
+  if (rule) {
+    result.contact = ContactSource::stated;
+    result.contact_offset = stated ? stated->value : result.record.stage.front();
+    result.own_contact = counted_from(result.contact_offset, contact);
+  }
+  result.contact_error = stated ? stated->uncertainty.value_or(usual_error) : usual_error;
+  if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
+    const Estimate& own = result.own_contact.offset;
+    result.contact_error =
+        elementary::length(result.contact_error, std::max(std::abs(own.value) - own.standard_error, 0.0));
+  }
+  PreparationStep step{.done = "displacements are counted from the file's own zero",
+                       .otherwise = switch_to("contact", "find")};
+  if (!rule) return step;
+  step.changed = result.contact_offset != 0;
+  step.done = stated ? "displacements are counted from the contact stated"
+                     : "displacements are counted from the first row, as stated";
+  step.value = value_in(at.input(), result.contact_offset, stated ? stated->uncertainty : std::nullopt, kind::length);
+  return step;
+}
+
+// What the contact is taken off at, and how certainly.
+PreparationStep find_contact_of_record(Preparing& at) {
+  Measurement& result = at.result;
+  const Record& record = result.record;
+  const std::optional<ContactRule>& rule = at.input().record->contact;
+  const bool is_asked = rule == ContactRule{ContactWord::find};
+  const BeginningOf beginning = beginning_of(at.input(), record, at.stiffness);
+  const double usual_error = usual_contact_error * beginning.span;
+  const Contact contact = find_contact(record, beginning);
+  result.own_contact = contact;
+  if (is_asked && contact.status != ContactStatus::found)
+    throw wrong_value(at.input(), "record.contact",
+                      "a force that rises from contact over at least 5 rows, to find the contact", "none",
+                      "state the contact, or leave the key out");
+  result.begins_free = result.baseline.points > 0 || begins_before_contact(record, contact, result.force_noise);
+  const double slope = result.straight_is_initial ? result.straight->slope.value : contact.slope;
+  if (result.baseline.points == 0)
+    result.begins_under = force_at_beginning(record, contact, slope, usual_error, result.force_noise);
+  const bool is_found = shows_contact(at, contact);
+  if ((is_asked || !rule) && result.straight_is_initial && leaves(at.needs.points, record, result.straight->origin) &&
+      begins_with_toe(record, *result.straight, geometry_of(at.input()), is_found ? contact.offset.value : 0,
+                      is_found ? contact.offset.standard_error : usual_error))
+    return count_from_straight_part(at, contact, usual_error);
+  return is_found ? count_from_own_contact(at, contact) : count_from_stated_contact(at, contact, usual_error);
+}
+
+SmallDeflectionOptions straight_options(const Preparing& at) {
+  SmallDeflectionOptions options;
+  if (at.result.is_derived) options.load_train_error = rig_errors_of(at.result).load_train;
+  options.halts = at.sampling().halts_between(at.result.first, at.loading.last);
+  return options;
+}
+
+// Counts from the contact, and leaves out the points before it.
+void take_off_contact(Preparing& at) {
+  Measurement& result = at.result;
+  const std::vector<double>& stage = result.record.stage;
+  const auto begin = std::lower_bound(stage.begin(), stage.end(), result.contact_offset);
+  const std::size_t skipped =
+      result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - stage.begin());
+  result.first += skipped;
+  if (stage.size() - skipped < at.needs.points)
+    throw wrong_value(at.input(), "record.contact",
+                      fmt::format("at least {} rows of readings after contact", at.needs.points),
+                      std::to_string(stage.size() - skipped));
+  result.record = counted_from(result.contact_offset, std::move(result.record), skipped);
+  if (result.straight && result.straight->first >= skipped) {
+    result.straight->first -= skipped;
+    result.straight->last -= skipped;
+    result.straight->origin -= result.contact_offset;
+  } else {
+    result.straight = straight_part(result.record, geometry_of(at.input()), straight_options(at));
+  }
+  if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
+}
+
+}  // namespace
+
+Done count_from_contact(Preparing& at) {
+  Measurement& result = at.result;
+  result.force_noise = force_noise(result.record);
+  result.straight = straight_part(result.record, geometry_of(at.input()), straight_options(at));
+  result.straight_is_initial = result.straight && at.input().rig && at.input().rig->span &&
+                               result.loading.number <= 1 && tells_no_friction(at.input(), result.record);
+  PreparationStep step = find_contact_of_record(at);
+  take_off_contact(at);
+  return step;
+}
+
+}  // namespace flexslip

@@ -1,0 +1,271 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "case/mechanics.h"
+#include "case/preparing.h"
+#include "data/drops.h"
+#include "data/failure.h"
+#include "io/input_error.h"
+#include "numerics/statistics.h"
+
+// Which loading is evaluated, and where it ends.
+namespace flexslip {
+namespace {
+
+// The row of the file, from 1, before that of the point after so many.
+std::size_t row_before(const Preparing& at, std::size_t points) { return rows_of_points(at.sampling(), points); }
+
+struct Loading {
+  Leg leg;
+  EvaluatedLoading counted;
+  std::string_view why{};
+};
+
+// The first loading that goes about as far as any, or whose force no later one reaches again: what comes after is another specimen, a damaged one.
+// Fails:      InputError where the stage only goes back.
+Loading loading_to_evaluate(const Preparing& at, const Record& record, const std::vector<Leg>& legs) {
+  constexpr double as_far = 0.95;  // of the way of that which goes farthest, and of the force
+  const std::vector<double>& stage = record.stage;
+  const auto greatest_force = [&](const Leg& leg) {
+    const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
+    return *std::max_element(force.begin(), force.end());
+  };
+  const auto [least, farthest] = std::minmax_element(stage.begin(), stage.end());
+  const double far = *least + as_far * (*farthest - *least);
+  std::vector<Leg> loadings;
+  for (const Leg& leg : legs)
+    if (leg.direction == Direction::loading) loadings.push_back(leg);
+  Loading evaluated{{0, stage.size(), Direction::loading}, {0, loadings.size()}};
+  std::vector<double> later(loadings.size(), -infinity);  // the greatest force of those that come after
+  for (std::size_t i = loadings.size(); i-- > 1;) later[i - 1] = std::max(later[i], greatest_force(loadings[i]));
+  for (std::size_t i = 0; i < loadings.size() && evaluated.counted.number == 0; ++i) {
+    const double end = stage[loadings[i].last - 1];
+    if (end < far && as_far * greatest_force(loadings[i]) <= std::max(later[i], 0.0)) continue;
+    evaluated.leg = loadings[i];
+    evaluated.counted.number = i + 1;
+    evaluated.why = end < far         ? "no later one reaches its force again"
+                    : end < *farthest ? "the first that goes about as far as any"
+                                      : "none goes farther";
+  }
+  if (legs.empty()) return {evaluated.leg, {}};
+  if (evaluated.counted.number > 0) return evaluated;
+  throw InputError(
+      {.file = at.table().source,
+       .line = at.table().lines[0],
+       .field = "the stage",
+       .expected = "a record that has a loading",
+       .found = "one that only unloads",
+       .remedy =
+           "if the stage is counted the other way, " +
+           to_say(at.input(), switch_to("sign", at.input().record->sign == SignRule::reverse ? "keep" : "reverse"))});
+}
+
+// Fails:      InputError where a loading begins under more than a fifth of its greatest force, and the force falls steadily to nearly none: an
+//             unloading, or rows that run backwards.
+void require_rise(const Preparing& at, const Record& record, const Leg& leg) {
+  const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
+  constexpr std::size_t fewest = 30, parts = 20;
+  if (force.size() < fewest) return;
+  std::array<double, parts> mean;
+  for (std::size_t part = 0; part < parts; ++part) {
+    const std::size_t begin = part * force.size() / parts, end = (part + 1) * force.size() / parts;
+    mean[part] = std::accumulate(force.begin() + static_cast<std::ptrdiff_t>(begin),
+                                 force.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                 static_cast<double>(end - begin);
+  }
+  const auto greatest = std::max_element(mean.begin(), mean.end());
+  constexpr double little = 0.2, rise = 0.05;  // of the greatest
+  const double first = std::min(mean.front(), force_at_start(force));
+  if (first < little * *greatest || mean.back() > little * *greatest) return;
+  constexpr std::ptrdiff_t at_once = 5;  // where it gives way, it falls in less
+  std::ptrdiff_t between = 0;
+  for (auto part = greatest + 1; part != mean.end(); ++part) {
+    if (*part > *(part - 1) + rise * *greatest) return;
+    if (*part > little * *greatest && *part < (1 - little) * *greatest) ++between;
+  }
+  if (between < at_once) return;
+  const auto in_words = [&](double value) { return readable(value, kind_in(at.input(), kind::force)); };
+  throw InputError({.file = at.table().source,
+                    .line = at.table().lines[at.table().rows_before(at.sampling().rows[leg.first])],
+                    .field = "the force",
+                    .expected = "one that rises as the specimen is bent",
+                    .found = fmt::format("one that begins with {} and falls steadily to {}", in_words(force.front()),
+                                         in_words(force.back())),
+                    .remedy = "if the rows run backwards in time, write them in the reverse order; if this is the "
+                              "unloading of a test, give the rows of its loading"});
+}
+
+// Drops of the force of a loading from a point on, which come after what is evaluated.
+std::size_t drops_behind(const Preparing& at, const Leg& loading, std::size_t from) {
+  Record record = points_between(at.all, loading.first, loading.last);
+  record.stage = advancing(record.stage);
+  const Drops found = find_drops(record, {.halts = at.sampling().halts_between(loading.first, loading.last)});
+  return static_cast<std::size_t>(std::count_if(found.drops.begin(), found.drops.end(),
+                                                [&](const Drop& drop) { return loading.first + drop.before >= from; }));
+}
+
+// A load train under a force gives way by no more than the stage moves: the rest is the deflection.
+void require_stiff_enough(const Preparing& at, const Record& record) {
+  const Record rise = first_rise(record);
+  const double force = rise.force.back() - rise.force.front();
+  const double way = rise.stage.back() - rise.stage.front();
+  if (!(way > 0) || force / at.stiffness <= way) return;
+  const Test& input = at.input();
+  throw wrong_value(
+      input, "rig.stiffness", "a load train that yields by less than the stage moves",
+      fmt::format("{0}, which yields by {2} under {1}, but the stage moved {3}",
+                  readable(at.stiffness, kind_in(input, kind::stiffness)), readable(force, kind_in(input, kind::force)),
+                  readable_length(input, force / at.stiffness), readable_length(input, way)),
+      "check it and the units of stage and force; write \"inf\" if the displacement is that of the "
+      "specimen's midpoint or already corrected");
+}
+
+}  // namespace
+
+double force_at_start(std::span<const double> force) {
+  return force.size() < 3 ? 0 : median_of({force[0], force[1], force[2]});
+}
+
+void require_points(const Preparing& at, const Record& record) {
+  if (record.force.size() >= at.needs.points) return;
+  const std::size_t rows = at.table().lines.size();
+  throw InputError({.file = at.table().source,
+                    .expected = fmt::format("at least {} rows of readings before failure", at.needs.points),
+                    .found = fmt::format("{} of {}", record.force.size(), rows),
+                    .remedy = rows < at.needs.points
+                                  ? ""
+                                  : "check that the rows stand in the order of time, and the column of the "
+                                    "displacement: a loading ends where it goes back"});
+}
+
+Done end_where_stated(Preparing& at) {
+  at.points = at.all.force.size();
+  if (!at.last_row) return {};
+  at.points = std::min(at.points, points_before(*at.last_row, at.sampling()));
+  at.result.end = MeasurementEnd::until;
+  const std::size_t last = *at.last_row, rows = at.result.rows;
+  PreparationStep step{.changed = last < rows,
+                       .done = fmt::format("the record ends with row {}, as stated", last),
+                       .otherwise = KeyChange{"record", "until", fmt::format("{}", rows)}};
+  if (step.changed) step.rows = RowRange{last + 1, rows};
+  return step;
+}
+
+Done choose_loading(Preparing& at) {
+  const Record looked_at = first_points(at.all, at.points);
+  const std::vector<Leg> legs = find_legs(looked_at.stage);
+  const Loading chosen = loading_to_evaluate(at, looked_at, legs);
+  require_rise(at, looked_at, chosen.leg);
+  at.loading = chosen.leg;
+  at.result.loading = chosen.counted;
+  for (const Leg& leg : legs)
+    if (!at.way_back && leg.first >= at.loading.last) at.way_back = leg;
+  if (legs.size() < 2) return {};
+  const std::size_t last = row_before(at, at.loading.last);
+  const auto& [number, of] = chosen.counted;
+  if (of == 1)
+    return PreparationStep{.changed = true,
+                           .done = fmt::format("the stage turns back after row {}, where the loading ends", last),
+                           .rows = RowRange{last + 1, at.result.rows}};
+  const std::size_t first = at.sampling().rows[at.loading.first] + 1;
+  PreparationStep step{
+      .changed = true,
+      .done = fmt::format("loading {} of {} is evaluated, rows {} to {}: {}", number, of, first, last, chosen.why),
+      .rows = RowRange{first, last}};
+  if (number > 1) step.otherwise = KeyChange{"record", "until", fmt::format("{}", row_before(at, legs.front().last))};
+  return step;
+}
+
+namespace {
+
+// Ends the loading before the failure, which the way back may tell.
+Done find_end(Preparing& at) {
+  if (at.last_row) {
+    if (at.result.end != MeasurementEnd::until) return {};
+    Leg whole{at.loading.first, at.all.force.size(), Direction::loading};
+    for (const Leg& leg : find_legs(at.all.stage))
+      if (leg.first == whole.first) whole.last = leg.last;
+    at.result.drops_behind = drops_behind(at, whole, at.points);
+    return {};
+  }
+  if (at.input().record->failure == FailureRule::none)
+    return PreparationStep{.done = "failure was not looked for, as stated: all rows are used",
+                           .otherwise = switch_to("failure", "find")};
+  const Failure failure = find_failure(points_between(at.all, at.loading.first, at.way_back.value_or(at.loading).last));
+  const std::size_t points = at.loading.first + failure.points;
+  if (failure.status != FailureStatus::found || points >= at.loading.last)
+    return PreparationStep{.done = "no failure was found: all rows are kept",
+                           .otherwise = KeyChange{"record", "until", "…"}};
+  at.result.end = MeasurementEnd::failure;
+  at.result.drops_behind = drops_behind(at, at.loading, at.loading.first + failure.fallen);
+  at.loading.last = points;
+  const std::size_t last = row_before(at, points);
+  return PreparationStep{.changed = true,
+                         .done = fmt::format("the specimen failed after row {}: later rows are left out", last),
+                         .rows = RowRange{last + 1, at.result.rows},
+                         .otherwise = switch_to("failure", "none")};
+}
+
+}  // namespace
+
+Done end_before_failure(Preparing& at) {
+  const std::size_t turn = at.loading.last;
+  if (turn < at.points) at.result.end = MeasurementEnd::turn;
+  const Done done = find_end(at);
+  const bool is_whole = at.loading.last == turn;
+  const bool has_others = at.way_back || at.loading.first > 0;
+  if (has_others && (is_whole || at.loading.first > 0))
+    at.result.cycles = first_points(at.all, is_whole ? at.points : at.loading.last);
+  at.result.first = at.loading.first;
+  at.result.record = points_between(at.all, at.loading.first, at.loading.last);
+  require_points(at, at.result.record);
+  if (at.readings.has(Reading::stage) && at.readings.has(Reading::force)) require_stiff_enough(at, at.result.record);
+  return done;
+}
+
+Done hold_stage(Preparing& at) {
+  // A stage that runs back by less, the larger of both, is one whose encoder is noisy; farther, the record is another test, or out of order.
+  constexpr double max_noise = 0.005;  // [travel]
+  constexpr double noise_range = 5;    // [noise of the stage] between the extremes of some hundred readings
+  std::vector<double>& stage = at.result.record.stage;
+  const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
+  const double allowed =
+      at.result.cycles ? infinity : std::max(max_noise * (*most - *least), noise_range * stage_noise(stage));
+  double farthest = stage.front(), largest = 0;
+  std::size_t held = 0;
+  for (std::size_t i = 1; i < stage.size(); ++i) {
+    if (farthest - stage[i] > allowed) {
+      const std::size_t row = at.sampling().rows[at.loading.first + i];
+      const auto in_words = [&](double length) { return readable_length(at.input(), length == 0 ? 0 : length); };
+      throw InputError(
+          {.file = at.table().source,
+           .line = at.table().lines[at.table().rows_before(row)],
+           .field = "the stage",
+           .expected = fmt::format("a position no smaller than the farthest before it, {}", in_words(farthest)),
+           .found = in_words(stage[i]),
+           .remedy = i < 30 ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
+                                          to_say(at.input(), switch_to("sign", "keep")))
+                            : "keep only the loading: " +
+                                  to_say(at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
+    }
+    if (stage[i] < farthest) ++held;
+    largest = std::max(largest, farthest - stage[i]);
+    farthest = std::max(farthest, stage[i]);
+    stage[i] = farthest;
+  }
+  if (held == 0) return {};
+  return PreparationStep{
+      .changed = true,
+      .done = fmt::format("where the stage runs back, at {} {}, its farthest position so far is used", held,
+                          held == 1 ? "point" : "points"),
+      .value = value_in(at.input(), largest, {}, kind::length)};
+}
+
+}  // namespace flexslip

@@ -1,0 +1,408 @@
+#include "case/readings.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "case/case_keys.h"
+#include "case/mechanics.h"
+#include "case/toml.h"
+#include "instruments/export.h"
+#include "io/input_error.h"
+#include "io/statistics_rows.h"
+#include "numerics/statistics.h"
+
+namespace flexslip {
+
+bool Readings::has(Reading reading) const {
+  return std::find(columns.begin(), columns.end(), reading) != columns.end();
+}
+
+const std::vector<double>& Readings::of(Reading reading) const {
+  const auto at = std::find(columns.begin(), columns.end(), reading) - columns.begin();
+  return table.columns[static_cast<std::size_t>(at)].values;
+}
+
+std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, std::size_t none) {
+  const auto* at = place ? std::get_if<AtRow>(&*place) : nullptr;
+  return at && at->row >= 1 && at->row <= rows ? at->row : none;
+}
+
+namespace {
+
+// What the file and the test leave open, each with its remedy. Of a rig, `stiffness` is the question that its stiffness answers; none if it is not asked.
+std::vector<std::string> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
+                                             const std::optional<double>& span_of_file) {
+  std::vector<std::string> questions;
+  if (!stiffness.empty() && !(input.rig && input.rig->stiffness))
+    questions.push_back(fmt::format("{} {}", stiffness, to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
+  if (needs.span && !span_of_file && !(input.rig && input.rig->span))
+    questions.push_back("how far are the supports apart? " + to_say(input, KeyChange{"rig", "span", "\"… mm\""}));
+  return questions;
+}
+
+// Where more than one question is open, all of them are asked at once; one alone is asked by what needs its answer.
+void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
+  if (questions.size() < 2) return;
+  fault.problem = fmt::format("leaves {} questions open{}", questions.size(), where);
+  for (std::size_t i = 0; i < questions.size(); ++i)
+    fault.problem += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
+  throw InputError(std::move(fault));
+}
+
+Readings readings_of_table(const Test& input, const Needs& needs) {
+  const RecordInput& asked = *input.record;
+  const bool is_stage = asked.stage && !asked.deflection;
+  require_one_at_most(questions_about_rig(input, needs, is_stage ? "how stiff is the load train?" : "", {}),
+                      {.file = asked.given ? "the record" : asked.file});
+  std::vector<WantedColumn> wanted;
+  std::vector<Reading> columns;
+  const auto want = [&](const std::optional<std::string>& title, Reading reading, const Kind& kind) {
+    if (!title) return;
+    wanted.push_back({*title, kind_in(input, kind)});
+    columns.push_back(reading);
+  };
+  want(asked.stage, Reading::stage, kind::length);
+  want(asked.deflection, Reading::deflection, kind::length);
+  want(asked.force, Reading::force, kind::force);
+  want(asked.length, Reading::length, kind::length);
+  Table table = [&] {
+    if (asked.given) return *asked.given;
+    try {
+      return read_record(asked.file, wanted, asked.decimal.value_or('.'), asked.sheet);
+    } catch (const InputError& error) {
+      InputFault fault = error.fault;
+      // The titles are not on the first line: a preamble may stand there.
+      if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
+      fault.remedy = fmt::format(
+          "if it is the export of a testing machine, {} (or \"deflection\") instead of column titles; flexslip read "
+          "shows what the file holds",
+          to_say(input, switch_to("displacement", "crosshead")));
+      throw InputError(fault);
+    }
+  }();
+  static constexpr std::string_view names[] = {"stage", "deflection", "force", "length pulled in"};
+  std::string words;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    words += fmt::format("{}the {} is the column '{}'", i == 0 ? "" : ", ", names[static_cast<std::size_t>(columns[i])],
+                         table.columns[i].name);
+  words += ", as stated";
+  for (const std::string& note : table.notes) words += "; " + note;
+  std::vector<PreparationStep> steps{
+      {.name = "columns", .done = std::move(words), .rows = RowRange{1, table.rows_of_file()}}};
+  if (!table.left_out.empty()) steps.push_back({.name = "missing", .changed = true, .done = table.left_out});
+  return {input, std::move(table), std::move(columns), std::move(steps)};
+}
+
+bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
+  return std::any_of(specimen.columns.begin(), specimen.columns.end(),
+                     [&](const ExportColumn& column) { return column.role == role; });
+}
+
+ColumnRole role_of(DisplacementOf displacement) {
+  return displacement == DisplacementOf::crosshead ? ColumnRole::crosshead : ColumnRole::deflection;
+}
+
+ExportOptions options_of(const RecordInput& asked) {
+  ExportOptions options;
+  options.file.sheet = asked.sheet;
+  options.decimal = asked.decimal;
+  if (asked.displacement_column)
+    options.columns[asked.displacement ? role_of(*asked.displacement) : ColumnRole::displacement] =
+        *asked.displacement_column;
+  if (asked.force) options.columns[ColumnRole::force] = *asked.force;
+  if (asked.calibration) options.units[ColumnRole::force] = *asked.calibration;
+  return options;
+}
+
+const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
+  const std::size_t count = file.specimens.size();
+  if (const auto asked = input.record->specimen) {
+    if (*asked <= count) return file.specimens[static_cast<std::size_t>(*asked - 1)];
+    throw wrong_value(input, "record.specimen", fmt::format("one of the {} specimens of {}", count, file.origin.source),
+                      std::to_string(*asked));
+  }
+  if (count == 1) return file.specimens.front();
+  throw InputError({.file = file.origin.source,
+                    .expected = "one specimen, or the number of one",
+                    .found = fmt::format("{} specimens", count),
+                    .remedy = to_say(input, KeyChange{"record", "specimen", "1"})});
+}
+
+// The column with a role; the key that names it is what a file that has none, or several, is asked for.
+const ExportColumn& column_for(std::string_view key, const Test& input, const Export& file,
+                               const ExportedSpecimen& specimen, ColumnRole role) {
+  return column_with(
+      file, specimen, role,
+      to_say(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
+}
+
+struct FoundDisplacement {
+  const ExportColumn& column;
+  DisplacementOf kind;
+  bool is_stated;
+};
+
+FoundDisplacement displacement_of(const Test& input, const Export& file, const ExportedSpecimen& specimen) {
+  const RecordInput& asked = *input.record;
+  const auto displacement_with = [&](ColumnRole role) -> const ExportColumn& {
+    return column_for("displacement_column", input, file, specimen, role);
+  };
+  if (asked.displacement) {
+    const ColumnRole role = role_of(*asked.displacement);
+    const ColumnRole found = has_role(specimen, role) ? role : ColumnRole::displacement;
+    const ColumnRole other = role == ColumnRole::crosshead ? ColumnRole::deflection : ColumnRole::crosshead;
+    if (!has_role(specimen, found) && has_role(specimen, other)) {
+      const ExportColumn& column = displacement_with(other);
+      throw InputError({.file = file.origin.source,
+                        .field = fmt::format("column {}", in_quotes(column.name)),
+                        .expected = fmt::format("a displacement of the {}, as stated", words_for(role).word()),
+                        .found = fmt::format("one whose name says {}", words_for(other).word()),
+                        .remedy = to_say(input, switch_to("displacement", words_for(other).word())) + "; or " +
+                                  to_say(input, switch_to("displacement_column", column.name)) +
+                                  " besides, if its name is wrong"});
+    }
+    return {displacement_with(found), *asked.displacement, true};
+  }
+  // A deflectometer comes first: ISO 178 prefers it.
+  for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
+    if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
+  const ExportColumn& column = displacement_with(ColumnRole::displacement);
+  throw InputError(
+      {.file = file.origin.source,
+       .field = fmt::format("column {}", in_quotes(column.name)),
+       .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
+       .found = "a name that does not say which",
+       .remedy = to_say(input, switch_to("displacement", "crosshead")) +
+                 ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
+                 "\"deflection\" if a deflectometer or a camera measured it"});
+}
+
+// Adds what the file says and the case does not. No section where a file states a diameter beside width or thickness, as forms of a machine do
+// that list them all.
+void complete(Test& input, const ExportedTest& said, std::vector<PreparationStep>& steps) {
+  const auto note = [&](std::string words, double value, KeyChange otherwise) {
+    steps.push_back({.name = "metadata",
+                     .done = std::move(words),
+                     .value = PreparedValue{value, {}, kind::length},
+                     .otherwise = std::move(otherwise)});
+  };
+  if (said.span && !(input.rig && input.rig->span)) {
+    if (!input.rig) input.rig.emplace();
+    input.rig->span = *said.span;
+    note("the span is the one in the file", *said.span, KeyChange{"rig", "span", "\"…\""});
+  }
+  if (section_of(input)) return;
+  SpecimenInput specimen = input.specimen.value_or(SpecimenInput{});
+  if (said.diameter && (said.width || said.thickness)) {
+    note(fmt::format("no section is taken from the file, which states a diameter beside a {}",
+                     said.width && said.thickness ? "width and a thickness"
+                     : said.width                 ? "width"
+                                                  : "thickness"),
+         *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+    return;
+  }
+  if (said.diameter) {
+    specimen.diameter = *said.diameter;
+    note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+  } else if (said.width && said.thickness) {
+    specimen.width = *said.width;
+    specimen.height = *said.thickness;
+    note("the width is the one in the file", *said.width, KeyChange{"specimen", "width", "\"…\""});
+    note("the height is the thickness in the file", *said.thickness, KeyChange{"specimen", "height", "\"…\""});
+  } else {
+    return;
+  }
+  input.specimen = specimen;
+}
+
+// The columns of a specimen, without their values, with the roles that they have for a case: of displacements only that which is evaluated.
+std::vector<ExportColumn> asked_columns(const RecordInput& asked, const ExportedSpecimen& specimen) {
+  std::vector<ExportColumn> columns;
+  std::array<std::size_t, 3> count{};  // of those unclear, of the crosshead, of the midpoint
+  constexpr std::array roles{ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection};
+  for (const ExportColumn& each : specimen.columns) {
+    columns.push_back({each.name, each.unit, each.role, {}, each.number});
+    if (!each.words.empty()) columns.back().words = {each.words.front()};
+    for (std::size_t i = 0; i < roles.size(); ++i) count[i] += each.role == roles[i] ? 1 : 0;
+  }
+  const ColumnRole wanted = asked.displacement ? role_of(*asked.displacement)
+                            : count[2] > 0     ? ColumnRole::deflection
+                                               : ColumnRole::crosshead;
+  const bool has_wanted = count[wanted == ColumnRole::crosshead ? 1 : 2] > 0;
+  for (ExportColumn& column : columns) {
+    if (asked.displacement && !has_wanted && count[0] == 1 && column.role == ColumnRole::displacement)
+      column.role = wanted;
+    else if (is_displacement(column.role) && has_wanted && column.role != wanted)
+      column.role = ColumnRole::other;
+  }
+  return columns;
+}
+
+void require_answers(const Test& input, const Needs& needs, const Export& file) {
+  const RecordInput& asked = *input.record;
+  const std::size_t count = file.specimens.size();
+  const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
+  std::vector<std::string> questions;
+  const std::vector<std::string>& sheets = file.origin.alike;
+  if (!sheets.empty())
+    questions.push_back(fmt::format("which of the sheets {}, which hold such a table each? {}", listed(sheets),
+                                    to_say(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
+  if (count > 1 && !asked.specimen)
+    questions.push_back(
+        fmt::format("which of the {} specimens? {}", count, to_say(input, KeyChange{"record", "specimen", "1"})));
+  const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
+  for (const OpenQuestion& each : questions_of(columns)) {
+    if (each.with_test.empty()) continue;
+    std::vector<KeyChange> changes;
+    for (const RecordKey& key : each.with_test) changes.push_back({"record", key.name, key.value});
+    questions.push_back(each.words + " " + to_say(input, changes));
+  }
+  const auto has = [&](ColumnRole role) {
+    return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
+  };
+  const std::string_view stiffness = has(ColumnRole::deflection) ? ""
+                                     : has(ColumnRole::crosshead)
+                                         ? "how stiff is the load train?"
+                                         : "how stiff is the load train, if the displacement is the crosshead's?";
+  for (std::string& each : questions_about_rig(input, needs, stiffness, file.test.span))
+    questions.push_back(std::move(each));
+  require_one_at_most(questions, {.file = file.origin.source, .remedy = file.unplaced},
+                      file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
+}
+
+// Fails:      InputError where the times of a file say that its rows run backwards or are out of order, or that a second record begins where
+//             displacement and time do anew.
+void require_one_run(const Test& input, const ExportedSpecimen& specimen, const ExportColumn& displacement,
+                     const std::string& file) {
+  const auto is_time = [](const ExportColumn& column) { return column.role == ColumnRole::time; };
+  const auto time = std::find_if(specimen.columns.begin(), specimen.columns.end(), is_time);
+  if (time == specimen.columns.end()) return;
+  const std::size_t rows = time->values.size(), first = row_or(input.record->first, rows, 1) - 1;
+  const std::size_t last = std::max(row_or(input.record->until, rows, rows), first);
+  constexpr std::size_t fewest = 30;
+  if (last - first < fewest) return;
+  const auto times = std::span(time->values).subspan(first, last - first);
+  const auto places = std::span(displacement.values).subspan(first, last - first);
+  std::size_t falling = 0;
+  for (std::size_t i = 1; i < times.size(); ++i) falling += times[i] < times[i - 1] ? 1 : 0;
+  constexpr double nearly_all = 0.9;
+  if (static_cast<double>(falling) > nearly_all * static_cast<double>(times.size() - 1))
+    throw InputError({.file = file,
+                      .line = specimen.lines[first],
+                      .field = fmt::format("the column '{}'", time->name),
+                      .expected = "times that rise from row to row",
+                      .found = "times that fall",
+                      .remedy = "write the rows in the reverse order"});
+  if (falling == 0) return;
+  // A clock that begins anew, at a stage of the test or at midnight, falls to where it began or farther.
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(std::abs(times[i] - times[i - 1]));
+  const double step = median_of(std::move(steps));
+  double earliest = times[0];
+  for (std::size_t i = 1; i < times.size(); ++i) {
+    if (times[i] < times[i - 1] - 0.5 * step && times[i] > earliest + 1.5 * step)
+      throw InputError({.file = file,
+                        .line = specimen.lines[first + i],
+                        .field = fmt::format("the column '{}'", time->name),
+                        .expected = "times that rise from row to row",
+                        .found = "one that falls",
+                        .remedy = "write the rows in the order of their times, each once"});
+    earliest = std::min(earliest, times[i]);
+  }
+  const auto [least, most] = std::minmax_element(places.begin(), places.end());
+  constexpr double far = 0.5;
+  for (std::size_t i = fewest; i + fewest <= times.size(); ++i) {
+    const bool begins_anew = times[i] < times[i - 1] && times[i] - times[0] < 1e-3 * (times[i - 1] - times[0]) &&
+                             std::abs(places[i] - places[i - 1]) > far * (*most - *least);
+    if (!begins_anew) continue;
+    const std::string row = fmt::format("{}", first + i), next = fmt::format("{}", first + i + 1);
+    throw InputError({.file = file,
+                      .line = specimen.lines[first + i],
+                      .expected = "one record",
+                      .found = fmt::format("a second one from row {} on, where time and displacement begin anew", next),
+                      .remedy = fmt::format("take the first ({}) or the second ({})",
+                                            to_say(input, KeyChange{"record", "until", row}),
+                                            to_say(input, KeyChange{"record", "first", next}))});
+  }
+}
+
+// A column in SI, whose unit a case says in its title.
+std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
+                             std::string_view key) {
+  return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
+    return "name the column with its unit: " + to_say(input, switch_to(key, fmt::format("{} [{}]", column.name, unit)));
+  });
+}
+
+Readings readings_from(const Test& input, const Needs& needs, const Export& file) {
+  const RecordInput& asked = *input.record;
+  require_answers(input, needs, file);
+  if (!file.origin.alike.empty())
+    throw wrong_value(input, "record.sheet",
+                      fmt::format("one of the sheets {}, which hold such a table each", listed(file.origin.alike)),
+                      "none", to_say(input, KeyChange{"record", "sheet", toml_text(file.origin.alike.front())}));
+  const ExportedSpecimen& specimen = specimen_of(input, file);
+  const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
+  const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
+  require_one_run(input, specimen, column, file.origin.source);
+  const bool is_crosshead = kind == DisplacementOf::crosshead;
+  const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
+  std::vector<double> displacements = in_si_of(input, file, column, kind::length, "displacement_column");
+  std::vector<double> forces = in_si_of(input, file, force, kind::force, "force");
+  const RowsLeftOut missing =
+      rows_without_numbers(file, specimen, {&column, &force}, until ? until->row : specimen.lines.size());
+  Readings readings{.test = input,
+                    .table = {file.origin.source,
+                              {{column.name, without_rows(std::move(displacements), missing.rows)},
+                               {force.name, without_rows(std::move(forces), missing.rows)}},
+                              without_rows(specimen.lines, missing.rows),
+                              {},
+                              missing.rows},
+                    .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force}};
+  std::string words =
+      fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
+                  file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
+                  is_stated ? "stated" : "the file says", force.name);
+  if (!file.origin.which_sheet.empty()) words += "; " + file.origin.which_sheet;
+  for (const std::string& note : file.row_notes) words += "; " + note;
+  if (file.specimens.size() > 1)
+    words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
+  if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
+  readings.found_by = {{.name = "columns",
+                        .changed = asked.calibration.has_value(),
+                        .done = std::move(words),
+                        .rows = RowRange{1, readings.table.rows_of_file()},
+                        .otherwise = switch_to("displacement", is_crosshead ? "deflection" : "crosshead")}};
+  if (!missing.words.empty()) readings.found_by.push_back({.name = "missing", .changed = true, .done = missing.words});
+  complete(readings.test, file.test, readings.found_by);
+  return readings;
+}
+
+Readings readings_of_export(const Test& input, const Needs& needs) {
+  const Export file = read_export(input.record->file, options_of(*input.record));
+  try {
+    return readings_from(input, needs, file);
+  } catch (const InputError& error) {
+    throw with_other_sheets(error, file.origin);
+  }
+}
+
+}  // namespace
+
+Readings read_readings(const Test& input, const Needs& needs) {
+  try {
+    return input.record->is_export() ? readings_of_export(input, needs) : readings_of_table(input, needs);
+  } catch (const InputError& error) {
+    if (error.fault.key != "record.sheet") throw;
+    throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+  }
+}
+
+}  // namespace flexslip
