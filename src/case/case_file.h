@@ -14,7 +14,7 @@
 namespace flexslip {
 
 // Reads a test. Every value is in its range, every key is known, and what belongs together is complete; which
-// sections a command needs is its own affair (see missing()), and [sweep] that of its own reader (sweep_plan.h).
+// sections a command needs is its own affair (see missing()), and [sweep] that of its own reader (design/sweep.h).
 // Fails:      InputError with file, line and key.
 Test read_case(std::string_view text, const std::string& source, const std::vector<std::string>& changes = {});
 
