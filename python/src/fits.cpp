@@ -75,7 +75,7 @@ void add_fits(py::module_& module) {
       .def("screen", [](Fitted test) { return fit_screen(test.name, answer_of(test)); })
       .def("text", fit_text)
       .def("write_report", [](Fitted test, const std::string& folder) {
-        return interruptible([&](const std::atomic<bool>&) { return write_report(folder, test) == DrawStatus::drawn; });
+        return interruptible([&](const std::atomic<bool>&) { return write_report(folder, test).is_done(); });
       });
   module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
              py::arg("check_stability"), py::arg("surface"));
