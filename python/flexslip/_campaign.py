@@ -5,13 +5,13 @@ import contextlib
 import os
 import re
 import tempfile
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._answers import ANSWERS, table_of
 from ._case import KEYS, cell_of, set_of
-from ._errors import InputError, in_python, one_of, path_of, positive, whole, wrong
+from ._errors import InputError, in_python, one_of, path_of, positive, whole
 from ._fields import CampaignFields
 from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 
@@ -179,7 +179,7 @@ def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Calla
 
 
 def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool = True, test_reports: bool = False,
-             jobs: int | None = None, share: str | Iterable[str] = (), model: str | None = None, false_alarms: float | None = None,
+             jobs: int | None = None, model: str | None = None, false_alarms: float | None = None,
              suspect_limit: float | None = None, check_stability: bool = False, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
     """Many measured tests: one table, categories, figures.
 
@@ -197,9 +197,6 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
         With `report`: are its figures drawn; has each test a report of its own?
     jobs : int, optional
         Tests computed at the same time; all cores. The answers are the same for any number.
-    share : str or iterable of str
-        Parameters of which all records together tell one value: "modulus", "bending_stiffness", "wavelength", "roughness",
-        "correlation_length", "mu0".
     model, false_alarms, suspect_limit, check_stability
         As of :func:`fit`.
     set : mapping, optional
@@ -226,18 +223,13 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
     """
     if model is not None:
         one_of("model", model, _flexslip.model_names)
-    if not isinstance(share, Iterable):
-        raise wrong("share", "names of parameters", share)
-    names = [share] if isinstance(share, str) else list(share)
-    for name in names:
-        one_of("share", name, _flexslip.shareable_names)
     folder = None if report is None else path_of(report, "report", "the name of a folder")
 
     def computed(table: Any) -> Any:
         return _flexslip.campaign(
             os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")),
             set_of(set, False), model or "", _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
-            _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability), names,
+            _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability),
             _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if folder is None else os.fsencode(folder), bool(figures),
             bool(test_reports))
 

@@ -9,7 +9,6 @@ largest_q: float
 false_alarms: float
 suspect_limit: float
 model_names: list[str]
-shareable_names: list[str]
 states: np.ufunc
 states_slopes: np.ufunc
 states_from_forces: np.ufunc
@@ -53,6 +52,6 @@ def surface(path: bytes, given: dict[str, Any]) -> Any: ...
 def sweep(text: str, source: bytes, changes: list[str], threads: int) -> dict[str, Any]: ...
 def campaign(
     path: bytes, common: bytes | None, changes: list[str], model: str, false_alarms: float, suspect_limit: float, check_stability: bool,
-    shared: list[str], jobs: int, report: bytes | None, figures: bool, test_reports: bool,
+    jobs: int, report: bytes | None, figures: bool, test_reports: bool,
 ) -> Any: ...
 def read(path: bytes, given: dict[str, Any]) -> Any: ...

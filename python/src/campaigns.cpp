@@ -27,7 +27,6 @@ struct Options {
   std::string model;
   double false_alarms, suspect_limit;
   bool check_stability;
-  std::vector<std::string> shared;
   unsigned jobs;
   std::optional<std::string> report;
   bool figures, test_reports;
@@ -49,7 +48,6 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
     if (asked.report) keep_tests_in(*asked.report, asked.test_reports, options);
     CampaignRun computed = run_campaign(plan, options);
     if (computed.status == CampaignStatus::stopped) return nullptr;  // the signal says the rest
-    computed.campaign.shared = share_parameters(computed.campaign.tests, shareables_named(asked.shared));
     if (asked.report) write_campaign_report(*asked.report, computed.campaign, asked.figures);
     return std::make_shared<Campaign>(std::move(computed.campaign));
   });
@@ -77,13 +75,11 @@ void add_campaigns(py::module_& module) {
       .def("text", campaign_text);
   module.def("campaign", [](const std::string& path, const std::optional<std::string>& common,
                             const std::vector<std::string>& changes, const std::string& model, double false_alarms,
-                            double suspect_limit, bool check_stability, const std::vector<std::string>& shared,
-                            unsigned jobs, const std::optional<std::string>& report, bool with_figures,
-                            bool test_reports) {
+                            double suspect_limit, bool check_stability, unsigned jobs,
+                            const std::optional<std::string>& report, bool with_figures, bool test_reports) {
     return run(path, common, changes,
-               {model, false_alarms, suspect_limit, check_stability, shared, jobs, report, with_figures, test_reports});
+               {model, false_alarms, suspect_limit, check_stability, jobs, report, with_figures, test_reports});
   });
-  module.attr("shareable_names") = shareable_names();
 }
 
 }  // namespace flexslip::python

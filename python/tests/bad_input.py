@@ -352,7 +352,7 @@ class Faults(unittest.TestCase):
         for call, name in ((lambda: flexslip.fit(CASE, model="wave"), "model"), (lambda: flexslip.fit(CASE, false_alarms=-1), "false_alarms"),
                            (lambda: flexslip.fit(CASE, suspect_limit=math.nan), "suspect_limit"), (lambda: flexslip.simulate(CASE, points=1), "points"),
                            (lambda: flexslip.simulate(CASE, seed=-1), "seed"), (lambda: flexslip.simulate(CASE, noise="3 mm"), "noise"),
-                           (lambda: flexslip.campaign("examples", share="spam"), "share"), (lambda: flexslip.campaign("examples", jobs=0), "jobs"),
+                           (lambda: flexslip.campaign("examples", jobs=0), "jobs"),
                            (lambda: flexslip.design(DESIGN, over={"mu0": 3}), "over"),
                            (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "spam"),
                            (lambda: flexslip.read("examples/simulated/test.csv", decimal=";"), "decimal"),

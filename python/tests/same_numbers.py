@@ -124,7 +124,7 @@ class Json(unittest.TestCase):
         self.assertEqual((len({*sampled.mu0}), sampled.snaps.dtype.kind), (8, "i"))
 
     def test_outside_campaign(self):
-        self.same(flexslip.campaign("examples", share=["mu0", "wavelength"]), "campaign", "examples", "--share", "mu0", "--share", "wavelength")
+        self.same(flexslip.campaign("examples"), "campaign", "examples")
 
     def test_outside_read(self):
         for file in sorted(SOURCE.glob("tests/instruments/fixtures/*.csv"))[:12]:

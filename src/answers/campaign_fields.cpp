@@ -167,38 +167,23 @@ Fields<CategorySpread> category_fields() {
              &CategorySpread::surface_slope);
 }
 
-// A specimen in the light of the others.
-struct DrawnSpecimen {
-  std::string test;
-  double value, standard_error;
-};
-
-std::vector<DrawnSpecimen> specimens_of(const SpecimenLine& line) {
-  const auto& [tests, population] = *line.between;
-  std::vector<DrawnSpecimen> all;
-  for (std::size_t i = 0; i < tests.size(); ++i) {
-    const Estimate& own = population.specimens[i];
-    const double value = line.by_factors ? elementary::exp(own.value) : own.value;
-    all.push_back({tests[i], value, line.by_factors ? value * own.standard_error : own.standard_error});
-  }
-  return all;
-}
-
 std::string_view differ_by(const SpecimenLine& line) { return line.by_factors ? "factor" : "standard deviation"; }
 
 Fields<SpecimenLine> between_fields() {
   using L = const SpecimenLine&;
   return Fields<SpecimenLine>()
       .count("tests", "number of tests whose records determine the parameter",
-             [](L line) { return line.between->tests.size(); })
-      .estimate_in("typical", "typical specimen: the mean for mu0, the median for other parameters",
-                   &SpecimenLine::typical, &SpecimenLine::unit)
-      .words("differ_by", "meaning of spread: a standard deviation, or a factor in either direction", differ_by)
+             [](L line) { return line.population.tests; })
       .estimate_in(
-          "spread", "spread between specimens", &SpecimenLine::spread,
-          [](L line) { return line.by_factors ? std::string("1") : line.unit; },
-          Fields<SpecimenLine>().yes_no("bound", "the specimens cannot be distinguished from each other",
-                                        [](L line) { return line.between->population.spread_is_bound; }));
+          "typical", "typical specimen: the mean for mu0, the median for other parameters",
+          [](L line) { return line.population.typical; }, &SpecimenLine::unit)
+      .words("differ_by", "meaning of spread: a standard deviation, or a factor in either direction", differ_by)
+      .number("spread", "spread between specimens, without the errors of the records",
+              [](L line) { return line.population.spread; })
+      .number("spread_low",
+              "lower end of its 95 % interval; 0, or a factor of 1, where the records do not distinguish the specimens",
+              [](L line) { return line.population.least_spread; })
+      .number("spread_high", "upper end of its 95 % interval", [](L line) { return line.population.most_spread; });
 }
 
 struct CategoryOf {
@@ -214,14 +199,7 @@ Fields<CategoryOf> category_answer_fields() {
       .group(
           "with_suspects", "the same, including suspect tests", category_fields(),
           [](C of) -> const auto& { return of.category.with_suspects; })
-      .by_name("between_specimens", "typical value and spread between specimens, by parameter",
-               between_fields().list(
-                   "specimens", "value of each specimen in the light of the others",
-                   Fields<DrawnSpecimen>()
-                       .words("test", "name of the test", &DrawnSpecimen::test)
-                       .number("value", "value of the parameter, in the unit of typical", &DrawnSpecimen::value)
-                       .number("standard_error", "standard error of value", &DrawnSpecimen::standard_error),
-                   specimens_of),
+      .by_name("between_specimens", "typical value and spread between specimens, by parameter", between_fields(),
                [](C of) {
                  std::vector<std::pair<std::string, SpecimenLine>> lines;
                  for (SpecimenLine& line : specimen_lines(of.campaign))
@@ -248,31 +226,6 @@ SomeTests tests_of(const Campaign& campaign, bool answered) {
 SomeTests answered_of(const Campaign& campaign) { return tests_of(campaign, true); }
 SomeTests failures_of(const Campaign& campaign) { return tests_of(campaign, false); }
 
-// With the estimate as it stands there: its numbers beside the others in JSON, four columns in tables.
-Fields<SharedParameter> shared_fields(const Fields<SharedParameter>& estimate) {
-  return Fields<SharedParameter>()
-      .words("name", "name of the parameter", &SharedParameter::name)
-      .titled("parameter")
-      .words("unit", "unit of the estimate", &SharedParameter::unit)
-      .all_of(estimate)
-      .count("tests", "number of tests whose records determine the parameter", &SharedParameter::tests)
-      .number("chi_squared", "chi-squared of the tests about the value, with one degree of freedom less than tests",
-              &SharedParameter::chi_squared)
-      .number("agreement", "probability that tests that share the value differ at least as much",
-              &SharedParameter::agreement);
-}
-
-Fields<SharedParameter> shared_answer_fields() {
-  using P = const SharedParameter&;
-  return shared_fields(
-      Fields<SharedParameter>()
-          .number("value", "value of the shared parameter", [](P p) { return p.estimate.value; })
-          .number("standard_error", "standard error of value", [](P p) { return p.estimate.standard_error; })
-          .own_numbers("interval95", kind::number, "95 % interval of value", [](P p) {
-            return std::vector{p.estimate.low, p.estimate.high};
-          }));
-}
-
 Fields<Campaign> all_fields() {
   return Fields<Campaign>()
       .list("tests", "tests with an answer, in the order of the plan", test_fields(), answered_of)
@@ -298,7 +251,6 @@ Fields<Campaign> all_fields() {
               &Campaign::shared_error)
       .list("failures", "tests without a fit: without an answer, or bent too little to tell friction", failure_fields(),
             failures_of)
-      .list("shared", "parameters that tests share", shared_answer_fields(), &Campaign::shared)
       .words("notes", "files left out, records that several tests have, sections that are not stated", &Campaign::notes)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }
@@ -309,20 +261,24 @@ std::string_view key_of(const CategorySummary& category) {
   return category.category ? name_of(*category.category) : "all";
 }
 
+namespace {
+
+Population exponential(Population logarithm) {
+  logarithm.typical = exponential(logarithm.typical);
+  for (double* spread : {&logarithm.spread, &logarithm.least_spread, &logarithm.most_spread})
+    *spread = elementary::exp(*spread);
+  return logarithm;
+}
+
+}  // namespace
+
 std::vector<SpecimenLine> specimen_lines(const Campaign& campaign) {
   std::vector<SpecimenLine> lines;
   for (const auto& category : campaign.categories) {
-    const auto add = [&](const char* parameter, const char* unit, const std::optional<BetweenSpecimens>& between) {
-      if (!between) return;
-      const Population& found = between->population;
-      const bool by_factors = &between != &category.mu0;
-      lines.push_back({std::string(key_of(category)), parameter, unit, by_factors,
-                       by_factors ? exponential(found.mean) : found.mean,
-                       by_factors ? exponential(found.spread) : found.spread, &*between});
-    };
-    add("mu0", "1", category.mu0);
-    add("roughness", "1", category.log_roughness);
-    add("correlation_length", "m", category.log_length);
+    const std::string key(key_of(category));
+    if (category.mu0) lines.push_back({key, "mu0", "1", false, *category.mu0});
+    if (category.log_roughness) lines.push_back({key, "roughness", "1", true, exponential(*category.log_roughness)});
+    if (category.log_length) lines.push_back({key, "correlation_length", "m", true, exponential(*category.log_length)});
   }
   return lines;
 }
@@ -385,20 +341,12 @@ ResultTable failure_table(const Campaign& campaign) {
   return tabulated("failures", failure_fields(), failures_of(campaign));
 }
 
-ResultTable shared_table(const Campaign& campaign) {
-  return tabulated("shared",
-                   shared_fields(Fields<SharedParameter>().estimate_in(
-                       "value", "value of the shared parameter", &SharedParameter::estimate, &SharedParameter::unit)),
-                   campaign.shared);
-}
-
 std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign) {
   std::vector<std::pair<std::string, ResultTable>> sheets{{"Tests", in_best_units(test_table(campaign))},
                                                           {"Categories", in_best_units(category_table(campaign))}};
   if (ResultTable specimens = specimen_table(campaign); !specimens.rows.empty())
     sheets.emplace_back("Specimens", in_best_units(std::move(specimens)));
   sheets.emplace_back("Failures", failure_table(campaign));
-  if (!campaign.shared.empty()) sheets.emplace_back("Shared", shared_table(campaign));
   return sheets;
 }
 

@@ -17,10 +17,9 @@ struct SpecimenLine {
   std::string category;   // as key_of
   std::string parameter;  // "mu0", "roughness", "correlation_length"
   std::string unit;       // SI
-  bool by_factors;        // specimens differ by factors, exp of the spread; else by the spread itself
-  Estimate typical;       // the mean, or exp of the mean logarithm
-  Estimate spread;        // standard deviation, or exp of that of the logarithm
-  const BetweenSpecimens* between;
+  bool
+      by_factors;  // the population is one of logarithms: typical and spreads are exp of them, and specimens differ by factors
+  Population population;
 };
 std::vector<SpecimenLine> specimen_lines(const Campaign& campaign);
 
@@ -41,12 +40,11 @@ Fields<CategoryLine> category_columns();
 Fields<SpecimenLine> specimen_columns();
 
 // A row per test, those that failed among them; a category with its suspects and without, and all tests; what specimens have in common,
-// a row per category and parameter; a row per test without an answer; a row per shared parameter. Units: SI.
+// a row per category and parameter; a row per test without an answer. Units: SI.
 ResultTable test_table(const Campaign& campaign);
 ResultTable category_table(const Campaign& campaign);
 ResultTable specimen_table(const Campaign& campaign);
 ResultTable failure_table(const Campaign& campaign);
-ResultTable shared_table(const Campaign& campaign);
 
 // All of them that say something, in the units that read best, under their names in a workbook.
 std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign);

@@ -1,5 +1,5 @@
 // One test of a campaign as the campaign keeps it: what its table, figures and pages are made of, whether it was computed just
-// now or in a run before; and what several tests share.
+// now or in a run before.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,6 @@ struct CampaignTest {
   std::optional<TestSummary> summary;         // where the analysis came to a fit
   std::optional<CampaignCurves> curves;       // likewise
   std::vector<std::string> remarks;           // what a reader of the table should know of it
-  std::optional<double> section_moment;       // [m^4] I, if the case says what section the specimen has
   std::optional<Materials> materials{};       // in contact, if its case states both
   std::optional<StandardSummary> standard{};  // where span and section are known, and the record tells a modulus
 };
@@ -63,49 +62,12 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file);
 // A test that gave no answer, and why.
 CampaignTest failed_test(const std::string& name, const std::string& file, const std::string& reason);
 
-// A parameter that several tests share, estimated from all of them.
-struct SharedParameter {
-  std::string name;    // "modulus"
-  std::string unit;    // of the estimate, SI
-  Estimate estimate;   // not a number where fewer than two records tell it
-  std::size_t tests;   // whose records tell it
-  double chi_squared;  // [1] of them about one value
-  double agreement;    // [1] probability that tests that do share it would differ as much
-};
-
 struct Campaign {
   std::vector<CampaignTest> tests;  // in the order of the plan
   std::vector<CategorySummary> categories;
   CracksTogether cracks{};
-  double shared_error = 0;  // [1] of mean friction, from the rig that tests share
-  std::vector<SharedParameter> shared;
+  double shared_error = 0;         // [1] of mean friction, from the rig that tests share
   std::vector<std::string> notes;  // of its plan: what was left out or counts once
 };
-
-// Parameters that the tests of a campaign share: one value from what all their records say.
-
-enum class Shareable {
-  modulus,             // E, of tests whose section is known
-  bending_stiffness,   // EI
-  wavelength,          // of one wave, over the tests that claim it
-  roughness,           // standard deviation of friction about its mean
-  correlation_length,  // of the roughness
-  mu0,                 // mean friction
-};
-
-std::string name_of(Shareable parameter);
-
-// Of all of them; and those of some, in that order. Names that are none are passed over.
-std::vector<std::string> shareable_names();
-std::vector<Shareable> shareables_named(const std::vector<std::string>& names);
-
-// Why fewer than two tests of a campaign may tell it.
-std::string_view needed_for(Shareable parameter);
-
-// Suspects have no part in it. What the cases state of a stiffness, or their initial slopes say, counts once: it errs in all of them alike.
-// Domain:     parameters different; std::invalid_argument otherwise.
-// Fails:      the estimate is not a number where fewer than two records tell it.
-std::vector<SharedParameter> share_parameters(std::span<const CampaignTest> tests,
-                                              const std::vector<Shareable>& parameters);
 
 }  // namespace flexslip

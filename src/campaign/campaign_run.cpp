@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout_of_store = 7;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 8;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 // What a result is made of, for the way into the text and back.
@@ -48,17 +48,11 @@ template <>
 constexpr std::tuple parts_of<Estimate>{Part{"value", &Estimate::value}, Part{"error", &Estimate::standard_error},
                                         Part{"low", &Estimate::low}, Part{"high", &Estimate::high}};
 template <>
-constexpr std::tuple parts_of<NormalPart>{Part{"weight", &NormalPart::weight}, Part{"mean", &NormalPart::mean},
-                                          Part{"deviation", &NormalPart::deviation}};
+constexpr std::tuple parts_of<Measured>{Part{"value", &Measured::value}, Part{"error", &Measured::standard_error}};
 template <>
-constexpr std::tuple parts_of<Marginal>{Part{"posterior", &Marginal::posterior},
-                                        Part{"prior_mean", &Marginal::prior_mean},
-                                        Part{"prior_deviation", &Marginal::prior_deviation}};
-template <>
-constexpr std::tuple parts_of<TestMarginals>{
-    Part{"mu0", &TestMarginals::mu0}, Part{"log_roughness", &TestMarginals::log_roughness},
-    Part{"log_length", &TestMarginals::log_length}, Part{"log_stiffness", &TestMarginals::log_stiffness},
-    Part{"log_wavelength", &TestMarginals::log_wavelength}};
+constexpr std::tuple parts_of<MeasuredFriction>{Part{"mu0", &MeasuredFriction::mu0},
+                                                Part{"log_roughness", &MeasuredFriction::log_roughness},
+                                                Part{"log_length", &MeasuredFriction::log_length}};
 template <>
 constexpr std::tuple parts_of<FrictionRead>{Part{"median", &FrictionRead::median}, Part{"low80", &FrictionRead::low80},
                                             Part{"high80", &FrictionRead::high80}};
@@ -90,7 +84,7 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"friction_share", &TestSummary::friction_share},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
                                            Part{"failed_checks", &TestSummary::failed_checks},
-                                           Part{"known", &TestSummary::known},
+                                           Part{"measured", &TestSummary::measured},
                                            Part{"surface_height", &TestSummary::surface_height},
                                            Part{"surface_slope", &TestSummary::surface_slope}};
 template <>
@@ -120,17 +114,12 @@ constexpr std::tuple parts_of<StandardSummary>{Part{"modulus", &StandardSummary:
                                                Part{"strength", &StandardSummary::strength},
                                                Part{"friction", &StandardSummary::friction}};
 template <>
-constexpr std::tuple parts_of<CampaignTest>{Part{"name", &CampaignTest::name},
-                                            Part{"status", &CampaignTest::status},
-                                            Part{"reason", &CampaignTest::reason},
-                                            Part{"file", &CampaignTest::file},
-                                            Part{"verdict", &CampaignTest::verdict},
-                                            Part{"summary", &CampaignTest::summary},
-                                            Part{"curves", &CampaignTest::curves},
-                                            Part{"remarks", &CampaignTest::remarks},
-                                            Part{"section_moment", &CampaignTest::section_moment},
-                                            Part{"materials", &CampaignTest::materials},
-                                            Part{"standard", &CampaignTest::standard}};
+constexpr std::tuple parts_of<CampaignTest>{
+    Part{"name", &CampaignTest::name},           Part{"status", &CampaignTest::status},
+    Part{"reason", &CampaignTest::reason},       Part{"file", &CampaignTest::file},
+    Part{"verdict", &CampaignTest::verdict},     Part{"summary", &CampaignTest::summary},
+    Part{"curves", &CampaignTest::curves},       Part{"remarks", &CampaignTest::remarks},
+    Part{"materials", &CampaignTest::materials}, Part{"standard", &CampaignTest::standard}};
 
 template <class T>
 constexpr bool is_optional = false;

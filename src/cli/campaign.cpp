@@ -26,7 +26,6 @@ struct CampaignRequest {
   bool test_reports = false;
   unsigned jobs = 1;
   AnalysisChoice flags;
-  std::vector<std::string> shared;
   Output output;
 };
 
@@ -45,10 +44,7 @@ void run_campaign_command(const CampaignRequest& request) {
   const CampaignOptions options = campaign_options(request);
   const auto run = [&] {
     const WhileInterruptible guard;
-    CampaignRun computed = run_campaign(plan, options);
-    if (computed.status == CampaignStatus::ok)
-      computed.campaign.shared = share_parameters(computed.campaign.tests, shareables_named(request.shared));
-    return computed;
+    return run_campaign(plan, options);
   }();
   if (run.status == CampaignStatus::stopped)
     throw Interrupted(fmt::format("interrupted after {} of {} tests{}", run.campaign.tests.size(), plan.tests.size(),
@@ -63,12 +59,6 @@ void run_campaign_command(const CampaignRequest& request) {
     note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !is_answered(test); });
-  for (const Shareable parameter : shareables_named(request.shared))
-    for (const auto& shared : run.campaign.shared)
-      if (shared.name == name_of(parameter) && shared.tests < 2)
-        throw CalculationFailed(
-            fmt::format("--share {}: expected at least two tests whose records determine this parameter, found {}; {}",
-                        shared.name, shared.tests, needed_for(parameter)));
   if (without_answer > 0)
     throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
                                         without_answer, plan.tests.size()));
@@ -91,9 +81,6 @@ void add_campaign_command(CLI::App& app) {
   command.add_flag("!--no-figures", request.figures, "Write only the tables, without report.html and figures");
   command.add_flag("--test-reports", request.test_reports, "Also write the report of each test, with its figures");
   add_threads_option(command, "-j,--jobs NUMBER", request.jobs, "Number of tests computed at the same time");
-  add_repeated(command, "--share PARAMETER", request.shared,
-               "Estimate one value of this parameter from all records together; may be repeated")
-      ->check(CLI::IsMember(shareable_names()));
   add_analysis_options(command, request.flags);
   add_output_options(command, request.output);
   command.footer(

@@ -24,7 +24,7 @@ const std::vector<Everyday>& everyday() {
       {"fit",
        {"--report", "--full", "--json", "--set", "--span", "--stiffness", "--diameter", "--modulus", "--stage",
         "--force"}},
-      {"campaign", {"--common", "--report", "--share", "--set", "--jobs", "--json"}},
+      {"campaign", {"--common", "--report", "--set", "--jobs", "--json"}},
       {"read", {"--output", "--json", "--specimen", "--sheet", "--crosshead", "--deflection", "--force", "--decimal"}},
       {"modulus",
        {"--json", "--set", "--span", "--stiffness", "--diameter", "--width", "--height", "--stage", "--force",

@@ -54,24 +54,12 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
   return over;
 }
 
-// With nearly equal parts made one, and moved to another unit.
-Marginal kept(const Marginal& marginal, double by) {
-  return shifted({merged(marginal.posterior), marginal.prior_mean, marginal.prior_deviation}, by);
-}
-
-TestMarginals marginals_of(const FrictionFit& fit, const Scales& scales) {
-  const double log_span = elementary::log(scales.span());
-  double smooth = 0;  // weight of the explanations without roughness
-  for (const auto& each : fit.explanations)
-    if (each.kernel == Kernel::none) smooth += each.weight;
-  TestMarginals known{.mu0 = kept(fit.of_mu0, 0),
-                      .log_roughness = kept(fit.of_log_roughness, 0),
-                      .log_length = kept(fit.of_log_length, log_span),
-                      .log_stiffness = kept(fit.of_log_stiffness, elementary::log(scales.bending_stiffness())),
-                      .log_wavelength = {}};
-  if (smooth > 0.5) known.log_length = {};  // what is likely not there has no length
-  if (fit.wave_claimed) known.log_wavelength = shifted(of_logarithm(fit.waves.front().wavelength), log_span);
-  return known;
+MeasuredFriction measured_friction(const FrictionFit& fit, const Scales& scales) {
+  MeasuredFriction measured{measured_by_record(fit.of_mu0), measured_by_record(fit.of_log_roughness), {}};
+  if (weight_without_roughness(fit) > 0.5) return measured;  // what is likely not there has no length
+  measured.log_length = measured_by_record(fit.of_log_length);
+  if (measured.log_length) measured.log_length->value += elementary::log(scales.span());
+  return measured;
 }
 
 // Of a fit that is not to be used, or a specimen that lost stiffness.
@@ -81,23 +69,24 @@ TestSummary without_friction(TestSummary summary) {
   summary.mu0_is_bound = summary.wave_claimed = false;
   summary.friction_read = {};
   summary.friction_share = summary.log_evidence_of_wave = summary.spacing = not_a_number;
-  summary.known = {};
+  summary.measured = {};
   return summary;
 }
 
-std::optional<BetweenSpecimens> between_specimens(const std::vector<const TestSummary*>& tests,
-                                                  Marginal TestMarginals::*parameter) {
-  BetweenSpecimens between;
-  std::vector<Marginal> marginals;
-  for (const TestSummary* test : tests) {
-    const Marginal& marginal = test->known.*parameter;
-    if (!tells(marginal)) continue;
-    between.tests.push_back(test->name);
-    marginals.push_back(marginal);
-  }
-  if (marginals.size() < 2) return std::nullopt;
-  between.population = population_of(marginals, prior_told_to(marginals));
-  return between;
+std::optional<Population> between_specimens(const std::vector<const TestSummary*>& tests,
+                                            std::optional<Measured> MeasuredFriction::*parameter) {
+  std::vector<Measured> measured;
+  for (const TestSummary* test : tests)
+    if (const auto& of_test = test->measured.*parameter) measured.push_back(*of_test);
+  if (measured.size() < min_tests_of_population) return std::nullopt;
+  return population_of(measured);
+}
+
+std::optional<Population> not_negative(std::optional<Population> population) {
+  if (!population || population->typical.high < 0) return std::nullopt;
+  population->typical.value = std::max(population->typical.value, 0.0);
+  population->typical.low = std::max(population->typical.low, 0.0);
+  return population;
 }
 
 }  // namespace
@@ -127,7 +116,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .spacing = scales.physical_length(analysis.slip_summary.median_spacing),
                       .friction_share = analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
-                      .known = marginals_of(fit, scales)};
+                      .measured = measured_friction(fit, scales)};
   if (const auto& by = fit.friction_by) {
     summary.mu0_by_load_train = (*by)[StatedQuantity::load_train] * analysis.rig_errors.load_train;
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
@@ -203,9 +192,9 @@ std::vector<CategorySummary> summarise(std::span<const TestSummary> tests) {
     return CategorySummary{category,
                            spread_over(tests, trusted),
                            spread_over(tests, belongs),
-                           between_specimens(of_specimens, &TestMarginals::mu0),
-                           between_specimens(of_specimens, &TestMarginals::log_roughness),
-                           between_specimens(of_specimens, &TestMarginals::log_length)};
+                           not_negative(between_specimens(of_specimens, &MeasuredFriction::mu0)),
+                           between_specimens(of_specimens, &MeasuredFriction::log_roughness),
+                           between_specimens(of_specimens, &MeasuredFriction::log_length)};
   };
   return {summary(SawtoothCategory::clear), summary(SawtoothCategory::nominal), summary(SawtoothCategory::none),
           summary(std::nullopt)};

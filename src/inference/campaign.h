@@ -14,10 +14,9 @@
 
 namespace flexslip {
 
-// What a record says of each parameter, and what was known beforehand; no parts where the fit has no such parameter, or claims no such
-// wave. Logarithms are those of numbers in SI.
-struct TestMarginals {
-  Marginal mu0, log_roughness, log_length, log_stiffness, log_wavelength;
+// The parameters of friction that one record determines by itself. Logarithms are those of numbers in SI.
+struct MeasuredFriction {
+  std::optional<Measured> mu0, log_roughness, log_length;
 };
 
 // A test in a line. Units: SI. Of a test that is not to be trusted, or lost stiffness, no friction: NaN, or none.
@@ -51,7 +50,7 @@ struct TestSummary {
   // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
   double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
   std::vector<CheckKind> failed_checks{};
-  TestMarginals known;
+  MeasuredFriction measured;
   // Of the surface that would show its friction: the amplitude of its wave, if there is a likeliest one, and all of its slopes.
   std::optional<Estimate> surface_height{};  // [m]
   std::optional<Estimate> surface_slope{};   // [1] rms
@@ -78,17 +77,13 @@ struct CategorySpread {
   Spread surface_slope{};   // [1] rms, of the slopes that would show the friction, over the tests where it varies
 };
 
-// A parameter between the specimens of some tests: what they have in common, and how they differ.
-struct BetweenSpecimens {
-  std::vector<std::string> tests;  // two or more, whose records tell it
-  Population population;           // its specimens are those of the tests
-};
-
 // A category of tests; none: all tests.
 struct CategorySummary {
   std::optional<SawtoothCategory> category;
   CategorySpread without_suspects, with_suspects;
-  std::optional<BetweenSpecimens> mu0, log_roughness, log_length;  // [1], ln of [1], ln of [m]; without suspects
+  // [1], ln of [1], ln of [m]; without suspects, and none of fewer than min_tests_of_population records that determine it. Friction is not
+  // negative: what is estimated below 0 is 0, and none if all of its 95 % interval lies there.
+  std::optional<Population> mu0, log_roughness, log_length;
 };
 
 // What the drops of all tests say together.

@@ -294,8 +294,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.mean = {fit.band.S, fit.band.mean};
   fit.force = run_forward(fit, whole.rig, whole.record.stage);
   fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
-  fit.of_mu0 = {{{1, constant.mu0, constant.standard_error}}, FrictionProcess::mean_friction, 0.5};
-  fit.of_log_stiffness = {{{1, 0, s}}, 0, s};
+  fit.of_mu0 = {{{1, constant.mu0, constant.standard_error}}, 0, infinity};  // least squares, without a prior
   return fit;
 }
 
@@ -404,9 +403,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.draw_stiffness = posterior.draw_stiffness;
   fit.force = run_forward(fit, whole.rig, whole.record.stage);
   fit.residual_rms = residual_rms(run_forward(fit, whole.rig, passages.stage), passages);
-  const double s = passages.stiffness_error;
   fit.of_mu0 = {of_mean, FrictionProcess::mean_friction, 0.5};
-  fit.of_log_stiffness = {posterior.log_stiffness, 0, s};
   const ThetaPrior& prior = process.prior_of_theta();
   fit.of_log_roughness = {posterior.log_roughness, prior.mean[Theta::log_roughness],
                           prior.deviation[Theta::log_roughness]};

@@ -39,7 +39,7 @@ struct WaveEstimate {
   std::vector<Correlation> correlations{};  // with all that goes with it
 };
 
-// What a record says of a parameter beside what was known beforehand: their quotient is the record's own.
+// The posterior of a parameter and its prior: their quotient is the estimate of the record alone.
 struct Marginal {
   NormalMixture posterior;
   double prior_mean, prior_deviation;  // of a normal distribution
@@ -178,7 +178,7 @@ struct FrictionFit {
   double residual_rms;                 // [EI/L^2] of it, over the readings that tell of friction
   std::vector<double>
       innovations;  // [1] what each reading adds to what those before it tell, over its standard deviation; empty of a constant
-  Marginal of_mu0, of_log_stiffness, of_log_roughness, of_log_length;  // the latter two only of `roughness`
+  Marginal of_mu0, of_log_roughness, of_log_length;  // the latter two only of `roughness`
 
   // [L] Between the contacts, of the fibre drawn in to a length: what friction along the specimen is a function of.
   double between_contacts(double S) const { return along.length_at(along.at(S)); }

@@ -230,24 +230,4 @@ double quantile_of(const NormalMixture& mixture, double probability) {
   return halved(50, {low, high}, [&](double x) { return !(probability_below(mixture, x) < probability); }).middle();
 }
 
-NormalMixture merged(const NormalMixture& mixture) {
-  constexpr double near =
-      0.7;  // deviations between means: two such parts alike and their one differ by 0.002 of a probability
-  constexpr double alike = 1.3;  // ratio of deviations
-  NormalMixture result;
-  for (const auto& part : mixture) {
-    const auto same = std::find_if(result.begin(), result.end(), [&](const NormalPart& other) {
-      const auto [narrow, wide] = std::minmax(part.deviation, other.deviation);
-      return std::abs(part.mean - other.mean) <= near * narrow && wide <= alike * narrow;
-    });
-    if (same == result.end()) {
-      result.push_back(part);
-      continue;
-    }
-    const NormalMixture two{*same, part};
-    *same = {same->weight + part.weight, mean_of(two), deviation_of(two)};
-  }
-  return result;
-}
-
 }  // namespace flexslip

@@ -154,8 +154,4 @@ double probability_below(const NormalMixture& mixture, double x);
 // x with P(number < x) = probability. Domain: 0 < probability < 1. Max error: 1e-9 of the deviation.
 double quantile_of(const NormalMixture& mixture, double probability);
 
-// The same with parts that are nearly one made one, mean and deviation of the mixture kept.
-// Max error:  0.01 of a probability.
-NormalMixture merged(const NormalMixture& mixture);
-
 }  // namespace flexslip

@@ -277,36 +277,21 @@ PrintedTable category_rows(const Campaign& campaign) {
 PrintedTable specimen_rows(const Campaign& campaign) {
   PrintedTable table{.head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"}, .rows = {}};
   for (const auto& line : specimen_lines(campaign)) {
-    const auto [unit, factor] = print_unit(line.typical.value, line.unit);
+    const Population& population = line.population;
+    const auto [unit, factor] = print_unit(population.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";
-    const std::string typical = with_interval(line.typical, factor);
+    const std::string typical = with_interval(population.typical, factor);
+    const auto of_spread = [](double spread) { return format_significant(spread, 2); };
     table.rows.push_back({line.category,
                           line.parameter == "mu0"         ? "μ₀"
                           : line.parameter == "roughness" ? "σ"
                                                           : "ℓ",
-                          fmt::format("{}", line.between->tests.size()),
+                          fmt::format("{}", population.tests),
                           unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
-                          line.between->population.spread_is_bound
-                              ? fmt::format("{}{} at most", sign, format_significant(line.spread.high, 2))
-                              : sign + with_interval(line.spread, 1)});
-  }
-  return table;
-}
-
-PrintedTable shared_rows(const Campaign& campaign) {
-  PrintedTable table{.head = {"Parameter", "Value", "95 % interval", "Unit", "Tests", "Agreement"}, .rows = {}};
-  for (const auto& shared : campaign.shared) {
-    const std::string tests = fmt::format("{}", shared.tests);
-    if (!std::isfinite(shared.estimate.value)) {
-      table.rows.push_back({shared.name, "not told", "", "", tests, ""});
-      continue;
-    }
-    const auto [unit, factor] = print_unit(shared.estimate.value, shared.unit);
-    const MatchedDigits digits = matched_digits(shared.estimate, factor);
-    table.rows.push_back(
-        {shared.name, with_error(shared.estimate, factor),
-         digits.low.empty() ? "" : fmt::format("{} to {}", digits.low, digits.high), typeset(unit), tests,
-         shared.agreement < 1e-4 ? "none" : fmt::format("p = {}", format_significant(shared.agreement, 2))});
+                          population.least_spread > (line.by_factors ? 1 : 0)
+                              ? fmt::format("{}{} ({} to {})", sign, of_spread(population.spread),
+                                            of_spread(population.least_spread), of_spread(population.most_spread))
+                              : fmt::format("{}{} at most", sign, of_spread(population.most_spread))});
   }
   return table;
 }
@@ -395,11 +380,7 @@ Rows column_rows(const Campaign& campaign) {
                           ? ""
                           : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; "
                             "specimens differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; "
-                            "the error of each record is taken off, and suspects are left out"},
-          {"Agreement", campaign.shared.empty()
-                            ? ""
-                            : "probability that tests which share one value would differ as much as these; below 0.01 "
-                              "the value is a mean of different ones, and its error says nothing"}};
+                            "the error of each record is taken off, and suspects are left out"}};
 }
 
 }  // namespace
@@ -451,7 +432,6 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
                 {"By category: mean (smallest to largest)",
                  {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
                 {"Between specimens", {specimen_rows(campaign)}}};
-  chapters.push_back({"Shared by several tests", {shared_rows(campaign)}});
   chapters.push_back({"Bent too little to tell friction", {rows_without_friction(campaign)}});
   chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
   if (has_answers)

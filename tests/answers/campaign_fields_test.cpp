@@ -112,8 +112,12 @@ TEST_CASE("outside: what JSON holds reads back, in the form of the design") {
   REQUIRE(json["failures"].size() == 1);
   CHECK(json["failures"][0]["name"] == "SS99");
   CHECK(json["failures"][0]["reason"] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
-  CHECK(json["shared"][0]["name"] == "modulus");
-  CHECK(json["shared"][0]["tests"] == 5);
+  const auto& between = json["categories"]["all"]["between_specimens"]["mu0"];
+  CHECK(between["tests"] == 4);
+  const double typical = between["typical"]["value"];
+  CHECK(typical == doctest::Approx((0.6 + 0.4 + 0.75 + 0.3) / 4));  // errors far below the differences
+  CHECK(between["spread"] == doctest::Approx(std::sqrt(0.121875 / 3)).epsilon(0.01));
+  CHECK(between["spread_low"] < between["spread"]);
   CHECK(json["units"]["length"] == "m");
 }
 

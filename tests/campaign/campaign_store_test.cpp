@@ -19,7 +19,6 @@ CampaignTest some_test() {
                     .summary = {},
                     .curves = {},
                     .remarks = {"one", "tw\"o"},
-                    .section_moment = 1.0 / 3e20,
                     .materials = Materials{"glass", "steel"}};
   test.summary = TestSummary{
       .name = "SS14",
@@ -47,11 +46,7 @@ CampaignTest some_test() {
       .friction_share = 0.25,
       .work_of_fracture = 2e-9,
       .failed_checks = {CheckKind::drops, CheckKind::friction},
-      .known = {.mu0 = {{{0.25, 1.0 / 3, 0.1}, {0.75, 0.4, 1.0 / 7}}, 0.55, 0.5},
-                .log_roughness = {},
-                .log_length = {},
-                .log_stiffness = {},
-                .log_wavelength = {{{1, -10.8, 0.01}}, 0, std::numeric_limits<double>::infinity()}}};
+      .measured = {.mu0 = {{1.0 / 3, 1.0 / 7}}, .log_roughness = {}, .log_length = {{-10.8, 0.01}}}};
   test.curves = CampaignCurves{.span = 1278e-6,
                                .bending_stiffness = 2e-12,
                                .load_train_stiffness = std::numeric_limits<double>::infinity(),
@@ -82,14 +77,12 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(back->remarks == some_test().remarks);
   CHECK(back->verdict == "CHECK INPUT");
   CHECK(back->summary->spacing == 8e-6);
-  CHECK(back->section_moment == some_test().section_moment);
   CHECK(back->materials == some_test().materials);
-  const auto& known = back->summary->known;
-  REQUIRE(known.mu0.posterior.size() == 2);
-  CHECK(known.mu0.posterior[1].deviation == 1.0 / 7);
-  CHECK(known.mu0.prior_deviation == 0.5);
-  CHECK(known.log_roughness.posterior.empty());
-  CHECK(std::isinf(known.log_wavelength.prior_deviation));
+  const auto& measured = back->summary->measured;
+  REQUIRE(measured.mu0);
+  CHECK(measured.mu0->value == 1.0 / 3);
+  CHECK(measured.mu0->standard_error == 1.0 / 7);
+  CHECK(!measured.log_roughness);
 }
 
 TEST_CASE("table: what was kept is found under its key alone, what is torn or foreign not at all") {

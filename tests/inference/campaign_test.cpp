@@ -112,26 +112,39 @@ TEST_CASE(
     "nothing left out") {
   using enum SawtoothCategory;
   std::vector<TestSummary> tests;
-  std::vector<Marginal> clear_ones;
+  std::vector<Measured> clear_ones;
   for (const double mu0 : {0.4, 0.5, 0.65, 0.7}) {
     tests.push_back(some_test(mu0 < 0.7 ? clear : none, mu0, {}, false));
-    tests.back().name = std::to_string(mu0);
-    tests.back().known.mu0 = {{{1, mu0, 0.05}}, 0.55, 0.5};
-    if (mu0 < 0.7) clear_ones.push_back(tests.back().known.mu0);
+    tests.back().measured.mu0 = {mu0, 0.05};
+    if (mu0 < 0.7) clear_ones.push_back({mu0, 0.05});
   }
   tests.push_back(some_test(clear, 1.5, {}, true));
-  tests.back().known.mu0 = {{{1, 1.5, 0.05}}, 0.55, 0.5};
+  tests.back().measured.mu0 = {1.5, 0.05};
   tests.push_back(some_test(clear, 0.5, {}, false));
-  tests.back().known.mu0 = {{{1, 0.55, 0.5}}, 0.55, 0.5};
   const auto summaries = summarise(tests);
   REQUIRE(summaries[0].mu0);
-  CHECK(summaries[0].mu0->tests == std::vector<std::string>{tests[0].name, tests[1].name, tests[2].name});
-  const auto population = population_of(clear_ones, {0.55, 0.5});
-  CHECK(summaries[0].mu0->population.mean.value == population.mean.value);
-  CHECK(summaries[0].mu0->population.spread.high == population.spread.high);
+  const auto population = population_of(clear_ones);
+  CHECK(summaries[0].mu0->tests == 3);
+  CHECK(summaries[0].mu0->typical.value == population.typical.value);
+  CHECK(summaries[0].mu0->most_spread == population.most_spread);
   CHECK(!summaries[2].mu0);  // one specimen
-  CHECK(summaries[3].mu0->tests.size() == 4);
+  CHECK(summaries[3].mu0->tests == 4);
   CHECK(!summaries[3].log_roughness);
+}
+
+TEST_CASE("limit: no friction typical of specimens is below 0") {
+  const auto of_all = [](double mu0) {
+    std::vector<TestSummary> tests(3, some_test(SawtoothCategory::none, mu0, {}, false));
+    for (auto& test : tests) test.measured = {{{mu0, 0.03}}, {{-3, 0.1}}, {}};
+    return summarise(tests).back();
+  };
+  const auto hardly = of_all(-0.01);
+  REQUIRE(hardly.mu0);
+  CHECK(hardly.mu0->typical.value == 0);
+  CHECK(hardly.mu0->typical.low == 0);
+  CHECK(hardly.mu0->typical.high > 0);
+  CHECK(hardly.log_roughness->typical.low < 0);  // of a logarithm
+  CHECK(!of_all(-1).mu0);
 }
 
 TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI") {

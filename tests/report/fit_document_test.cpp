@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t one_line = 100'000;
 
 std::string campaign_of_one(const FittedTest& test) {
-  Campaign campaign{.tests = {campaign_test_of(test, "case.toml")}, .categories = {}, .shared = {}, .notes = {}};
+  Campaign campaign{.tests = {campaign_test_of(test, "case.toml")}, .categories = {}, .notes = {}};
   if (campaign.tests[0].summary) campaign.categories = summarise(std::vector{*campaign.tests[0].summary});
   return in_html(document_of(campaign, with_error), [] { return std::string(); });
 }

@@ -47,7 +47,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                            .friction_share = 0.25,
                                            .work_of_fracture = 3.4e-6,
                                            .failed_checks = {},
-                                           .known = {}},
+                                           .measured = {{{mu0, 0.0123}}, {{-2.2, 0.2}}, {{-12.4, 0.3}}}},
                     .curves = CampaignCurves{.span = scales.span(),
                                              .bending_stiffness = scales.bending_stiffness(),
                                              .load_train_stiffness = 90.6,
@@ -59,11 +59,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                              .model_force = {},
                                              .drops = {}},
                     .remarks = {"fails after row 267"},
-                    .section_moment = {},
                     .materials = Materials{"glass", "steel"}};
-  test.summary->known.mu0 = {{{1, mu0, 0.0123}}, 0.55, 0.5};
-  test.summary->known.log_roughness = {{{0.7, -2.3, 0.2}, {0.3, -2.1, 0.3}}, -3.5, 1};
-  test.summary->known.log_length = {{{1, -12.4, 0.3}}, -11.5, 1.2};
   if (wavelength) {
     test.summary->amplitude = Estimate{0.15, 0.02, 0.11, 0.19};
     test.summary->wavelength = Estimate{*wavelength, 0.2e-6, *wavelength - 0.4e-6, *wavelength + 0.4e-6};
@@ -87,7 +83,7 @@ inline Campaign campaign_of(std::vector<CampaignTest> tests) {
   std::vector<TestSummary> summaries;
   for (const auto& test : tests)
     if (test.summary) summaries.push_back(*test.summary);
-  return {.tests = std::move(tests), .categories = summarise(summaries), .shared = {}, .notes = {}};
+  return {.tests = std::move(tests), .categories = summarise(summaries), .notes = {}};
 }
 
 inline Campaign no_tests() { return campaign_of({}); }
@@ -98,14 +94,12 @@ inline Campaign only_failures() {
 }
 
 inline Campaign some_campaign() {
-  Campaign campaign = campaign_of(
-      {some_test(awkward_name, SawtoothCategory::clear, 0.6, 10.9e-6),
-       some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6),
-       some_test("SS5", SawtoothCategory::nominal, 0.75, 44.67e-6), some_test("SS13", SawtoothCategory::none, 0.3, {}),
-       some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6),
-       failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
-  campaign.shared = {{"modulus", "Pa", {29.6e9, 1.2e9, 27.2e9, 32e9}, 5, 3.2, 0.52}};
-  return campaign;
+  return campaign_of({some_test(awkward_name, SawtoothCategory::clear, 0.6, 10.9e-6),
+                      some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6),
+                      some_test("SS5", SawtoothCategory::nominal, 0.75, 44.67e-6),
+                      some_test("SS13", SawtoothCategory::none, 0.3, {}),
+                      some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6),
+                      failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
 }
 
 }  // namespace flexslip

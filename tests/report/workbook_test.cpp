@@ -99,7 +99,7 @@ TEST_CASE("outside: another reader finds the numbers as numbers, the names as th
   CHECK(tests[4].at(wavelength).is_null());
   CHECK((*read)["sheets"]["Categories"][1][3] == 0.5);
   CHECK((*read)["sheets"]["Failures"][1][3] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
-  CHECK((*read)["sheets"]["Shared"][1][2] == 29.6e9);
+  CHECK((*read)["sheets"]["Specimens"][1][1] == "mu0");
 }
 
 TEST_CASE("outside: each sheet has the columns and rows of the CSV of its name") {
@@ -123,7 +123,7 @@ TEST_CASE("outside: each sheet has the columns and rows of the CSV of its name")
   check("Tests", test_table(campaign));
   check("Categories", category_table(campaign));
   check("Failures", failure_table(campaign));
-  check("Shared", shared_table(campaign));
+  check("Specimens", specimen_table(campaign));
 }
 
 TEST_CASE("identity: the same campaign gives the same bytes") {
