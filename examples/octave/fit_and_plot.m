@@ -10,7 +10,7 @@ assert(status == 0, 'flexslip did not succeed: see the message above');
 fit = jsondecode(text);
 mu0 = fit.parameters.mu0;
 fprintf('mu0 = %.4f, 95 %% interval %.4f to %.4f\n', mu0.value, mu0.interval95(1), mu0.interval95(2));
-fprintf('%d drops, the median of %.1f uN\n', numel(fit.drops), 1e6*median([fit.drops.force_before] - [fit.drops.force_after]));
+fprintf('%d drops, the median of %.1f uN\n', numel(fit.drops), 1e6*median([fit.drops.force_fall]));
 
 % The table of the same fit: one line of titles with units, then numbers; NaN where there is none.
 table_file = [tempname() '.csv'];

@@ -93,14 +93,14 @@ class Fit(FitFields):
     def correlation(self) -> pandas.DataFrame:
         """How the errors of `params` go together, a row and a column for each parameter that is estimated; empty without an answer.
 
-        Over all explanations of the record, or, where a wave is claimed, over those that have it. Of bending_stiffness, force_noise, roughness and
-        correlation_length it is the correlation of their logarithms.
+        Over all explanations of the record, or, where a wave is claimed, over those that have it. Of bending_stiffness, roughness and correlation_length
+        it is the correlation of their logarithms.
         """
         import pandas
 
         pairs = {(pair.of, pair.with_): pair.correlation for pair in self.correlations}
         told = {name for pair in pairs for name in pair}
-        names = [name for name in self.params.keys() if name in told] if told else []
+        names = [name for name in self.params.keys() if name in told]
         table = pandas.DataFrame(np.eye(len(names)), index=names, columns=names)
         for (one, other), value in pairs.items():
             table.loc[one, other] = table.loc[other, one] = value

@@ -259,7 +259,7 @@ class Faults(unittest.TestCase):
 
     def test_outside_a_name_that_is_not_there_names_those_that_are(self):
         fit = flexslip.fit(CASE)
-        for call, told in ((lambda: fit["spam"], "verdict, "), (lambda: fit.params["spam"], "mu0, amplitude, "), (lambda: fit.profile["spam"], "stage, "),
+        for call, told in ((lambda: fit["spam"], "verdict, "), (lambda: fit.params["spam"], "mu0, amplitude, "), (lambda: fit.profile["spam"], "length, "),
                            (lambda: fit.profile.column("spam"), "mu_error"), (lambda: fit.case["rig.spam"], "rig.span, rig.stiffness")):
             with self.assertRaises(KeyError) as raised:
                 call()

@@ -172,7 +172,7 @@ class Tables(unittest.TestCase):
             fit = fitted("simulated")
             same = {name: name for name in ("model_force", "replay_force", "mu", "mu_error")}
             self.same(fit.curves, (base / "c").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", **same})
-            self.same(fit.profile, (base / "p").read_text(), {"stage": "w_s", "deflection": "w", "force": "F", "length": "S", "mu": "mu"})
+            self.same(fit.profile, (base / "p").read_text(), {"length": "S", "mu": "mu", "mu_error": "mu_error"})
             drawn = columns((base / "d").read_text())
             np.testing.assert_array_equal(fit.draws.length, drawn["length"])
             self.assertEqual(fit.draws.profiles.shape, (20, len(drawn["mu"])))

@@ -115,23 +115,9 @@ Fields<CampaignTest> test_fields() {
       .group("parameters", "fitted parameters; null where the fit has none", summary_parameter_fields(),
              &CampaignTest::summary)
       .group("wave", "likeliest wave of friction, and whether it is claimed",
-             Fields<TestSummary>()
-                 .yes_no("claimed", "the evidence supports the wave; otherwise it is only indicative",
-                         &TestSummary::wave_claimed)
-                 .number("log_evidence", "ln of the ratio of the evidence with and without a wave",
-                         &TestSummary::log_evidence_of_wave),
+             Fields<TestSummary>().yes_no("claimed", "the evidence supports the wave; otherwise it is only indicative",
+                                          &TestSummary::wave_claimed),
              &CampaignTest::summary)
-      .group("friction_read", "friction read off the curve point by point, without a friction model",
-             Fields<TestSummary>().all_of(friction_read_fields(), &TestSummary::friction_read), &CampaignTest::summary)
-      .all_of(
-          Fields<TestSummary>().words(
-              "failed_checks", "failed checks: residuals, drops, whiteness, nesting, friction, stability, stiffness",
-              [](const TestSummary& test) {
-                std::vector<std::string_view> names;
-                for (const auto kind : test.failed_checks) names.push_back(name_of(kind));
-                return names;
-              }),
-          &CampaignTest::summary)
       .all_of(number_fields(), &CampaignTest::summary)
       .group("standard", "what the bending standards read off; null without a section", standard_columns(),
              &CampaignTest::standard)

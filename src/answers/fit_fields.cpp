@@ -28,12 +28,6 @@ struct DropOf {
   const Slip& slip;
 };
 
-// A point that needs more friction than is plausible.
-struct SuspectPoint {
-  std::size_t index;
-  const ProfilePoint* read;  // null where no friction explains it
-};
-
 Fields<Slip> slip_fields() {
   return Fields<Slip>()
       .number("length_before", kind::length,
@@ -47,31 +41,21 @@ Fields<DropOf> drop_fields() {
   const auto before = [](std::vector<double> Record::*column) {
     return [column](D drop) { return (drop.record.*column)[drop.slip.drop.before]; };
   };
-  const auto after = [](std::vector<double> Record::*column) {
-    return [column](D drop) { return (drop.record.*column)[drop.slip.drop.after]; };
-  };
   return Fields<DropOf>()
       .row("row_before", "row of the file before the drop", [](D drop) { return drop.slip.drop.before; })
       .row("row_after", "row of the file after the drop", [](D drop) { return drop.slip.drop.after; })
       .own("stage", kind::length, "stage position before the drop", before(&Record::stage))
       .own("deflection_before", kind::length, "deflection before the drop", before(&Record::deflection))
-      .own("deflection_after", kind::length, "deflection after the drop", after(&Record::deflection))
       .own("force_before", kind::force, "force before the drop", before(&Record::force))
-      .own("force_after", kind::force, "force after the drop", after(&Record::force))
       .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
-      .number("significance", "fall of the force beyond that of the smooth curve, in standard deviations of the noise",
-              [](D drop) { return drop.slip.drop.significance; })
       .words("slip",
              "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative, "
              "moves_out or too_deep",
              [](D drop) { return name_of(drop.slip.verdict); })
-      .yes_no("can_be_crack",
-              "whether the force stays lower until the next drop, as after a crack at constant friction",
-              [](D drop) { return drop.slip.can_be_crack; })
       .words("reading", "what the drop can be, as tables and page print it: slip, crack, either or neither",
              [](D drop) { return reading_of(drop.slip); })
-      .estimate("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
-                [](D drop) { return normal_estimate(drop.slip.S_after - drop.slip.S_before, drop.slip.advance_error); })
+      .number("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
+              [](D drop) { return drop.slip.S_after - drop.slip.S_before; })
       .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })
       .number("mu_after", "friction after the drop, if it is a slip", [](D drop) { return drop.slip.mu_after; });
 }
@@ -95,10 +79,6 @@ Fields<TestAnalysis> slips_fields() {
 
 Fields<SlipOrCrack> slip_or_crack_fields() {
   return Fields<SlipOrCrack>()
-      .words("verdict", "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told",
-             [](const SlipOrCrack& judged) { return name_of(judged.verdict); })
-      .number("probability", "probability that cracks alone made the drops, by the rises; null outside of its range",
-              &SlipOrCrack::cracks_alone)
       .number("given_back", "share of the stiffness that the drops seem to take which the rises seem to give back",
               [](const SlipOrCrack& judged) { return judged.features.given_back; })
       .number("friction_needed", "constant friction that cracks alone would need; 0 to 1.3",
@@ -106,34 +86,7 @@ Fields<SlipOrCrack> slip_or_crack_fields() {
       .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
               [](const SlipOrCrack& judged) { return judged.features.margin; })
       .number("loss_margin", "BIC of slips minus BIC of slips with a loss of stiffness at each drop",
-              [](const SlipOrCrack& judged) { return judged.features.loss_margin; })
-      .count("rises", "number of rises between drops that are judged",
-             [](const SlipOrCrack& judged) { return judged.features.rises; })
-      .count("stiffer_rises", "number of judged rises that grow stiffer towards their end",
-             &SlipOrCrack::stiffer_rises);
-}
-
-std::vector<SuspectPoint> suspects_of(T test) {
-  std::vector<SuspectPoint> all;
-  const auto& points = test.analysis.profile.points;
-  for (const auto index : test.analysis.suspects.points) {
-    const auto found = std::lower_bound(points.begin(), points.end(), index,
-                                        [](const ProfilePoint& point, std::size_t i) { return point.index < i; });
-    all.push_back({index, found != points.end() && found->index == index ? &*found : nullptr});
-  }
-  return all;
-}
-
-Fields<SuspectPoint> suspect_fields() {
-  const auto read = [](auto value) {
-    return [value](const SuspectPoint& point) {
-      return point.read ? std::optional<double>(std::invoke(value, *point.read)) : std::nullopt;
-    };
-  };
-  return Fields<SuspectPoint>()
-      .row("row", "row of the file", &SuspectPoint::index)
-      .number("mu", "friction that the point needs", read(&ProfilePoint::mu))
-      .number("mu_error", "standard error of mu", read(standard_error));
+              [](const SlipOrCrack& judged) { return judged.features.loss_margin; });
 }
 
 // ---- Friction: parameters, waves, explanations, checks
@@ -147,10 +100,11 @@ auto of_fit(Part FrictionFit::*part) {
 Fields<WaveEstimate> wave_fields() {
   return Fields<WaveEstimate>()
       .estimate(parameter::amplitude, &WaveEstimate::amplitude)
-      .estimate(parameter::wavelength, &WaveEstimate::wavelength)
-      .estimate(parameter::phase, &WaveEstimate::phase)
-      .estimate("phase_at_middle", kind::angle, "phase of the wave at the reference", &WaveEstimate::phase_at_middle);
+      .estimate(parameter::wavelength, &WaveEstimate::wavelength);
 }
+
+// As a parameter of its own: in a rough friction it is part of the roughness.
+bool has_drift(ProfileModel model) { return model != ProfileModel::roughness && model != ProfileModel::constant; }
 
 Fields<FittedTest> parameter_fields() {
   const auto wave = [](std::size_t i) {
@@ -170,20 +124,17 @@ Fields<FittedTest> parameter_fields() {
       .only_where(is_fitted)
       .estimate(parameter::mu0.name, parameter::mu0.kind, parameter::mu0.meaning, of_fit(&FrictionFit::mu0),
                 Fields<FittedTest>().yes_no("bound", parameter::bound, of_fit(&FrictionFit::mu0_is_bound)))
-      .all_of(wave_fields(), wave(0))
+      .all_of(wave_fields().estimate(parameter::phase, &WaveEstimate::phase), wave(0))
       .all_of(second, wave(1))
-      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model != ProfileModel::constant; })
+      .only_where([](T test) { return is_fitted(test) && has_drift(test.analysis.fit.model); })
       .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
-      .estimate("force_noise", kind::force, "standard deviation of a force reading, from the fit",
-                of_fit(&FrictionFit::noise))
+      .estimate("reference", kind::length, "length between the contacts at which friction is mu0",
+                [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
       .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
       .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
       .estimate(parameter::correlation_length, of_fit(&FrictionFit::length))
       .only_where(is_fitted)
       .estimate(parameter::bending_stiffness, of_fit(&FrictionFit::bending_stiffness))
-      .estimate("reference", kind::length,
-                "length between the contacts to which phase_at_middle refers, and mu0 if there is a drift or a wave",
-                [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
       .anywhere()
       .own_estimate(
           "contact_offset", kind::length, "stage position of the contact in the file, which is subtracted",
@@ -198,15 +149,6 @@ Fields<FittedTest> likeliest_wave_fields() {
               of_fit(&FrictionFit::log_evidence_of_wave))
       .all_of(
           wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
-}
-
-Fields<Explanation> explanation_fields() {
-  return Fields<Explanation>()
-      .words("kernel", "kernel of the roughness: exponential, matern_3_2, matern_5_2, matern_9_2 or none",
-             [](const Explanation& each) { return name_of(each.kernel); })
-      .numbers("wavelengths", kind::length, "wavelengths of the waves in the explanation",
-               [](const Explanation& each) { return each.wavelengths; })
-      .number("weight", "weight of the explanation; all weights add up to 1", &Explanation::weight);
 }
 
 // All of the fit that is made of the bands along the fibre.
@@ -304,23 +246,6 @@ struct LoopOf {
 };
 using L = const LoopOf&;
 
-// A place of a table of friction.
-struct LoopPlace {
-  double S, mu;
-};
-
-std::vector<LoopPlace> places_of(const FrictionTable& table) {
-  std::vector<LoopPlace> places;
-  for (std::size_t i = 0; i < table.S.size(); ++i) places.push_back({table.S[i], table.mu[i]});
-  return places;
-}
-
-Fields<LoopPlace> place_fields() {
-  return Fields<LoopPlace>()
-      .number("length", kind::length, "length between the supports: the span and what was pulled in", &LoopPlace::S)
-      .number("mu", "friction at this place", &LoopPlace::mu);
-}
-
 Fields<BumpCorrelation> bump_correlation_fields() {
   return Fields<BumpCorrelation>()
       .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
@@ -356,15 +281,9 @@ Fields<LoopOf> loop_fields() {
                    rows_of(&FrictionLoop::loading))
       .own_numbers("unloading", kind::number, "first and last row of the unloading in the file; null without one",
                    rows_of(&FrictionLoop::unloading))
-      .estimate("contact", kind::length, "stage position of the contact", part(&FrictionLoop::contact))
       .only_where([](L loop) { return loop.loop().places > 0; })
       .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
       .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
-      .estimate("rms_difference", kind::number,
-                "root mean square difference between the two directions from place to place",
-                part(&FrictionLoop::rms_difference))
-      .group("correlation", "correlation of the bumps of friction in the two directions", bump_correlation_fields(),
-             part(&FrictionLoop::correlation))
       .anywhere()
       .group(
           "energy", "work on the specimen, beyond the deflection at which friction shows", loop_energy_fields(),
@@ -390,12 +309,6 @@ Fields<LoadingStiffness> loading_fields() {
                return name_of(loading.status);
              })
       .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
-      .own_numbers("rows", kind::number, "first and last row of the window in the file",
-                   [](S loading, const Frame& frame) {
-                     return std::vector{frame.row(loading.first), frame.row(loading.last - 1)};
-                   })
-      .own_estimate("slope", kind::stiffness, "slope of force over deflection in the window; its error from scatter",
-                    &LoadingStiffness::slope)
       .only_where([is_reference](S loading) { return loading.status == LoadingStatus::ok && !is_reference(loading); })
       .own_estimate("ratio", kind::number, "slope divided by that of the first loading; its error from scatter",
                     &LoadingStiffness::ratio)
@@ -404,17 +317,6 @@ Fields<LoadingStiffness> loading_fields() {
               &LoadingStiffness::ratio_systematic)
       .words("verdict", "whether the specimen lost stiffness: damaged, not_damaged or undecided",
              [](S loading) { return name_of(loading.verdict); });
-}
-
-Fields<CyclicPoint> point_fields() {
-  return Fields<CyclicPoint>()
-      .row("row", "row of the file", &CyclicPoint::index)
-      .number("length", kind::length, "length between the supports: the span and what was pulled in", &CyclicPoint::S)
-      .number("q", "mobilised friction: μ while sliding in, −μ while sliding out, in between while stuck",
-              &CyclicPoint::q)
-      .words("motion", "how the specimen moves: slip_in, slip_out or stick", [](const CyclicPoint& point) {
-        return name_in_order<LegMotion::stuck>(point.motion, {"slip_in", "slip_out", "stick"});
-      });
 }
 
 const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
@@ -429,7 +331,6 @@ std::vector<LoopOf> loops_of(T test) {
 }
 
 Fields<FittedTest> cycles_fields() {
-  const auto if_measurable = [](T test, auto points) { return is_measurable(test) ? points : decltype(points){}; };
   const auto of_build_up = [](auto get) {
     return [get](T test) {
       return test.cycles->build_up ? std::optional(std::invoke(get, *test.cycles->build_up)) : std::nullopt;
@@ -451,9 +352,6 @@ Fields<FittedTest> cycles_fields() {
                 "EI at which friction is the same in loading and unloading",
                 [](T test) { return exponential(friction_of(test).log_stiffness); })
       .only_where(is_mirrored)
-      .estimate("asymmetry", kind::number,
-                "friction while sliding in minus friction while sliding out, fitted beside EI and contacts",
-                [](T test) { return friction_of(test).asymmetry; })
       .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
              bump_correlation_fields(), [](T test) { return friction_of(test).correlation; })
       .anywhere()
@@ -470,24 +368,10 @@ Fields<FittedTest> cycles_fields() {
       .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
       .list(
           "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),
-          [](T test) -> const auto& { return test.cycles->stiffness; })
-      .list("profile", "friction along the specimen, from all loops", place_fields(),
-            [if_measurable](T test) { return if_measurable(test, places_of(friction_of(test).table)); })
-      .list("points", "mobilised friction, point by point", point_fields(),
-            [if_measurable](T test) { return if_measurable(test, friction_of(test).points); });
+          [](T test) -> const auto& { return test.cycles->stiffness; });
 }
 
 // ---- All of it
-
-Fields<ImagedLength> imaged_fields() {
-  return Fields<ImagedLength>()
-      .number("offset", kind::length, "length from the force minus the imaged length, median over the points",
-              [](const ImagedLength& imaged) { return imaged.offset.value; })
-      .number("standard_error", kind::length, "standard error of offset, if the points erred independently",
-              [](const ImagedLength& imaged) { return imaged.offset.standard_error; })
-      .number("scatter", kind::length, "scatter of the points about offset, 1.48 times the median absolute deviation",
-              &ImagedLength::scatter);
-}
 
 Fields<Verdict> verdict_of_fit_fields() {
   return Fields<Verdict>()
@@ -524,8 +408,6 @@ Fields<Answer> answer_fields() {
       .group("verdict", "what the test comes to", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
       .list("findings", "all that was found out, the weightiest first", finding_fields(), &Answer::findings)
-      .list("assumed", "errors, as standard deviations, that are assumed because the case states none",
-            finding_number_fields(), &Answer::assumed)
       .words("next", "the one step that would tell most; empty where there is none", &Answer::next);
 }
 
@@ -547,52 +429,19 @@ Fields<FittedTest> judgement_fields() {
           "cracks_alone",
           "probability that cracks alone made the drops, by the rises and by a reload; null where these do not tell",
           [](T test) { return test.judgement->cracks_alone; })
-      .list(
-          "if_lost",
-          "mean friction if stiffness was lost: a tenth and a fifth, or what the reload leaves open; where friction is "
-          "only a limit, that limit",
-          Fields<FrictionIfLost>()
-              .number("loss", "share of the stiffness lost by half of the deepest deflection, evenly until there",
-                      &FrictionIfLost::loss)
-              .number("friction", "mean friction then", &FrictionIfLost::friction),
-          [](T test) { return test.judgement->if_lost; })
       .number("stiffness_lost", "share of the stiffness lost, as the last comparable reload shows",
               [](T test) { return test.judgement->reload.loss; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",
-              [](T test) { return test.judgement->reload.loss_error; })
-      .number(
-          "stiffness_loss_needed",
-          "share of the stiffness that cracks alone would have to take away to make the drops; null without a reload",
-          [](T test) { return test.judgement->loss_needed; })
-      .number("stiffness_for_no_snap", kind::stiffness,
-              "load-train stiffness above which the mean of the fit does not snap; null where less than half of the "
-              "length that slid passed in slips",
-              [](T test) { return test.judgement->stiffness_for_all; });
-}
-
-Fields<FittedTest> bending_fields() {
-  const auto bent = [](auto value) {
-    return [value](T test) {
-      return is_fitted(test) && test.surface ? std::optional(((*test.surface).*value)(greatest_curvature(
-                                                   test.analysis.profile_at_fit, test.analysis.rig.fibre)))
-                                             : std::nullopt;
-    };
-  };
-  return Fields<FittedTest>()
-      .number("greatest_strain", "greatest bending strain of the surface at midspan; null without a section",
-              bent(&SurfaceStrain::strain))
-      .own("greatest_stress", kind::pressure,
-           "greatest bending stress of the surface at midspan, at the fitted modulus; null without a section",
-           bent(&SurfaceStrain::stress))
-      .yes_no("wraps_nose", "the specimen was bent more sharply than the nose", [](T test) {
-        return is_fitted(test) &&
-               greatest_curvature(test.analysis.profile_at_fit, test.analysis.rig.fibre) > test.nose_curvature;
-      });
+              [](T test) { return test.judgement->reload.loss_error; });
 }
 
 // Of the whole record up to failure, what friction took off the work under the curve.
 Fields<MeasuredEnergy> measured_energy_fields() {
-  return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(energy_fields(), &MeasuredEnergy::account),
+  Fields<EnergyAccount> parts;
+  parts.number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
+      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
+      .number("snaps", kind::energy, "energy lost in drops beyond friction", &EnergyAccount::snaps);
+  return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(parts, &MeasuredEnergy::account),
                                    &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share);
 }
 
@@ -606,16 +455,11 @@ Fields<HangsOn> sensitivity_fields() {
       .words("stated", "what the case states of it, or what is taken instead", &HangsOn::stated)
       .words("may_be_off", "by how much it may be off; of what is taken for none, what the effect is told for",
              &HangsOn::may_be_off)
-      .number("by",
-              "that as a standard deviation: a part of it, but of contact, preload, thickness and support_radius in "
-              "metres, or spans if the test is reduced",
-              &HangsOn::by)
       .number("friction",
               "by how much the mean friction would be told larger by the whole of it, or a metre or span of it",
               &HangsOn::friction)
-      .number("work", "by how much friction's share of the work would, likewise; null where friction is only a limit",
-              &HangsOn::work)
-      .number("friction_moves", "by how much the mean friction would be told larger, were it stated larger by `by`",
+      .number("friction_moves",
+              "by how much the mean friction would be told larger, were it stated larger by what it may be off",
               &HangsOn::friction_moves)
       .number("work_moves", "by how much friction's share of the work would, likewise", &HangsOn::work_moves);
 }
@@ -624,30 +468,27 @@ Fields<Correlation> parameter_correlation_fields() {
   return Fields<Correlation>()
       .words("of", "parameter", [](const Correlation& each) { return std::string(each.of); })
       .words("with", "another", [](const Correlation& each) { return std::string(each.with); })
-      .number(
-          "correlation",
-          "correlation of their errors; of bending_stiffness, force_noise, roughness and correlation_length that of "
-          "their logarithms",
-          &Correlation::value);
+      .number("correlation",
+              "correlation of their errors; of bending_stiffness, roughness and correlation_length that of "
+              "their logarithms",
+              &Correlation::value);
+}
+
+// Of the parameters that the answer has.
+std::vector<Correlation> correlations_of(T test) {
+  if (!is_fitted(test)) return {};
+  std::vector<Correlation> correlations = test.analysis.fit.correlations;
+  if (!has_drift(test.analysis.fit.model))
+    std::erase_if(correlations, [](const Correlation& each) { return each.of == "drift" || each.with == "drift"; });
+  return correlations;
 }
 
 Fields<FittedTest> measurement_fields() {
   using M = const Measurement&;
   const auto of = [](auto get) { return [get](T test) { return get(test.measurement); }; };
   return Fields<FittedTest>()
-      .count("rows", "rows of the file", of([](M m) { return m.rows; }))
       .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
       .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
-      .count("loading",
-             "which loading is evaluated, counted from 1: the first that goes about as far as any, or whose force no "
-             "later one reaches again",
-             of([](M m) { return m.loading.number; }))
-      .count("loadings", "how many there are", of([](M m) { return m.loading.of; }))
-      .count("drops_elsewhere", "drops of the force in the other loadings",
-             [](T test) { return test.drops_elsewhere.drops; })
-      .count("drops_behind",
-             "drops of the force of the evaluated loading behind its failure, or where it is stated to end",
-             of([](M m) { return m.drops_behind; }))
       .words(
           "ends_with", "what ends the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
           of([](M m) {
@@ -656,17 +497,10 @@ Fields<FittedTest> measurement_fields() {
 }
 
 Fields<FittedTest> contact_fields() {
-  return Fields<FittedTest>()
-      .words("source", "where the contact comes from: stated, found, or first_point of the file",
-             [](T test) {
-               return name_in_order<ContactSource::first_point>(test.measurement.contact,
-                                                                {"stated", "found", "first_point"});
-             })
-      .only_where([](T test) { return test.measurement.own_contact.status == ContactStatus::found; })
-      .own_estimate(
-          "line_offset", kind::length,
-          "displacement, from the contact, at which the record itself begins, by the fibre's curve near its beginning",
-          [](T test) { return test.measurement.own_contact.offset; });
+  return Fields<FittedTest>().words(
+      "source", "where the contact comes from: stated, found, or first_point of the file", [](T test) {
+        return name_in_order<ContactSource::first_point>(test.measurement.contact, {"stated", "found", "first_point"});
+      });
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {
@@ -700,7 +534,6 @@ Fields<FittedTest> every_fit_field() {
       .words("status", "ok, or why there is no answer: too_few_points (bent too little), not_explained",
              [](T test) { return status_of(test); })
       .words("name", "name of the test", &FittedTest::name)
-      .group("units", "units of plain numbers", units_of_numbers<FittedTest>())
       .only_where(is_fitted)
       .words("model", "fitted friction model: roughness, constant, drift, sinusoid or sinusoids",
              [](T test) { return name_of(test.analysis.fit.model); })
@@ -711,15 +544,10 @@ Fields<FittedTest> every_fit_field() {
       .yes_no("suspect", "judgement.standing is suspect or untrusted, or no sliding explains the record",
               [](T test) { return standing_of(findings_of(test)) >= Standing::suspect; })
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
-      .group(
-          "friction_read",
-          "friction read off the curve point by point, at the bending stiffness of the fit: quantiles of mu in profile",
-          friction_read_fields(), analysis(&TestAnalysis::friction_read))
       .only_where(is_fitted)
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })
-      .count("readings", "rows that tell of friction, over which residual_rms is taken", of_fit(&FrictionFit::readings))
       .anywhere()
       .list("sensitivities",
             "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "
@@ -727,21 +555,13 @@ Fields<FittedTest> every_fit_field() {
             sensitivity_fields(), what_the_answer_hangs_on)
       .list("correlations",
             "how pairs of the parameters go together, each pair once; empty without an answer, or of a constant",
-            parameter_correlation_fields(),
-            [](T test) { return is_fitted(test) ? test.analysis.fit.correlations : std::vector<Correlation>(); })
+            parameter_correlation_fields(), correlations_of)
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
-      .list("explanations", "explanations that the answer averages over, the likeliest first", explanation_fields(),
-            [](T test) { return test.analysis.fit.explanations; })
-      .list("snaps", "snaps of the mean of the fit, run forward", snap_fields(),
-            [](T test) { return is_fitted(test) ? test.analysis.model.snaps : std::vector<Snap>(); })
       .group("judgement", "verdict on the test when all is weighed", judgement_fields(),
              [](T test) { return test.judgement ? &test : nullptr; })
       .group("surface", "surface that would explain how friction varies; null if friction does not vary",
              implied_fields(), [](T test) { return test.implied ? &test : nullptr; })
-      .group("bending", "how far the specimen was strained", bending_fields())
-      .group("imaged_length", "imaged lengths compared with those read off the force; null without any",
-             imaged_fields(), [](T test) { return test.imaged; })
       .group("slip_or_crack", "what the rises between the drops say about slips and cracks; null if there are too few",
              slip_or_crack_fields(),
              [](T test) { return test.analysis.slip_or_crack.judged ? &test.analysis.slip_or_crack : nullptr; })
@@ -754,16 +574,11 @@ Fields<FittedTest> every_fit_field() {
       .group(
           "slips", "drops that can be slips at the stated bending stiffness, read off at that of the fit",
           slips_fields(), [](T test) -> const auto& { return test.analysis; })
-      .list("suspects", "points that need implausibly high friction, at the stated bending stiffness", suspect_fields(),
-            suspects_of)
       .only_where(is_fitted)
       .group("energy",
              "where the work went, from contact to failure, computed from the measured points at the bending stiffness "
              "of the fit",
              measured_energy_fields(), analysis(&TestAnalysis::energy))
-      .group("replay", "the profile read off the record, run forward",
-             Fields<FittedTest>().count("drops_reproduced", "drops of the record that the replay has at the same point",
-                                        [](T test) { return test.analysis.replay.drops_reproduced; }))
       .anywhere()
       .group("cycles", "loading and unloading loops of a test that was unloaded; null otherwise", cycles_fields(),
              [](T test) { return test.cycles ? &test : nullptr; })
@@ -785,16 +600,9 @@ Fields<FittedTest> every_fit_field() {
           Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
                                        "EI that belongs to each profile, in the unit of parameters.bending_stiffness",
                                        [](T test) { return test.analysis.fit.draw_stiffness; }))
-      .group("noise", "noise of the force",
-             Fields<FittedTest>()
-                 .number("force", kind::force,
-                         "standard deviation of one force reading, from the quietest tenth of the record",
-                         analysis(&TestAnalysis::force_noise))
-                 .own("smallest_drop", kind::force, "smallest fall of the force in one step that counts as a drop",
-                      [](T test) { return test.analysis.drops.smallest_fall; }))
       .list("profile",
             "friction along the specimen, read off the curve point by point at the bending stiffness of the fit",
-            profile_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
+            read_friction_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
       .group("provenance", "what the same version needs to give the same answer", provenance_fields(),
              &FittedTest::provenance);
 }
@@ -806,13 +614,6 @@ Frame frame_of(const FittedTest& test) {
           .reduced = test.reduced,
           .in_inches = is_in_inches(test.measurement.test),
           .row = [&test](std::size_t point) { return file_row(test, point); }};
-}
-
-Fields<FrictionRead> friction_read_fields() {
-  return Fields<FrictionRead>()
-      .number("median", "friction below which half of the points lie", &FrictionRead::median)
-      .number("low80", "friction below which a tenth of the points lie", &FrictionRead::low80)
-      .number("high80", "friction above which a tenth of the points lie", &FrictionRead::high80);
 }
 
 const Fields<FittedTest>& fit_fields() {

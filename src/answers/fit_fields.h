@@ -16,9 +16,7 @@ const Fields<FittedTest>& fit_fields();
 
 Json fit_json(const FittedTest& test);
 
-// A part of it that a campaign tells of each of its tests, too; and its parameters, likewise.
-Fields<FrictionRead> friction_read_fields();
-
+// Its parameters, which a campaign tells of each of its tests, too.
 namespace parameter {
 
 inline constexpr Named mu0{"mu0", kind::number, "mean friction over the specimen seen"};

@@ -18,17 +18,23 @@ Fields<Jump> jump_fields() {
       .number("force_after", kind::force, "force after the jump", [](const Jump& jump) { return jump.after.F; });
 }
 
+Fields<Snap> snap_fields() {
+  return jump_fields<Snap>()
+      .number("length_before", kind::length,
+              "length between the supports before the snap: the span and what was pulled in",
+              [](const Snap& snap) { return snap.before.S; })
+      .number("length_after", kind::length,
+              "length between the supports after the snap: the span and what was pulled in",
+              [](const Snap& snap) { return snap.after.S; })
+      .number("friction", kind::energy, "heat of friction in the snap", &Snap::friction)
+      .number("released", kind::energy, "energy that the snap sets free beyond friction", &Snap::released);
+}
+
 Fields<CrackOpened> crack_fields() {
   return jump_fields<CrackOpened>()
       .number("left", "share of the initial bending stiffness that is left after the crack",
               [](const CrackOpened& crack) { return crack.after.left; })
       .number("released", kind::energy, "energy that the crack sets free", &CrackOpened::released);
-}
-
-Fields<Snap> snap_fields_with_energies() {
-  return snap_fields()
-      .number("friction", kind::energy, "heat of friction in the snap", &Snap::friction)
-      .number("released", kind::energy, "energy that the snap sets free beyond friction", &Snap::released);
 }
 
 // Of a stretch of a test, or of all of it, but for what is set free at once.
@@ -67,21 +73,6 @@ Fields<EnergyAccount> whole_energy_fields() {
 
 }  // namespace
 
-Fields<Snap> snap_fields() {
-  return jump_fields<Snap>()
-      .number("length_before", kind::length,
-              "length between the supports before the snap: the span and what was pulled in",
-              [](const Snap& snap) { return snap.before.S; })
-      .number("length_after", kind::length,
-              "length between the supports after the snap: the span and what was pulled in",
-              [](const Snap& snap) { return snap.after.S; });
-}
-
-Fields<EnergyAccount> energy_fields() {
-  return steady_energy_fields().number("snaps", kind::energy, "energy lost in drops beyond friction",
-                                       &EnergyAccount::snaps);
-}
-
 Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
   Fields<SimulatedPoint> fields;
   fields.own("stage", kind::length, "stage position", &SimulatedPoint::stage)
@@ -118,7 +109,7 @@ Fields<Simulation> simulation_fields(const PathColumns& columns) {
              &Simulation::status)
       .group("units", "units of plain numbers", units_of_numbers<Simulation>())
       .list("path", "path of the test, point by point", path_fields(columns), &Simulation::path)
-      .list("snaps", "snaps of the specimen", snap_fields_with_energies(), &Simulation::snaps)
+      .list("snaps", "snaps of the specimen", snap_fields(), &Simulation::snaps)
       .list("cracks", "stated cracks, where they opened", crack_fields(), &Simulation::cracks)
       .number("wraps_nose_from", kind::length,
               "stage position from which the specimen wraps the nose; null if it does not",

@@ -19,9 +19,6 @@ Fields<Row> units_of_numbers() {
       .words("energy", "of energies", unit(kind::energy));
 }
 
-Fields<Snap> snap_fields();
-Fields<EnergyAccount> energy_fields();
-
 // An account with what it says of the work of fracture.
 template <class Account>
 Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<Account> friction_share) {

@@ -18,34 +18,46 @@ std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& pr
   return points;
 }
 
+namespace {
+
+Fields<ReadPoint> place_fields() {
+  using P = const ReadPoint&;
+  return Fields<ReadPoint>()
+      .number("length", kind::length, "length of the specimen's axis between the contacts",
+              [](P p) { return p.point.length; })
+      .titled("S")
+      .number("mu", "mobilised friction: the coefficient of friction while the specimen slides",
+              [](P p) { return p.point.mu; })
+      .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })
+      .number("mu_error_force", "part of mu_error from the noise of the force, without what moves all points together",
+              [](P p) { return p.point.from_force; });
+}
+
+Fields<ReadPoint> row_fields() {
+  return Fields<ReadPoint>().row("row", "row of the file", [](const ReadPoint& p) { return p.point.index; });
+}
+
+}  // namespace
+
+Fields<ReadPoint> read_friction_fields() { return row_fields().all_of(place_fields()); }
+
 Fields<ReadPoint> profile_fields() {
   using P = const ReadPoint&;
   const auto measured = [](std::vector<double> Record::*column) {
     return [column](P p) { return (p.record.*column)[p.point.index]; };
   };
-  return Fields<ReadPoint>()
-      .row("row", "row of the file", [](P p) { return p.point.index; })
+  return row_fields()
       .own("stage", kind::length, "stage position, from the contact", measured(&Record::stage))
       .titled("w_s")
       .own("deflection", kind::length, "deflection at midspan", measured(&Record::deflection))
       .titled("w")
       .own("force", kind::force, "force measured", measured(&Record::force))
       .titled("F")
-      .number("length", kind::length, "length of the specimen's axis between the contacts",
-              [](P p) { return p.point.length; })
-      .titled("S")
+      .all_of(place_fields())
       .number("drawn_in", kind::length, "length pulled in (both supports)", [](P p) { return p.point.S - 1; })
       .number("imaged", kind::length,
               "length of the axis between the verticals through the supports, as a camera sees it",
-              [](P p) { return p.point.imaged; })
-      .number("mu", "mobilised friction: the coefficient of friction while the specimen slides",
-              [](P p) { return p.point.mu; })
-      .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })
-      .number("mu_error_force", "part of mu_error from the noise of the force", [](P p) { return p.point.from_force; })
-      .number("mu_error_bending_stiffness", "part of mu_error from EI, which moves all points together",
-              [](P p) { return p.point.from_bending_stiffness; })
-      .number("mu_error_contact", "part of mu_error from the contact point, which moves all points together",
-              [](P p) { return p.point.from_contact; });
+              [](P p) { return p.point.imaged; });
 }
 
 Fields<InvertedTest> inverted_test_fields() {

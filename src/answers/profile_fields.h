@@ -23,6 +23,8 @@ struct ReadPoint {
 
 std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& profile);
 
+// Friction at the rows of a file, and all that is read off there.
+Fields<ReadPoint> read_friction_fields();
 Fields<ReadPoint> profile_fields();
 
 // Of `invert --json` of a case, and its frame, which the test must outlive.

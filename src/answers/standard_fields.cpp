@@ -204,9 +204,7 @@ Fields<PreparationStep> preparation_fields() {
                      return step.rows ? std::optional(std::vector{step.rows->first, step.rows->last}) : std::nullopt;
                    })
       .words("key", "what to write into the case to have the step done otherwise",
-             [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; })
-      .words("flag", "flag of the command line that has the step done otherwise",
-             [](S step) { return step.otherwise ? std::optional(step.otherwise->flag()) : std::nullopt; });
+             [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; });
 }
 
 Frame frame_of(const StandardTest& test) {

@@ -54,9 +54,6 @@ constexpr std::tuple parts_of<MeasuredFriction>{Part{"mu0", &MeasuredFriction::m
                                                 Part{"log_roughness", &MeasuredFriction::log_roughness},
                                                 Part{"log_length", &MeasuredFriction::log_length}};
 template <>
-constexpr std::tuple parts_of<FrictionRead>{Part{"median", &FrictionRead::median}, Part{"low80", &FrictionRead::low80},
-                                            Part{"high80", &FrictionRead::high80}};
-template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
@@ -69,21 +66,18 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"mu0_by_load_train", &TestSummary::mu0_by_load_train},
                                            Part{"mu0_by_span", &TestSummary::mu0_by_span},
                                            Part{"mu0_by_gain", &TestSummary::mu0_by_gain},
-                                           Part{"friction_read", &TestSummary::friction_read},
                                            Part{"roughness", &TestSummary::roughness},
                                            Part{"correlation_length", &TestSummary::correlation_length},
                                            Part{"amplitude", &TestSummary::amplitude},
                                            Part{"wavelength", &TestSummary::wavelength},
                                            Part{"phase", &TestSummary::phase},
                                            Part{"wave_claimed", &TestSummary::wave_claimed},
-                                           Part{"log_evidence_of_wave", &TestSummary::log_evidence_of_wave},
                                            Part{"bending_stiffness", &TestSummary::bending_stiffness},
                                            Part{"residual_rms", &TestSummary::residual_rms},
                                            Part{"drops", &TestSummary::drops},
                                            Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
-                                           Part{"failed_checks", &TestSummary::failed_checks},
                                            Part{"measured", &TestSummary::measured},
                                            Part{"surface_height", &TestSummary::surface_height},
                                            Part{"surface_slope", &TestSummary::surface_slope}};

@@ -407,7 +407,7 @@ Answer answer_of(T test) {
   const Standing standing = standing_of(findings);
   std::vector<AnswerRow> rows = rows_of(test, findings, standing);
   std::string next = next_step(verdict, findings);
-  return {std::move(verdict), standing, std::move(rows), std::move(findings), assumed_errors(test), std::move(next)};
+  return {std::move(verdict), standing, std::move(rows), std::move(findings), std::move(next)};
 }
 
 }  // namespace flexslip

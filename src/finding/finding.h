@@ -74,9 +74,8 @@ struct Answer {
   Verdict verdict;
   Standing standing;
   std::vector<AnswerRow> rows;
-  std::vector<Finding> findings;       // the weightiest first
-  std::vector<FindingNumber> assumed;  // errors, as standard deviations, that are assumed where the case states none
-  std::string next;                    // the one step that would tell most; may be empty
+  std::vector<Finding> findings;  // the weightiest first
+  std::string next;               // the one step that would tell most; may be empty
 };
 
 // Those against the answer that the verdict does not tell already, and that do not follow from it, the weightiest first: refusals, suspicions and

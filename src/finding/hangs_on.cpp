@@ -146,9 +146,7 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
                                  : statement.states_error ? step
                                                           : step + ", assumed",
                    .is_supposed = !statement.is_there,
-                   .by = deviation * unit,
                    .friction = friction / unit,
-                   .work = work / unit,
                    .friction_moves = friction * deviation,
                    .work_moves = work * deviation});
   }

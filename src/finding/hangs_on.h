@@ -12,15 +12,13 @@
 namespace flexslip {
 
 struct HangsOn {
-  std::string_view quantity, title;  // "load_train", "load train"
-  std::string stated;                // "90.65 N/m"; "edges, not stated"
-  std::string step;                  // "1 %"
-  std::string may_be_off;            // that, "1 %, assumed"
-  bool is_supposed;                  // it is taken for none, and told for some
-  double by;                         // [1] of it, or [m]: that, as a standard deviation
-  double friction,
-      work;  // [1], or [1/m]: by how much either would be larger, were it stated larger; no work of a limit
-  double friction_moves, work_moves;  // [1] for `by` more of it
+  std::string_view quantity, title;   // "load_train", "load train"
+  std::string stated;                 // "90.65 N/m"; "edges, not stated"
+  std::string step;                   // "1 %"
+  std::string may_be_off;             // that, "1 %, assumed"
+  bool is_supposed;                   // it is taken for none, and told for some
+  double friction;                    // [1], or [1/m]: by how much it would be larger, were the quantity stated larger
+  double friction_moves, work_moves;  // [1] friction and its share of the work, for as much more; no work of a limit
 };
 
 // Those that may be off, what moves friction most first; and last, for a thousandth of the span, a radius of the supports and a thickness that are

@@ -91,7 +91,6 @@ struct MeasuredEnergy {
 struct Replay {
   std::vector<double>
       force;  // [EI/L^2] at the points of the record past the deflection 0.05, on supports up to 1; NaN elsewhere
-  std::size_t drops_reproduced = 0;  // drops of the record that the table has at the same point
 };
 
 // Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four

@@ -67,8 +67,7 @@ TestSummary without_friction(TestSummary summary) {
   const Estimate unknown = normal_estimate(not_a_number, not_a_number);
   summary.mu0 = summary.roughness = summary.correlation_length = unknown;
   summary.mu0_is_bound = summary.wave_claimed = false;
-  summary.friction_read = {};
-  summary.friction_share = summary.log_evidence_of_wave = summary.spacing = not_a_number;
+  summary.friction_share = summary.spacing = not_a_number;
   summary.measured = {};
   return summary;
 }
@@ -105,11 +104,9 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .model = fit.model,
                       .mu0 = fit.mu0,
                       .mu0_is_bound = fit.mu0_is_bound,
-                      .friction_read = analysis.friction_read,
                       .roughness = fit.roughness,
                       .correlation_length = scaled(fit.length, scales.span()),
                       .wave_claimed = fit.wave_claimed,
-                      .log_evidence_of_wave = fit.log_evidence_of_wave,
                       .bending_stiffness = scaled(fit.bending_stiffness, scales.bending_stiffness()),
                       .residual_rms = scales.physical_force(fit.residual_rms),
                       .drops = analysis.drops.drops.size(),
@@ -122,8 +119,6 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
     summary.mu0_by_gain = (*by)[StatedQuantity::force_gain] * analysis.rig_errors.force_gain;
   }
-  for (const auto& check : analysis.checks)
-    if (check.outcome == CheckOutcome::failed) summary.failed_checks.push_back(check.kind);
   if (!is_trusted(standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
   const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
   if (!fit.waves.empty() && tells_variation) {

@@ -30,7 +30,6 @@ struct TestSummary {
   ProfileModel model;                  // that was fitted
   Estimate mu0;                        // [1] mean friction over the fibre seen
   bool mu0_is_bound;                   // the record does not tell it from none: mu0.high is its upper limit
-  FrictionRead friction_read;          // [1]
   Estimate roughness;                  // [1] 0 of a model without
   Estimate correlation_length;         // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
@@ -38,9 +37,8 @@ struct TestSummary {
   std::optional<Estimate> wavelength{};  // [m]
   std::optional<Estimate> phase{};       // [rad] φ
   bool wave_claimed;
-  double log_evidence_of_wave;  // ln of the evidence with a wave over that without; NaN where not compared
-  Estimate bending_stiffness;   // [N m^2] EI
-  double residual_rms;          // [N] of the fit's mean run forward
+  Estimate bending_stiffness;  // [N m^2] EI
+  double residual_rms;         // [N] of the fit's mean run forward
   std::size_t drops;
   double
       spacing;  // [m] of the specimen, from one slip to the next, median; NaN with fewer than two, and where no friction is told
@@ -49,7 +47,6 @@ struct TestSummary {
   double work_of_fracture;  // [J]
   // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
   double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
-  std::vector<CheckKind> failed_checks{};
   MeasuredFriction measured;
   // Of the surface that would show its friction: the amplitude of its wave, if there is a likeliest one, and all of its slopes.
   std::optional<Estimate> surface_height{};  // [m]

@@ -9,7 +9,7 @@
 
 namespace flexslip {
 
-// Of bending stiffness, noise, roughness and correlation length it is the correlation of their logarithms.
+// Of bending stiffness, roughness and correlation length it is the correlation of their logarithms.
 struct Correlation {
   std::string_view of, with;  // as parameter_names
   double value;               // [1]
@@ -21,7 +21,6 @@ struct JointPart {
     mu0,
     drift,
     bending_stiffness,
-    force_noise,
     roughness,
     correlation_length,
     amplitude,
@@ -30,12 +29,11 @@ struct JointPart {
     count
   };
   static constexpr std::array<std::string_view, count> parameter_names{
-      "mu0",        "drift", "bending_stiffness", "force_noise", "roughness", "correlation_length", "amplitude",
-      "wavelength", "phase"};
+      "mu0", "drift", "bending_stiffness", "roughness", "correlation_length", "amplitude", "wavelength", "phase"};
   static constexpr std::size_t normal = 3;  // of the first so many it tells a covariance, too
 
   double weight;
-  std::array<double, count> value;  // [1], [1/L], ln of four, [1], [L], [rad]
+  std::array<double, count> value;  // [1], [1/L], ln of three, [1], [L], [rad]
   std::array<std::array<double, normal>, normal> covariance{};
 };
 

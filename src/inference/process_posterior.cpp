@@ -609,7 +609,6 @@ class Posterior {
       for (const ToldCoefficient& other : told)
         part.covariance[parameter][other.parameter] = factor * other.factor * chain.covariance()(at, other.at);
     }
-    part.value[JointPart::force_noise] = mode.theta.values[Theta::log_noise];
     if (mode.kernel == Kernel::none) return part;
     part.value[JointPart::roughness] = mode.theta.values[Theta::log_roughness];
     part.value[JointPart::correlation_length] = mode.theta.values[Theta::log_length];

@@ -280,10 +280,8 @@ class Rises {
       at_constant = settled(constant, {{0.3, 0.3}, {0.8, 0.3}, {0.05, 0.3}}, {0.2, 0.2});
     out.cracks_constant = explanation(constant, at_constant, m + 3);
     const double mu = at_constant.at[0], rho = at_constant.at[1];
-    const auto [stiffer, given_back] = apparent_stiffness(mu);
     out.features.rises = size();
-    out.stiffer_rises = stiffer;
-    out.features.given_back = given_back;
+    out.features.given_back = given_back(mu);
     out.features.friction_needed = mu;
     // friction, ρ
     const FunctionOfNumbers slow = [&](std::span<const double> p) {
@@ -509,14 +507,10 @@ class Rises {
     return minus_log_likelihood(squares_, rho, 0.5 * away * away + log_determinant);
   }
 
-  // What becomes of the apparent stiffness at a friction, by a straight line through its logarithm in each rise.
-  struct ApparentStiffness {
-    std::size_t stiffer_rises;
-    double given_back;
-  };
-  ApparentStiffness apparent_stiffness(double friction) const {
+  // The share of the apparent stiffness that the drops take and the rises give back, at a friction, by a straight line through its logarithm
+  // in each rise.
+  double given_back(double friction) const {
     constexpr double least_given_back = -1, most_given_back = 2;  // drops that hardly matter say no more
-    std::size_t stiffer = 0;
     double gained = 0, lost = 0, before = 0;
     for (std::size_t j = 0; j < size(); ++j) {
       const std::size_t n = end(j) - begin_[j];
@@ -532,9 +526,8 @@ class Rises {
       gained += at(n - 1) - at(0);
       if (j > 0) lost += before - at(0);
       before = at(n - 1);
-      stiffer += line.slope > 0 ? 1 : 0;
     }
-    return {stiffer, lost > 0 ? std::clamp(gained / lost, least_given_back, most_given_back) : most_given_back};
+    return lost > 0 ? std::clamp(gained / lost, least_given_back, most_given_back) : most_given_back;
   }
 
   std::vector<Row> rows_;

@@ -69,7 +69,6 @@ struct SlipOrCrack {
   RiseFeatures features;
   RiseExplanation cracks_constant, cracks, cracks_running;  // F0, F, G
   RiseExplanation slip, slip_and_cracks;                    // S, B
-  std::size_t stiffer_rises;                                // of those judged, in which the apparent stiffness rises
 };
 
 // Domain:     a faultless record of one loading; drops = those found in it, in order; rig.stiffness > 0.

@@ -49,7 +49,8 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
   // Just before a fold the force may fall while the fibre is stable, which no one can tell from a small snap.
   CHECK(analysis.drops.drops.size() <= exact.snaps.size() + 3);
   CHECK(analysis.slip_summary.median_spacing == doctest::Approx(14.0 / 1278).scale(0).epsilon(0.1));
-  CHECK(analysis.replay.drops_reproduced == analysis.drops.drops.size());
+  for (const auto& drop : analysis.drops.drops)
+    CHECK(analysis.replay.force[drop.after] < analysis.replay.force[drop.before]);
   double squares = 0;
   std::size_t replayed = 0;
   for (std::size_t i = 0; i < analysis.replay.force.size(); ++i) {

@@ -49,7 +49,6 @@ TEST_CASE("identity: rises of a fibre that slips are not those of cracks alone")
     const auto found = judged(slipping(seed));
     REQUIRE(found.judged);
     CHECK(found.verdict == CrackVerdict::not_by_cracks_alone);
-    CHECK(2 * found.stiffer_rises > found.features.rises);
     CHECK(found.cracks_alone < 0.02);
     CHECK(found.features.given_back > 0.7);
     CHECK(found.features.friction_needed > 0.7);

@@ -26,12 +26,13 @@ CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
 TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
 FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
-KEYS = ["status", "model", "category", "parameters", "residual_rms", "friction_read", "wave", "explanations", "band", "snaps",
-        "suspects", "profile", "energy", "provenance"]
-ALWAYS = {"mu0", "drift", "roughness", "correlation_length", "bending_stiffness", "force_noise", "reference"}
-WAVE = {"amplitude", "wavelength", "phase", "phase_at_middle"}
+KEYS = ["status", "model", "category", "parameters", "residual_rms", "wave", "band", "drops", "slips", "profile", "energy", "judgement",
+        "measurement", "preparation", "provenance"]
+ALWAYS = {"mu0", "roughness", "correlation_length", "bending_stiffness"}
+WAVE = {"amplitude", "wavelength", "phase"}
+ESTIMATE = {"value", "standard_error", "interval95", "unit"}
+MOST_FIELDS, MOST_FIELDS_OF_CYCLES = 120, 24  # more of them hide what matters
 CRACKED = SOURCE / "../shared/data/cracked"
-SNAP_KEYS = {"stage", "deflection_before", "deflection_after", "force_before", "force_after", "length_before", "length_after"}
 FIGURES = ["force", "profile", "wavelengths"]
 
 
@@ -143,10 +144,24 @@ class Json(InFolder):
         self.assertEqual(set(self.fit["parameters"]), ALWAYS | WAVE | {"contact_offset"})
         self.assertFalse(self.fit["parameters"]["mu0"]["bound"])
         for parameter in self.fit["parameters"].values():
-            self.assertEqual(set(parameter) - {"bound"}, {"value", "standard_error", "interval95", "unit"})
+            self.assertEqual(set(parameter) - {"bound"}, ESTIMATE)
             self.assertEqual(len(parameter["interval95"]), 2)
-        for snap in self.fit["snaps"]:
-            self.assertEqual(set(snap), SNAP_KEYS)
+
+    def test_an_answer_has_at_most_so_many_fields(self):
+        def fields(value, name=""):
+            """The paths of keys, an estimate as one."""
+            if isinstance(value, dict):
+                if "standard_error" in value:
+                    return {name, *(f"{name}.{key}" for key in value.keys() - ESTIMATE)}
+                return {path for key, each in value.items() for path in fields(each, f"{name}.{key}")}
+            if isinstance(value, list):
+                return {path for each in value for path in fields(each, name)}
+            return {name}
+
+        for name in ("simulated", "cracked", "cyclic", "surface"):
+            fit = self.json("fit", SOURCE / f"examples/{name}/case.toml")
+            self.assertLessEqual(len(fields(fit.pop("cycles"))), MOST_FIELDS_OF_CYCLES, name)
+            self.assertLessEqual(len(fields(fit)), MOST_FIELDS, name)
 
     def test_truth_of_the_example(self):
         """Every true value lies within five standard errors; the example is one fixed draw, so this cannot flicker."""
@@ -163,23 +178,16 @@ class Json(InFolder):
         self.assertGreater(self.fit["wave"]["log_evidence"], 3)
         passed = {finding["code"] for finding in self.fit["findings"] if finding["severity"] == "passed"}
         self.assertEqual(passed, {"misses_force", "drops_differ", "coloured_noise", "simpler_fits_better", "only_a_limit", "unexpected_stiffness"})
-        self.assertAlmostEqual(sum(each["weight"] for each in self.fit["explanations"]), 1, delta=1e-12)  # roundings
 
-    def test_band_and_reference_lie_on_the_fibre_seen(self):
-        band, middle = self.fit["band"], self.fit["parameters"]["reference"]["value"]
+    def test_band_lies_on_the_fibre_seen(self):
+        band = self.fit["band"]
         self.assertEqual(len(band["length"]), len(band["mean"]))
-        self.assertTrue(1278e-6 < band["length"][0] < middle < band["length"][-1])
-
-    def test_identity_snap_runs_along_the_load_line(self):
-        for snap in self.fit["snaps"]:
-            fall = snap["force_before"] - snap["force_after"]
-            advance = snap["deflection_after"] - snap["deflection_before"]
-            self.assertAlmostEqual(fall / advance, 90.65, delta=90.65 * 1e-6)  # cancellation in both differences
+        self.assertTrue(1278e-6 < band["length"][0] < band["length"][-1])
 
     def test_identity_energy_account_closes(self):
         energy = self.fit["energy"]
-        parts = sum(energy[name] for name in ("bending", "load_train", "friction", "snaps"))
-        self.assertAlmostEqual(parts, energy["stage_work"], delta=5e-3 * energy["stage_work"])  # trapezia over the points
+        parts = sum(energy[name] for name in ("bending", "friction", "snaps"))
+        self.assertAlmostEqual(parts, energy["work_of_fracture"], delta=5e-3 * energy["work_of_fracture"])  # trapezia over the points
 
     def test_outside_provenance_against_hashlib(self):
         for given, path in zip(self.fit["provenance"]["inputs"], (CASE, DATA)):
@@ -216,7 +224,7 @@ class Options(InFolder):
         drift = self.json("fit", CASE, "--model", "drift")
         self.assertEqual(drift["model"], "drift")
         self.assertIsNone(drift["wave"])
-        self.assertEqual(set(drift["parameters"]), ALWAYS - {"roughness", "correlation_length"} | {"contact_offset"})
+        self.assertEqual(set(drift["parameters"]), ALWAYS - {"roughness", "correlation_length"} | {"contact_offset", "drift", "reference"})
         self.assertTrue(WAVE <= set(self.json("fit", CASE, "--model", "sinusoid")["parameters"]))
         self.assertNotIn("drift", self.json("fit", CASE, "--model", "constant")["parameters"])
 
@@ -398,13 +406,13 @@ step = "2 um"
 class Words(InFolder):
     """What the text says of tests with known truth."""
 
-    def answer(self, friction):
+    def answer(self, friction, *flags):
         specimen = '[specimen]\nbending_stiffness = "2e-9 N m^2"\n[rig]\nspan = "1278 um"\nstiffness = "90 N/m"\n'
         case = self.file("made.toml", f'{specimen}[friction]\n{friction}[stage]\nprogram = ["0 um", "640 um"]\nstep = "2 um"\n')
         made = self.folder / "made.csv"
         self.succeeds("simulate", case, "--noise", "40 uN", "--quiet", "-o", made)
         test = self.file("test.toml", specimen + f'[record]\nfile = "{made}"\nstage = "w_s [m]"\nforce = "F [N]"\n')
-        return json.loads(self.succeeds("fit", test, "--json")), " ".join(self.succeeds("fit", test).split())
+        return json.loads(self.succeeds("fit", test, "--json", *flags)), " ".join(self.succeeds("fit", test).split())
 
     def test_a_wave_is_said_only_where_there_is_one(self):
         fit, text = self.answer('model = "sinusoid"\nmu0 = 0.5\namplitude = 0.2\nwavelength = "14 um"\n')
@@ -425,7 +433,7 @@ class Words(InFolder):
         self.assertEqual([finding["severity"] for finding in fit["findings"] if finding["code"] == "only_a_limit"], ["condition"])
 
     def test_what_fit_prints_means_the_same_in_a_case(self):
-        fit, _ = self.answer('model = "drift"\nmu0 = 0.4\ndrift = "0.6 1/mm"\n')
+        fit, _ = self.answer('model = "drift"\nmu0 = 0.4\ndrift = "0.6 1/mm"\n', "--model", "drift")
         p = fit["parameters"]
         # The truth is 0.4 at the span, and 0.6 a millimetre from there.
         for value, truth, error in ((p["mu0"]["value"], 0.4 + 600 * (p["reference"]["value"] - 1278e-6), p["mu0"]["standard_error"]),

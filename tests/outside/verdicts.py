@@ -34,7 +34,7 @@ class Verdicts(InFolder):
 
     def test_the_cracked_example_is_one_that_cracks(self):
         answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
-        self.assertEqual(answer["slip_or_crack"]["verdict"], "cracks")
+        self.assertEqual(answer["judgement"]["drops"], "cracks")
         self.assertNotIn(answer["judgement"]["standing"], ("sound", "doubtful"))
 
     def test_the_reload_of_the_cyclic_example_shows_a_loss_where_there_was_one(self):

@@ -14,7 +14,7 @@ export const slipOf = (drop: Drop): Slip => (drop.slip === "possible" ? "could" 
 /** A drop in words: "Drop 9: can be a slip". */
 export function dropInWords(drop: Drop, number: number, told = true): { claim: string; rest: string; more: string } {
   const mu = drop.mu_before !== null && drop.mu_after !== null ? `, *μ* ${fixed(drop.mu_before, 2)} to ${fixed(drop.mu_after, 2)}` : "";
-  const drawn = drop.pulled_in ? `, ${written(drop.pulled_in.value / 2, "length")} pulled in over each support` : "";
+  const drawn = drop.pulled_in ? `, ${written(drop.pulled_in / 2, "length")} pulled in over each support` : "";
   return { claim: `Drop ${number}: ${drop.reading}`, rest: `; ${written(drop.force_fall, "force")} down`, more: told && slipOf(drop) === "could" ? `${mu}${drawn}` : "" };
 }
 
@@ -30,10 +30,10 @@ export function estimate(value: number, error: number, unit: Unit, most = 4): [s
 export const tellsFriction = (fit: FitAnswer): boolean => !["crack", "check_input", "no_answer"].includes(fit.verdict.code);
 
 function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
-  const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, read = fit.friction_read, { slips, energy } = fit;
+  const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, { slips, energy } = fit;
   const I = text.secondMoment;
   const signed = (share: number): string => `${fixed(Math.abs(100 * share), 0)} % ${share < 0 ? "less" : "more"}`;
-  const friction: KeyNumber = { label: "Friction at the supports *μ*", value: NOTHING, rest: "", condition: read && read.low80 !== null && read.high80 !== null ? `80 % of points ${fixed(read.low80, 2)} to ${fixed(read.high80, 2)}` : "" };
+  const friction: KeyNumber = { label: "Friction at the supports *μ*", value: NOTHING, rest: "", condition: "" };
   const told = tellsFriction(fit);
   if (!told) friction.condition = "none can be read off";
   else if (mu0?.bound) Object.assign(friction, { value: `≤ ${significant(mu0.interval95[1], 2)}`, rest: "(95 %)" });

@@ -1,21 +1,20 @@
 // The JSON of `fit` and `read`, as far as the page reads it; docs/results.md has every key. Numbers are in SI.
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
-export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "phase_at_middle" | "drift" | "roughness" | "correlation_length" | "bending_stiffness" | "reference" | "contact_offset";
+export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "drift" | "reference" | "roughness" | "correlation_length" | "bending_stiffness" | "contact_offset";
 export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "condition" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
 export interface Drop {
-  row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: Estimate | null; mu_before: number | null; mu_after: number | null;
+  row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: number | null; mu_before: number | null; mu_after: number | null;
 }
-export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null; flag: string | null }
-export interface ProfilePoint { row: number; stage: number; deflection: number; force: number; length: number; mu: number; mu_error: number; mu_error_force: number }
-export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate; phase: Estimate; phase_at_middle: Estimate }
+export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null }
+export interface ProfilePoint { row: number; length: number; mu: number; mu_error: number; mu_error_force: number }
+export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate }
 
-export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; by: number; friction: number; work: number | null; friction_moves: number; work_moves: number | null }
+export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; friction: number; friction_moves: number; work_moves: number | null }
 
 export interface FitAnswer {
   status: string; name: string; model: string; suspect: boolean;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
-  friction_read: { median: number | null; low80: number | null; high80: number | null } | null;
   residual_rms: number | null; wave: Wave | null;
   judgement: { cracks_alone: number | null } | null;
   verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
@@ -24,8 +23,8 @@ export interface FitAnswer {
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
-  measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
-  preparation: Step[]; contact: { source: string; line_offset: Estimate | null } | null;
+  measurement: { first_row: number; last_row: number; ends_with: string };
+  preparation: Step[]; contact: { source: string } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;
   profile: ProfilePoint[];

@@ -212,11 +212,10 @@ export class CardView {
     const contact = fit?.answer.contact;
     if (contact) {
       const then = JSON.parse(fit!.settings) as Settings;  // what was decided when it was fitted: what is found is that of then
-      const offset = contact.line_offset, taken = fit!.answer.parameters.contact_offset, u = unitFor(Math.max(Math.abs(offset?.value ?? taken?.value ?? 0), offset?.standard_error ?? 0), "length");
-      const where = offset ? ` (${significant(offset.value / u.factor, 2)} ± ${significant(offset.standard_error / u.factor, 2)} ${u.name})` : "";
+      const taken = fit!.answer.parameters.contact_offset, u = unitFor(Math.abs(taken?.value ?? 0), "length");
       lines.push(["contact", [
         { words: contact.source === "first_point" ? "zero of the file" : `${contact.source}${taken ? `: ${significant(taken.value / u.factor, 3)} ${u.name}` : ""}`, change: () => undefined, chosen: then.contact === settings.contact },
-        { words: `find${where}`, change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
+        { words: "find", change: decide({ contact: "find" }), chosen: settings.contact === "find" }, { words: "first row", change: decide({ contact: "first row" }), chosen: settings.contact === "first row" },
         ...(settings.contact ? [{ words: "as found", change: decide({ contact: undefined }) }] : []),
       ], settings.contact !== undefined]);
       const zero = fit!.answer.preparation.find((s) => s.step === "zero"), sign = fit!.answer.preparation.find((s) => s.step === "sign");

@@ -1,6 +1,7 @@
 // Friction along the fibre as the sliders say it: the mean of the fit, taken apart into level, drift, wave and roughness, and put together again with other sizes.
 
 import type { FitAnswer } from "./answers";
+import { middleOf } from "./parameters";
 import type { Table } from "./table";
 
 export interface FrictionValues { mu0: number; roughness: number; correlationLength: number; wave: { amplitude: number; wavelength: number; phase: number } | null }
@@ -30,7 +31,7 @@ export class FittedFriction {
     this.length = Float64Array.from({ length: n + more }, (_, i) => (i < n ? length[i]! : last + (i - n + 1) * step));
     this.draws = table.titles.flatMap((title, i) => (title.startsWith("draw_") ? [table.at(i)] : []));
     const drift = fit.parameters.drift?.value ?? 0;
-    this.reference = fit.parameters.reference?.value ?? (first + last) / 2;
+    this.reference = fit.parameters.reference?.value ?? middleOf(fit);
     this.level = this.length.map((S) => fitted.mu0 + drift * (Math.min(S, last) - this.reference));
     const wave = (S: number): number => (fitted.wave ? waveAt(S, this.reference, fitted.mu0, fitted.wave) : 0);
     this.rough = mean.map((mu, i) => mu - this.level[i]! - wave(length[i]!));

@@ -23,17 +23,20 @@ export interface Parameter {
 }
 
 const degrees: Unit = { name: "°", command: "deg", factor: Math.PI / 180 };
-const FITTED: Partial<Record<Key, ParameterName>> = { mu0: "mu0", rms: "roughness", len: "correlation_length", amp: "amplitude", lam: "wavelength", phi: "phase_at_middle", EI: "bending_stiffness" };
+const FITTED: Partial<Record<Key, ParameterName>> = { mu0: "mu0", rms: "roughness", len: "correlation_length", amp: "amplitude", lam: "wavelength", phi: "phase", EI: "bending_stiffness" };
 
 /** An angle between -π and π. */
 export const wrapped = (angle: number): number => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
+
+/** The middle of the fibre seen [m]: there the phase of a wave does not run away with its length. */
+export const middleOf = (fit: FitAnswer): number => ((fit.band?.length[0] ?? 0) + (fit.band?.length.at(-1) ?? 0)) / 2;
 
 /** The values of a fit; what it does not have is taken from what it would be, were it there. */
 export function valuesOf(fit: FitAnswer, text: CaseText): Values {
   const p = fit.parameters, wave = fit.wave, span = text.quantity("rig.span") ?? 1e-3;
   return {
     mu0: p.mu0?.value ?? 0, rms: p.roughness?.value ?? 0, len: p.correlation_length?.value ?? span / 200,
-    amp: wave?.claimed ? wave.amplitude.value : 0.1, lam: wave?.wavelength.value ?? span / 100, phi: wrapped(wave?.phase_at_middle.value ?? 0),
+    amp: wave?.claimed ? wave.amplitude.value : 0.1, lam: wave?.wavelength.value ?? span / 100, phi: p.phase && p.wavelength ? wrapped(p.phase.value + Math.PI * middleOf(fit) / p.wavelength.value) : 0,
     EI: p.bending_stiffness?.value ?? fit.nominal_bending_stiffness?.nominal ?? 0,
     D: text.quantity("specimen.diameter") ?? text.quantity("specimen.height") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
   };
@@ -51,7 +54,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values, isRound: boolean): 
     const name = FITTED[key], estimate = name ? fit.parameters[name] : undefined;
     if (!estimate?.interval95) return null;
     const [low, high] = estimate.interval95;
-    return key === "phi" ? [wrapped(estimate.value) + low - estimate.value, wrapped(estimate.value) + high - estimate.value] : [low, high];
+    return key === "phi" ? [fitted.phi + low - estimate.value, fitted.phi + high - estimate.value] : [low, high];
   };
   const row = (key: Key, group: Parameter["group"], name: string, unit: Unit, low: number, high: number, digits: number, options: Partial<Parameter> = {}): Parameter =>
     ({ key, group, name, unit, unitWords: unit.name, low, high, logarithmic: false, digits, lock: "found", interval: interval(key), ...options });
