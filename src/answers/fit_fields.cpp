@@ -487,6 +487,7 @@ Fields<FittedTest> measurement_fields() {
   using M = const Measurement&;
   const auto of = [](auto get) { return [get](T test) { return get(test.measurement); }; };
   return Fields<FittedTest>()
+      .count("rows", "rows of the file", of([](M m) { return m.rows; }))
       .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
       .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
       .words(

@@ -170,7 +170,7 @@ class Loading(InFolder):
         case = self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\nuntil = 200\n'
         self.file("test.csv", "w_s [m],F [N]\n" + "".join(lines))
         fit = self.json("fit", self.file("case.toml", case))
-        self.assertEqual(fit["measurement"]["last_row"], 200)
+        self.assertEqual((fit["measurement"]["rows"], fit["measurement"]["last_row"]), (len(rows), 200))
         lines[250] = lines[250].split(",")[0] + ",OVER\n"  # the sensor is at its end in row 251
         self.file("test.csv", "w_s [m],F [N]\n" + "".join(lines))
         case = self.RIG + '[record]\nfile = "test.csv"\ndisplacement = "crosshead"\ndisplacement_column = "w_s"\nforce = "F"\nuntil = 250\n'

@@ -23,7 +23,7 @@ export interface FitAnswer {
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
-  measurement: { first_row: number; last_row: number; ends_with: string };
+  measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
   preparation: Step[]; contact: { source: string } | null;
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;

@@ -409,7 +409,7 @@ export class Studio {
 
   // ---- the moment
   setRow(row: number): void {
-    const last = this.test?.rows?.force.length ?? this.fit?.answer.measurement.last_row ?? 1;
+    const last = this.test?.rows?.force.length ?? this.fit?.answer.measurement.rows ?? 1;
     const next = Math.max(1, Math.min(last, Math.round(row)));
     if (next === this.row) return;
     this.row = next;
