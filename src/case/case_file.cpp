@@ -294,7 +294,7 @@ void check_stage(const Test& test) {
 
 void check_record(const Test& test) {
   const RecordInput& record = *test.record;
-  for (const std::string_view of_export : {"displacement", "displacement_column", "specimen", "calibration"})
+  for (const std::string_view of_export : {"displacement", "displacement_column", "calibration"})
     for (const std::string_view of_table : {"stage", "deflection"})
       if (says(test, "record", of_export) && says(test, "record", of_table))
         refuse(test, fmt::format("record.{}", of_export), "either column titles or a description of an export",

@@ -257,8 +257,7 @@ constexpr std::array keys{
         R"(. `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it carries the specimen on until friction has consumed it)"),
     // record
     plain(at<&RecordInput::file>, "file", Holds::file, R"("ss14.csv")", "file with the measured record",
-          ": CSV, or text separated by semicolons, tabs or spaces, with one header line; or an export of a testing "
-          "machine; or a workbook (.xlsx) with either"),
+          ": a table of text, an export of a testing machine, or a workbook (.xlsx), read as `flexslip read` reads it"),
     flagged(plain(at<&RecordInput::sheet>, "sheet", Holds::name_or_number, R"("Specimen 1")",
                   "sheet of a workbook (.xlsx), by name or number; the first with a table of numbers unless given")),
     flagged(title(at<&RecordInput::stage>, "stage", kind::length, R"("w_s_m [m]")", R"("w_s")",
@@ -299,7 +298,8 @@ constexpr std::array keys{
         "before the contact"),
     flagged(word(at<&RecordInput::failure>, "failure", "find|none", R"("none")",
                  "whether to find where the specimen fails and end the record there; find unless given")),
-    flagged(word(at<&RecordInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file")),
+    flagged(
+        word(at<&RecordInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file; found unless given")),
     flagged(plain(at<&RecordInput::first>, "first", Holds::place, "12",
                   "where the record begins: a row, counted from 1, or a stage position")),
     flagged(plain(at<&RecordInput::until>, "until", Holds::place, "250",

@@ -56,50 +56,6 @@ void require_one_at_most(const std::vector<std::string>& questions, InputFault f
   throw InputError(std::move(fault));
 }
 
-Readings readings_of_table(const Test& input, const Needs& needs) {
-  const RecordInput& asked = *input.record;
-  const bool is_stage = asked.stage && !asked.deflection;
-  require_one_at_most(questions_about_rig(input, needs, is_stage ? "how stiff is the load train?" : "", {}),
-                      {.file = asked.given ? "the record" : asked.file});
-  std::vector<WantedColumn> wanted;
-  std::vector<Reading> columns;
-  const auto want = [&](const std::optional<std::string>& title, Reading reading, const Kind& kind) {
-    if (!title) return;
-    wanted.push_back({*title, kind_in(input, kind)});
-    columns.push_back(reading);
-  };
-  want(asked.stage, Reading::stage, kind::length);
-  want(asked.deflection, Reading::deflection, kind::length);
-  want(asked.force, Reading::force, kind::force);
-  want(asked.length, Reading::length, kind::length);
-  Table table = [&] {
-    if (asked.given) return *asked.given;
-    try {
-      return read_record(asked.file, wanted, asked.decimal.value_or('.'), asked.sheet);
-    } catch (const InputError& error) {
-      InputFault fault = error.fault;
-      // The titles are not on the first line: a preamble may stand there.
-      if (fault.line != 1 || fault.part != TablePart::title || !fault.remedy.empty()) throw;
-      fault.remedy = fmt::format(
-          "if it is the export of a testing machine, {} (or \"deflection\") instead of column titles; flexslip read "
-          "shows what the file holds",
-          to_say(input, switch_to("displacement", "crosshead")));
-      throw InputError(fault);
-    }
-  }();
-  static constexpr std::string_view names[] = {"stage", "deflection", "force", "length pulled in"};
-  std::string words;
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    words += fmt::format("{}the {} is the column '{}'", i == 0 ? "" : ", ", names[static_cast<std::size_t>(columns[i])],
-                         table.columns[i].name);
-  words += ", as stated";
-  for (const std::string& note : table.notes) words += "; " + note;
-  std::vector<PreparationStep> steps{
-      {.name = "columns", .done = std::move(words), .rows = RowRange{1, table.rows_of_file()}}};
-  if (!table.left_out.empty()) steps.push_back({.name = "missing", .changed = true, .done = table.left_out});
-  return {input, std::move(table), std::move(columns), std::move(steps)};
-}
-
 bool has_role(const ExportedSpecimen& specimen, ColumnRole role) {
   return std::any_of(specimen.columns.begin(), specimen.columns.end(),
                      [&](const ExportColumn& column) { return column.role == role; });
@@ -113,6 +69,8 @@ ExportOptions options_of(const RecordInput& asked) {
   ExportOptions options;
   options.file.sheet = asked.sheet;
   options.decimal = asked.decimal;
+  if (asked.stage) options.columns[ColumnRole::crosshead] = *asked.stage;
+  if (asked.deflection) options.columns[ColumnRole::deflection] = *asked.deflection;
   if (asked.displacement_column)
     options.columns[asked.displacement ? role_of(*asked.displacement) : ColumnRole::displacement] =
         *asked.displacement_column;
@@ -341,67 +299,153 @@ std::vector<double> in_si_of(const Test& input, const Export& file, const Export
   });
 }
 
-Readings readings_from(const Test& input, const Needs& needs, const Export& file) {
+struct FoundColumn {
+  Reading reading;
+  const ExportColumn* column;
+  std::string_view key;  // that names it
+};
+
+// Columns of a specimen in SI, without the rows in which one of them has no number.
+Readings readings_of(const Test& input, const Export& file, const ExportedSpecimen& specimen,
+                     const std::vector<FoundColumn>& found) {
+  const auto* until = input.record->until ? std::get_if<AtRow>(&*input.record->until) : nullptr;
+  std::vector<const ExportColumn*> columns;
+  for (const FoundColumn& each : found) columns.push_back(each.column);
+  const RowsLeftOut missing = rows_without_numbers(file, specimen, columns, until ? until->row : specimen.lines.size());
+  Readings readings{.test = input,
+                    .table = {.source = file.origin.source,
+                              .columns = {},
+                              .lines = without_rows(specimen.lines, missing.rows),
+                              .missing_rows = missing.rows},
+                    .columns = {}};
+  for (const auto& [reading, column, key] : found) {
+    const Kind kind = kind_in(input, reading == Reading::force ? kind::force : kind::length);
+    std::vector<double> values = in_si_of(input, file, *column, kind, key);
+    readings.columns.push_back(reading);
+    readings.table.columns.push_back({column->name, without_rows(std::move(values), missing.rows)});
+  }
+  readings.found_by = {{.name = "columns", .rows = RowRange{1, readings.table.rows_of_file()}}};
+  if (!missing.words.empty()) readings.found_by.push_back({.name = "missing", .changed = true, .done = missing.words});
+  return readings;
+}
+
+std::string notes_of(const Export& file) {
+  std::string notes;
+  if (!file.origin.which_sheet.empty()) notes += "; " + file.origin.which_sheet;
+  for (const std::string& note : file.row_notes) notes += "; " + note;
+  return notes;
+}
+
+// What is said of columns that are columns of a call or of a file.
+std::string named_in_words(const std::vector<Reading>& columns, const Table& table) {
+  static constexpr std::string_view names[] = {"stage", "deflection", "force", "length pulled in"};
+  std::string words;
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    words += fmt::format("{}the {} is the column '{}'", i == 0 ? "" : ", ", names[static_cast<std::size_t>(columns[i])],
+                         table.columns[i].name);
+  return words + ", as stated";
+}
+
+// The fault of a column that a case names by its title is told by that title, and not by the flag of its role.
+InputError by_title(const InputError& error, const ExportOptions& options) {
+  InputFault fault = error.fault;
+  for (const auto& [role, title] : options.columns)
+    if (fault.field == words_for(role).flag) fault.field = "column " + in_quotes(title);
+  return InputError(fault);
+}
+
+void require_one_sheet(const Test& input, const Export& file) {
+  const std::vector<std::string>& alike = file.origin.alike;
+  if (alike.empty()) return;
+  throw wrong_value(input, "record.sheet",
+                    fmt::format("one of the sheets {}, which hold such a table each", listed(alike)), "none",
+                    to_say(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
+}
+
+// The columns that a case names by their titles.
+Readings readings_of_named(const Test& input, const Export& file) {
+  const RecordInput& asked = *input.record;
+  require_one_sheet(input, file);
+  const ExportedSpecimen& specimen = specimen_of(input, file);
+  std::vector<FoundColumn> found;
+  const auto with = [&](ColumnRole role) { return &column_with(file, specimen, role); };
+  if (asked.stage) found.push_back({Reading::stage, with(ColumnRole::crosshead), "stage"});
+  if (asked.deflection) found.push_back({Reading::deflection, with(ColumnRole::deflection), "deflection"});
+  if (asked.force) found.push_back({Reading::force, with(ColumnRole::force), "force"});
+  if (asked.length)
+    found.push_back(
+        {Reading::length, &specimen.columns[column_named(file, specimen, *asked.length, "length")], "length"});
+  Readings readings = readings_of(input, file, specimen, found);
+  readings.found_by.front().done = named_in_words(readings.columns, readings.table) + notes_of(file);
+  return readings;
+}
+
+// The columns of an export, which says itself what they are.
+Readings readings_of_export(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   require_answers(input, needs, file);
-  if (!file.origin.alike.empty())
-    throw wrong_value(input, "record.sheet",
-                      fmt::format("one of the sheets {}, which hold such a table each", listed(file.origin.alike)),
-                      "none", to_say(input, KeyChange{"record", "sheet", toml_text(file.origin.alike.front())}));
+  require_one_sheet(input, file);
   const ExportedSpecimen& specimen = specimen_of(input, file);
   const auto [column, kind, is_stated] = displacement_of(input, file, specimen);
   const ExportColumn& force = column_for("force", input, file, specimen, ColumnRole::force);
   require_one_run(input, specimen, column, file.origin.source);
   const bool is_crosshead = kind == DisplacementOf::crosshead;
-  const auto* until = asked.until ? std::get_if<AtRow>(&*asked.until) : nullptr;
-  std::vector<double> displacements = in_si_of(input, file, column, kind::length, "displacement_column");
-  std::vector<double> forces = in_si_of(input, file, force, kind::force, "force");
-  const RowsLeftOut missing =
-      rows_without_numbers(file, specimen, {&column, &force}, until ? until->row : specimen.lines.size());
-  Readings readings{.test = input,
-                    .table = {file.origin.source,
-                              {{column.name, without_rows(std::move(displacements), missing.rows)},
-                               {force.name, without_rows(std::move(forces), missing.rows)}},
-                              without_rows(specimen.lines, missing.rows),
-                              {},
-                              missing.rows},
-                    .columns = {is_crosshead ? Reading::stage : Reading::deflection, Reading::force}};
+  Readings readings =
+      readings_of(input, file, specimen,
+                  {{is_crosshead ? Reading::stage : Reading::deflection, &column, "displacement_column"},
+                   {Reading::force, &force, "force"}});
   std::string words =
       fmt::format("an export, {}: the displacement is the column '{}', of the {}, as {}; the force is the column '{}'",
                   file.format, column.name, is_crosshead ? "crosshead" : "specimen's midpoint",
                   is_stated ? "stated" : "the file says", force.name);
-  if (!file.origin.which_sheet.empty()) words += "; " + file.origin.which_sheet;
-  for (const std::string& note : file.row_notes) words += "; " + note;
+  words += notes_of(file);
   if (file.specimens.size() > 1)
     words += fmt::format("; the specimen is number {} of {}", *asked.specimen, file.specimens.size());
   if (asked.calibration) words += fmt::format("; the force was given in volts, {} as stated", *asked.calibration);
-  readings.found_by = {{.name = "columns",
-                        .changed = asked.calibration.has_value(),
-                        .done = std::move(words),
-                        .rows = RowRange{1, readings.table.rows_of_file()},
-                        .otherwise = switch_to("displacement", is_crosshead ? "deflection" : "crosshead")}};
-  if (!missing.words.empty()) readings.found_by.push_back({.name = "missing", .changed = true, .done = missing.words});
+  PreparationStep& columns = readings.found_by.front();
+  columns.changed = asked.calibration.has_value();
+  columns.done = std::move(words);
+  columns.otherwise = switch_to("displacement", is_crosshead ? "deflection" : "crosshead");
   complete(readings.test, file.test, readings.found_by);
   return readings;
 }
 
-Readings readings_of_export(const Test& input, const Needs& needs) {
-  const Export file = read_export(input.record->file, options_of(*input.record));
-  try {
-    return readings_from(input, needs, file);
-  } catch (const InputError& error) {
-    throw with_other_sheets(error, file.origin);
-  }
+// The columns that a call holds in memory.
+Readings readings_given(const Test& input) {
+  const RecordInput& asked = *input.record;
+  Readings readings{.test = input, .table = *asked.given, .columns = {}};
+  if (asked.stage) readings.columns.push_back(Reading::stage);
+  if (asked.deflection) readings.columns.push_back(Reading::deflection);
+  if (asked.force) readings.columns.push_back(Reading::force);
+  if (asked.length) readings.columns.push_back(Reading::length);
+  readings.found_by = {{.name = "columns",
+                        .done = named_in_words(readings.columns, readings.table),
+                        .rows = RowRange{1, readings.table.rows_of_file()}}};
+  return readings;
 }
 
 }  // namespace
 
 Readings read_readings(const Test& input, const Needs& needs) {
+  const RecordInput& asked = *input.record;
+  if (!asked.is_export()) {
+    const bool is_stage = asked.stage && !asked.deflection;
+    require_one_at_most(questions_about_rig(input, needs, is_stage ? "how stiff is the load train?" : "", {}),
+                        {.file = asked.given ? "the record" : asked.file});
+  }
+  if (asked.given) return readings_given(input);
+  const ExportOptions options = options_of(asked);
   try {
-    return input.record->is_export() ? readings_of_export(input, needs) : readings_of_table(input, needs);
+    const Export file = read_export(asked.file, options);
+    try {
+      return asked.is_export() ? readings_of_export(input, needs, file) : readings_of_named(input, file);
+    } catch (const InputError& error) {
+      throw with_other_sheets(error, file.origin);
+    }
   } catch (const InputError& error) {
-    if (error.fault.key != "record.sheet") throw;
-    throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+    if (error.fault.key == "record.sheet")
+      throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+    throw asked.is_export() ? error : by_title(error, options);
   }
 }
 

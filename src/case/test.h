@@ -178,9 +178,7 @@ struct RecordInput {
   std::shared_ptr<const Table> given{};
   bool operator==(const RecordInput&) const = default;
 
-  bool is_export() const {
-    return displacement || displacement_column || specimen || calibration || !(stage || deflection);
-  }
+  bool is_export() const { return displacement || displacement_column || calibration || !(stage || deflection); }
 };
 
 struct Test {

@@ -88,8 +88,7 @@ ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) 
   const std::size_t open = wanted.ends_with(']') ? wanted.rfind('[') : std::string_view::npos;
   if (open == std::string_view::npos || trimmed(wanted.substr(0, open)).empty()) return {std::string(wanted), ""};
   for (const ExportColumn& column : specimen.columns)
-    if (column.name == wanted || fmt::format("{} [{}]", column.name, column.unit) == wanted)
-      return {std::string(wanted), ""};
+    if (is_called(column, wanted)) return {std::string(wanted), ""};
   return {std::string(trimmed(wanted.substr(0, open))), std::string(without_brackets(wanted.substr(open)))};
 }
 

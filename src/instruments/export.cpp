@@ -156,20 +156,20 @@ Values restored_values(const TableBlock& block, const std::vector<std::string_vi
 // The numbers of a column, without those in another unit, and what is said about those that are not there.
 Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& of, std::string_view unit) {
   const std::size_t column = of.number - 1;
+  const bool may_be_regrouped = laid.format.thousands == ',' && laid.format.decimal == ',';
   std::vector<std::string_view> numbers;
-  numbers.reserve(block.rows.size());
+  if (may_be_regrouped) numbers.reserve(block.rows.size());
   Values out;
   out.value.reserve(block.rows.size());
   bool are_words = true;
   for (const std::size_t line : block.rows) {
     const NumberCell parts = number_cell(laid.sheet.at(line, column));
     const bool counts = parts.unit.empty() || parts.unit == unit;
-    numbers.push_back(counts ? parts.number : std::string_view{});
+    if (may_be_regrouped) numbers.push_back(counts ? parts.number : std::string_view{});
     out.value.push_back(counts ? laid.sheet.number(line, column, laid.format) : not_a_number);
     are_words = are_words && (parts.number.empty() || laid.sheet.kind(line, column) == CellKind::word);
   }
-  if (laid.format.thousands == ',' && laid.format.decimal == ',' && are_words)
-    out = restored_values(block, numbers, of.name);
+  if (may_be_regrouped && are_words) out = restored_values(block, numbers, of.name);
   std::vector<std::size_t> lines;
   for (std::size_t row = 0; row < out.value.size(); ++row)
     if (std::isnan(out.value[row])) {
@@ -263,11 +263,11 @@ bool gives_unit(const ExportColumn& column, const ExportedSpecimen& specimen) {
 
 // ---- specimens
 
-Noted<ExportedSpecimen> specimen_of(const Laid& laid, const TableBlock& block, const std::vector<std::string>& titles,
+// The rows of the block become the lines of the specimen. The first row remains, for what is said of the table.
+Noted<ExportedSpecimen> specimen_of(const Laid& laid, TableBlock& block, const std::vector<std::string>& titles,
                                     const std::vector<std::size_t>& columns, std::vector<Metadatum> metadata) {
   Noted<ExportedSpecimen> out;
   out.value.metadata = std::move(metadata);
-  for (const std::size_t line : block.rows) out.value.lines.push_back(line + 1);
   for (const std::size_t each : columns) {
     auto [column, notes] = column_of(laid, block, titles, each);
     append(out.notes, std::move(notes));
@@ -279,6 +279,8 @@ Noted<ExportedSpecimen> specimen_of(const Laid& laid, const TableBlock& block, c
       out.value.columns.push_back(std::move(*column));
     }
   }
+  out.value.lines = std::exchange(block.rows, {block.rows.front()});
+  for (std::size_t& line : out.value.lines) ++line;  // counted from 1
   return out;
 }
 
@@ -367,7 +369,7 @@ struct ReadBlock {
   Notes notes;
 };
 
-ReadBlock block_of(const Laid& laid, const TableBlock& block, const TableBlock& main, bool is_first) {
+ReadBlock block_of(const Laid& laid, TableBlock& block, const TableBlock& main, bool is_first) {
   const std::vector<std::string>& titles = block.titles.empty() ? main.titles : block.titles;
   const std::vector<ColumnGroup> groups = side_by_side(titles);
   std::vector<std::size_t> remarks = block.remarks;
@@ -512,7 +514,7 @@ void require_no_dates(const Export& file, const SheetFile& sheet) {
 // What a sheet holds.
 Export recognise(const SheetFile& opened, const ExportOptions& options) {
   const Sheet& sheet = opened.cells;
-  const Layout layout = layout_of(sheet);
+  Layout layout = layout_of(sheet);
   const auto [format, apply] = marks_in(sheet, layout, options, opened.origin.separator);
   Export file{
       .origin = opened.origin, .marks = format, .has_marks = apply, .quoted = sheet.quoted(), .notes = opened.notes};
@@ -520,7 +522,7 @@ Export recognise(const SheetFile& opened, const ExportOptions& options) {
       *std::max_element(layout.blocks.begin(), layout.blocks.end(),
                         [](const auto& a, const auto& b) { return a.rows.size() < b.rows.size(); });
   std::vector<SummaryNumber> summaries;
-  for (const TableBlock& block : layout.blocks) {
+  for (TableBlock& block : layout.blocks) {
     ReadBlock read = block_of({sheet, layout, format}, block, main, file.specimens.empty());
     append(file.specimens, std::move(read.specimens));
     append(file.metadata, std::move(read.metadata));
@@ -734,6 +736,14 @@ RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& spe
   return out;
 }
 
+bool is_called(const ExportColumn& column, std::string_view title) {
+  if (column.name == title) return true;
+  if (column.unit.empty()) return false;
+  return title == fmt::format("{} [{}]", column.name, column.unit) ||
+         title == fmt::format("{} ({})", column.name, column.unit) ||
+         title == fmt::format("{}_{}", column.name, column.unit);
+}
+
 std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,
                          std::string_view flag) {
   std::vector<std::size_t> by_number, by_name;
@@ -741,10 +751,8 @@ std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, s
   for (std::size_t i = 0; i < specimen.columns.size(); ++i) {
     const ExportColumn& column = specimen.columns[i];
     names.push_back(column.name);
-    const bool by_title = !column.unit.empty() && (wanted == fmt::format("{} [{}]", column.name, column.unit) ||
-                                                   wanted == fmt::format("{} ({})", column.name, column.unit));
     if (std::to_string(column.number) == wanted) by_number.push_back(i);
-    if (column.name == wanted || by_title) by_name.push_back(i);
+    if (is_called(column, wanted)) by_name.push_back(i);
   }
   const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
   const auto refuse = [&](std::string expected, std::string what, std::string remedy) {

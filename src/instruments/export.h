@@ -118,6 +118,9 @@ RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& spe
 // The questions that columns leave open.
 std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns);
 
+// True if a title is the name of a column, or its name with its unit: "Force", "Force [kN]", "Force (kN)", "Force_kN".
+bool is_called(const ExportColumn& column, std::string_view title);
+
 // The index of the column of numbers that a user names with a flag: by number, as repeat_with says it, by name, or by name and unit as in the file.
 // Fails:      InputError if there is none, or several of this name.
 std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted,

@@ -532,6 +532,7 @@ Layout without_statistics(const Sheet& sheet, Layout layout) {
     for (std::size_t column = 0; column < layout.numeric.size(); ++column) {
       if (!layout.numeric[column]) continue;
       std::vector<double>& numbers = columns.emplace_back();
+      numbers.reserve(block.rows.size());
       for (const std::size_t line : block.rows) numbers.push_back(roughly(sheet, line, column));
     }
     auto [rows, notes] = statistics_among(sheet, block.rows, columns);
@@ -570,6 +571,8 @@ Layout layout_of(const Sheet& sheet) {
     }
     if (begins) {
       layout.blocks.push_back(begun_at(sheet, line, std::exchange(gap, {}), usual));
+      if (layout.blocks.size() == 1)
+        layout.blocks.front().rows.reserve(sheet.size() - line);  // most files hold no other
     } else {
       TableBlock& block = layout.blocks.back();
       for (const std::size_t each : std::exchange(gap, {}))

@@ -67,14 +67,10 @@ struct Header {
   std::vector<HeaderCell> cells;
 };
 
-// What becomes of rows without a number.
-enum class Gaps { refused, left_out };
-
 // What the links of the chain look at.
 struct Opened {
   const SheetFile& file;
   char decimal;  // of words
-  Gaps gaps = Gaps::refused;
 
   const Sheet& sheet() const { return file.cells; }
   bool is_row(std::size_t line) const { return !sheet().is_comment(line) && !sheet().is_blank(line); }
@@ -289,24 +285,16 @@ void require_count(const Opened& opened, const Header& header, std::size_t line)
                     : "");
 }
 
-// A row without a number where one is wanted, as the cell says or as it is not there. Lines count from 0.
-struct MissingRow {
-  std::size_t line;
-  const Source* source;
-};
-
-// The rows of numbers from one on, those that only hold words for a statistic where numbers are wanted, and those without a number. Lines count
-// from 0.
+// The rows of numbers from one on, and those that only hold words for a statistic where numbers are wanted. Lines count from 0.
 struct NumberRows {
   std::vector<std::size_t> lines;
   std::vector<std::vector<double>> columns;  // [SI]
   std::vector<std::size_t> statistics;
-  std::vector<MissingRow> missing;
 };
 
 NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const Header& header,
                      const std::vector<Source>& sources, const std::vector<Unit>& units) {
-  NumberRows out{{}, std::vector<std::vector<double>>(sources.size()), {}, {}};
+  NumberRows out{{}, std::vector<std::vector<double>>(sources.size()), {}};
   std::vector<double> values(sources.size());
   const std::size_t most = opened.sheet().size() - header.line;
   out.lines.reserve(most);
@@ -320,51 +308,17 @@ NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const
       values[i] = opened.number(*row, cell, kind);
       if (std::isnan(values[i]) && (lacking == nullptr || cell < lacking->cell)) lacking = &sources[i];
     }
-    const std::string_view says = lacking == nullptr ? std::string_view{} : opened.sheet().at(*row, lacking->cell);
-    const bool is_missing =
-        opened.gaps == Gaps::left_out && lacking != nullptr && (says_missing(says) || says_overload(says));
-    const bool is_short = is_missing && opened.sheet().cells(*row).size() < header.cells.size();
-    if (!is_short) require_count(opened, header, *row);
+    require_count(opened, header, *row);
     if (lacking != nullptr && names_statistic(label_of(opened.sheet(), *row))) {
       out.statistics.push_back(*row);
-      continue;
-    }
-    if (is_missing) {
-      out.missing.push_back({*row, lacking});
       continue;
     }
     if (lacking != nullptr) refuse_cell(opened, *row, *lacking);
     out.lines.push_back(*row);
     for (std::size_t i = 0; i < values.size(); ++i) out.columns[i].push_back(to_si(values[i], units[i]));
   }
-  if (out.lines.empty() && out.missing.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
+  if (out.lines.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
   return out;
-}
-
-// What is said of rows without a number; empty if there are none.
-std::string said_of_missing(const Opened& opened, const NumberRows& rows) {
-  if (rows.missing.empty()) return "";
-  const auto& [first, source] = rows.missing.front();
-  const std::string_view says = opened.sheet().at(first, source->cell);
-  std::vector<std::size_t> lines;
-  for (const MissingRow& row : rows.missing) {
-    lines.push_back(row.line + 1);
-    const std::string_view cell = opened.sheet().at(row.line, row.source->cell);
-    if (says_overload(cell) && !rows.lines.empty() && row.line < rows.lines.back())
-      opened.refuse(row.line, row.source->field, "readings within the range of the sensor",
-                    in_quotes(cell) + ", and readings after",
-                    "what happened in between is not known: let the file end before, or measure with a larger range",
-                    TablePart::cell);
-  }
-  const std::size_t count = lines.size(), all = rows.lines.size() + count;
-  const std::string which = fmt::format("{} {} {}", on_lines(lines), count == 1 ? "holds" : "hold",
-                                        says.empty() ? "an empty cell, or none" : in_quotes(says));
-  constexpr std::size_t most_share = 10;  // one row in so many: more, and what lies between readings is not known
-  if (count * most_share > all)
-    opened.refuse(first, source->field, "a number in nine rows of ten",
-                  fmt::format("none in {} of {}: {}", count, all, which), "export the readings again", TablePart::cell);
-  return fmt::format("{} without a number {} left out: {}", count == 1 ? "one row" : fmt::format("{} rows", count),
-                     count == 1 ? "is" : "are", which);
 }
 
 // The wanted columns of a sheet: nothing is guessed, as a user names them.
@@ -386,28 +340,23 @@ Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
     if (!agreed.note.empty()) table.notes.push_back(std::move(agreed.note));
   }
   NumberRows rows = rows_from(row, opened, header, sources, units);
-  table.left_out = said_of_missing(opened, rows);
-  auto& [lines, columns, statistics, missing] = rows;
+  auto& [lines, columns, statistics] = rows;
   const StatisticsRows left_out = statistics_among(opened.sheet(), lines, columns, std::move(statistics));
   table.notes.insert(table.notes.end(), left_out.notes.begin(), left_out.notes.end());
   for (std::size_t i = 0; i < sources.size(); ++i)
     table.columns.push_back(
         {header.cells[sources[i].cell].title.name, without_rows(std::move(columns[i]), left_out.rows)});
   table.lines = without_rows(std::move(lines), left_out.rows);
-  for (const MissingRow& each : missing)
-    table.missing_rows.push_back(
-        static_cast<std::size_t>(std::lower_bound(table.lines.begin(), table.lines.end(), each.line) -
-                                 table.lines.begin() + static_cast<std::ptrdiff_t>(table.missing_rows.size())));
   for (std::size_t& line : table.lines) ++line;  // counted from 1
   return table;
 }
 
-Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, char decimal, Gaps gaps) {
+Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, char decimal) {
   if (wanted.empty()) throw std::invalid_argument("read_table: no column wanted");
   if (decimal != '.' && decimal != ',')
     throw std::invalid_argument(fmt::format("read_table: decimal mark '{}'", decimal));
   try {
-    return recognise(Opened{file, decimal, gaps}, wanted);
+    return recognise(Opened{file, decimal}, wanted);
   } catch (const InputError& error) {
     throw with_other_sheets(error, file.origin);
   }
@@ -463,27 +412,11 @@ std::size_t Table::rows_before(std::size_t file_row) const {
 
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
                  const std::optional<SheetChoice>& sheet) {
-  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal, Gaps::refused);
-}
-
-Table read_record(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal,
-                  const std::optional<SheetChoice>& sheet) {
-  const SheetFile file = open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings);
-  if (!file.origin.alike.empty())
-    throw InputError({.file = file.origin.source,
-                      .field = "--sheet",
-                      .expected = "one of the sheets " + listed(file.origin.alike) + ", which hold such a table each",
-                      .found = "none",
-                      .key = "record.sheet"});
-  return recognise(file, wanted, decimal, Gaps::left_out);
-}
-
-Table record_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {
-  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal, Gaps::left_out);
+  return recognise(open_sheet(path, {.sheet = sheet}, SheetFor::titled_readings), wanted, decimal);
 }
 
 Table table_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted, char decimal) {
-  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal, Gaps::refused);
+  return recognise(sheet_in(std::move(bytes), source, {}, SheetFor::titled_readings), wanted, decimal);
 }
 
 TextTable read_text_table(const std::string& path) {

@@ -46,8 +46,7 @@ struct Table {
   std::vector<std::string>
       notes{};  // what was decided about it: a unit at the end of a name; rows left out; of a workbook, the sheet
   std::vector<std::size_t>
-      missing_rows{};      // of read_record: rows of the file without a number, which are left out; from 0, rising
-  std::string left_out{};  // likewise: what is said of them; empty if there are none
+      missing_rows{};  // of a record: rows of the file without a number, which are left out; from 0, rising
 
   std::size_t rows() const { return columns.front().values.size(); }
 
@@ -67,14 +66,7 @@ struct Table {
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
                  const std::optional<SheetChoice>& sheet = {});
 
-// The same of a record: rows are left out in which a wanted cell says that there is no number (says_missing, says_overload), or is not there.
-// Fails:      likewise; InputError for more than a tenth of such rows, and for a sensor at its end (says_overload) with readings after.
-Table read_record(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
-                  const std::optional<SheetChoice>& sheet = {});
-
-// Both from the bytes of a file.
-Table record_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted,
-                char decimal = '.');
+// The same from the bytes of a file.
 Table table_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted,
                char decimal = '.');
 

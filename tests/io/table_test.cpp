@@ -330,25 +330,6 @@ TEST_CASE("identity: words are read back as they were, and no spreadsheet takes 
         std::vector<std::string>{"-1", "+2.5 mm"});
 }
 
-TEST_CASE(
-    "table: a record leaves out rows whose cells say that there is no number, or are not there; a table refuses them") {
-  std::string text = "x,y\n";
-  for (int row = 0; row < 40; ++row)
-    text += row == 7 ? "7,NaN\n" : row == 9 ? "9\n" : fmt::format("{},{}\n", row, 2 * row);
-  const Table record = record_in(text, "t.csv", x_and_y);
-  CHECK(record.rows() == 38);
-  CHECK(record.lines[7] == 10);
-  CHECK(record.left_out == "2 rows without a number are left out: lines 9, 11 hold 'NaN'");
-  CHECK(has(complaint(text), "t.csv:9: column 'y'"));
-  const auto refused = [](const std::string& rows) {
-    return message_of([&] { record_in("x,y\n" + rows, "t.csv", x_and_y); });
-  };
-  CHECK(has(refused("1,2\n2,\n3,4\n"),
-            "t.csv:3: column 'y': expected a number in nine rows of ten, found none in 1 of 3"));
-  CHECK(has(refused(text.substr(4) + "41,OVER\n42,84\n"), "t.csv:42: column 'y': expected readings within the range"));
-  CHECK(has(refused("1,2\n2,abc\n"), "expected a number, found 'abc'"));
-}
-
 TEST_CASE("table: a title in brackets that is no unit is found without it, and asked for the unit that is meant") {
   const std::string text = "w (mm),Force (KN)\n1,2\n2,3\n";
   CHECK(read(text, {{"w", kind::length}, {"Force [kN]", kind::force}}).columns[1].values[0] == 2000);
