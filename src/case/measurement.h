@@ -1,5 +1,5 @@
 // The record of a test made ready to evaluate: read, counted the right way and from the right zero, cut where the loading ends. Nothing is done
-// to it that is not listed in its Preparation.
+// to it that is not listed in its steps (preparation.h).
 #pragma once
 
 #include <cstddef>
@@ -76,7 +76,7 @@ std::size_t cyclic_file_row(const Measurement& measurement, std::size_t point);
 // Row of the file, counted from 1, before that at which the next point begins, or its last row.
 std::size_t last_file_row(const Measurement& measurement, std::size_t point);
 
-// Reads the record of a case and prepares it, in the order of Preparation.
+// Reads the record of a case and prepares it, by the steps of preparing.h.
 // Domain:     11 points or more; std::invalid_argument otherwise.
 // Fails:      InputError, besides what read_readings throws, for too few points, a record without a loading, an `until`
 //             beyond the file, no stiffness of the rig where the displacement is that of the stage, a contact to be found

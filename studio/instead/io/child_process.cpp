@@ -3,6 +3,6 @@
 
 namespace flexslip {
 
-ChildResult run_child(const std::vector<std::string>&, const std::string&) { return {ChildStatus::not_found, 0, ""}; }
+ChildResult run_child(const std::vector<std::string>&, const ChildOptions&) { return {ChildStatus::not_found, 0, ""}; }
 
 }  // namespace flexslip
