@@ -48,7 +48,7 @@ struct Marks {
 
 Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& options, char separator) {
   NumberEvidence evidence;
-  std::size_t undecided = 0;
+  std::size_t undecided = 0, with_commas = 0, with_points = 0;  // lines: of the last two with several in one number
   std::size_t numbers = 0, words = 0;
   for (const TableBlock& block : layout.blocks)
     for (const std::size_t line : block.rows)
@@ -61,6 +61,8 @@ Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& op
         ++words;
         evidence.add(number);
         if (undecided == 0 && number.find_first_of(".,") != std::string_view::npos) undecided = line + 1;
+        if (with_commas == 0 && std::count(number.begin(), number.end(), ',') > 1) with_commas = line + 1;
+        if (with_points == 0 && std::count(number.begin(), number.end(), '.') > 1) with_points = line + 1;
       }
   if (numbers > 0 && words == 0) return {{}, false};
   NumberFormat format;
@@ -76,11 +78,21 @@ Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& op
                       .found = "only such as '1,234' or '1.234'",
                       .remedy = "say which it is with --decimal . or --decimal ,"});
   format.thousands = options.thousands ? *options.thousands : evidence.thousands(format.decimal);
+  if (options.thousands == format.decimal)
+    throw InputError({.expected = "a mark between thousands that is not the decimal mark",
+                      .found = fmt::format("'{}' for both", format.decimal),
+                      .remedy = "pass --thousands none, or the other one with --decimal"});
   if (format.thousands == '.' && format.decimal == '.')
-    throw InputError({.line = undecided,
+    throw InputError({.line = with_points,
                       .expected = "numbers with one decimal point",
                       .found = "several in one number",
                       .remedy = "pass --decimal , if the points separate thousands"});
+  if (format.thousands == ',' && format.decimal == ',')
+    throw InputError({.line = with_commas,
+                      .expected = "numbers with one decimal comma",
+                      .found = "several in one number",
+                      .remedy = "export the file again without opening it in a spreadsheet, which takes decimal "
+                                "commas for separators of thousands; or pass --decimal . if they are separators"});
   return {format};
 }
 
@@ -133,43 +145,16 @@ struct Values {
   std::vector<CellWithoutNumber> missing{};
 };
 
-// The numbers of a column whose decimal commas a spreadsheet may have taken for separators of thousands.
-Values restored_values(const TableBlock& block, const std::vector<std::string_view>& numbers, const std::string& name) {
-  Regrouped column = restored(numbers);
-  if (column.status == Regrouped::Status::ambiguous)
-    throw InputError({.line = block.rows[column.row] + 1,
-                      .field = "column " + in_quotes(name),
-                      .expected = "numbers with one decimal comma",
-                      .found = in_quotes(numbers[column.row]) + ", with several commas, in a column too uneven to "
-                                                                "show which is the decimal one",
-                      .remedy = "export the file again without opening it in a spreadsheet"});
-  Values out{std::move(column.values), {}};
-  if (column.status == Regrouped::Status::restored)
-    out.notes.push_back(fmt::format(
-        "column {}: a spreadsheet has taken decimal commas for separators of thousands ('100,0292' became "
-        "'1,000,292'); in {} of {} cells the comma is put back where the column stays continuous; check them, or "
-        "export the file again",
-        in_quotes(name), column.moved, numbers.size()));
-  return out;
-}
-
 // The numbers of a column, without those in another unit, and what is said about those that are not there.
 Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& of, std::string_view unit) {
   const std::size_t column = of.number - 1;
-  const bool may_be_regrouped = laid.format.thousands == ',' && laid.format.decimal == ',';
-  std::vector<std::string_view> numbers;
-  if (may_be_regrouped) numbers.reserve(block.rows.size());
   Values out;
   out.value.reserve(block.rows.size());
-  bool are_words = true;
   for (const std::size_t line : block.rows) {
     const NumberCell parts = number_cell(laid.sheet.at(line, column));
     const bool counts = parts.unit.empty() || parts.unit == unit;
-    if (may_be_regrouped) numbers.push_back(counts ? parts.number : std::string_view{});
     out.value.push_back(counts ? laid.sheet.number(line, column, laid.format) : not_a_number);
-    are_words = are_words && (parts.number.empty() || laid.sheet.kind(line, column) == CellKind::word);
   }
-  if (may_be_regrouped && are_words) out = restored_values(block, numbers, of.name);
   std::vector<std::size_t> lines;
   for (std::size_t row = 0; row < out.value.size(); ++row)
     if (std::isnan(out.value[row])) {

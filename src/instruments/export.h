@@ -21,7 +21,7 @@ namespace flexslip {
 struct ExportOptions {
   SheetOptions file{};
   std::optional<char> decimal{};                // '.' or ','
-  std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none; as decimal: see Regrouped
+  std::optional<char> thousands{};              // '.', ',', ' ' or '\''; '\0' for none
   std::map<ColumnRole, std::string> columns{};  // name or number (from 1) of the column with this role
   std::map<ColumnRole, std::string> units{};    // of a column, whatever it states; "222 N/V" for a force given in volts
   std::optional<ColumnRole>

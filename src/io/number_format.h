@@ -10,9 +10,8 @@
 namespace flexslip {
 
 struct NumberFormat {
-  char decimal = '.';  // or ','
-  char thousands =
-      '\0';  // '.', ',', ' ', '\''; '\0' for none; equal to decimal where a spreadsheet has regrouped digits
+  char decimal = '.';     // or ','
+  char thousands = '\0';  // '.', ',', ' ', '\''; '\0' for none
   bool operator==(const NumberFormat&) const = default;
 };
 
@@ -21,7 +20,7 @@ struct NumberFormat {
 std::optional<double> plain_number(std::string_view text);
 
 // A cell as a number, NaN if it is none: digits with at most one decimal mark, in groups of three if at all in groups.
-// Cells that are 'nan', or empty, are none. Cells of a decimal mark that separates thousands too are none either: see Regrouped.
+// Cells that are 'nan', or empty, are none.
 // Also "−1.5" with a minus or dash of any kind, "(1.5)" and "1.5-" for -1.5, "1.5D+01" for 15.
 // Max error:  correctly rounded.
 double number_in(std::string_view cell, const NumberFormat& format);
@@ -58,7 +57,7 @@ class NumberEvidence {
   // Is the comma the only mark?
   bool only_commas() const { return point_.as_decimal + point_.as_group + point_.either == 0; }
 
-  // The separator of thousands, once the decimal mark is known.
+  // The separator of thousands, once the decimal mark is known: that mark itself where numbers have several.
   char thousands(char decimal) const;
 
  private:
@@ -71,24 +70,5 @@ class NumberEvidence {
   std::size_t spaces_ = 0, apostrophes_ = 0;
   std::size_t ungrouped_ = 0;  // cells with more than three digits in a row before any decimal mark
 };
-
-// A column whose decimal commas a spreadsheet has taken for separators of thousands.
-// Opened in an English spreadsheet, "100,0292" is the integer 1000292 and is saved as "1,000,292"; "100,014" is saved as
-// it was, and "100,01" and "0,1366", which no grouping explains, stay words. The digits are right; where the decimal
-// comma was is not in the cell, but in its neighbours: a decimal more or less is a factor of ten.
-struct Regrouped {
-  enum class Status { none, restored, ambiguous };
-  Status status = Status::none;
-  std::vector<double> values;  // unless ambiguous; NaN for a cell that is no number
-  std::size_t moved = 0;       // cells whose decimal comma was elsewhere than the last comma
-  std::size_t row = 0;         // ambiguous: the first that its neighbour does not decide
-};
-
-// The numbers of a column with decimal commas.
-// Method:     the decimals of each cell such that the column varies least in all (a shortest path over the rows). That is
-//             accepted only if some cell that cannot be regrouped anchors it, and each choice is at least thirty
-//             times nearer to its neighbour than the next best.
-// Cost:       linear.
-Regrouped restored(std::span<const std::string_view> cells);
 
 }  // namespace flexslip
