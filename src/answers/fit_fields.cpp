@@ -331,11 +331,6 @@ std::vector<LoopOf> loops_of(T test) {
 }
 
 Fields<FittedTest> cycles_fields() {
-  const auto of_build_up = [](auto get) {
-    return [get](T test) {
-      return test.cycles->build_up ? std::optional(std::invoke(get, *test.cycles->build_up)) : std::nullopt;
-    };
-  };
   return Fields<FittedTest>()
       .in_frame([](T test) {
         return Frame{.scales = test.analysis.scales,
@@ -355,16 +350,6 @@ Fields<FittedTest> cycles_fields() {
       .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
              bump_correlation_fields(), [](T test) { return friction_of(test).correlation; })
       .anywhere()
-      .estimate(
-          "build_up_length", kind::length,
-          "length of sliding over both supports in which friction builds up after a reversal (Dahl), its error from "
-          "the scatter between reversals; null without a reversal",
-          of_build_up(&BuildUpLength::length),
-          Fields<FittedTest>()
-              .number("least", kind::length, "smallest build-up length that could be detected",
-                      of_build_up(&BuildUpLength::least))
-              .yes_no("told", "the build-up length differs significantly from zero",
-                      of_build_up(&BuildUpLength::is_told)))
       .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
       .list(
           "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),

@@ -230,7 +230,7 @@ class Loading {
 
   // Up to where the surface slides in beyond the original contact (bending_test/shallow.h). Does the loading lead on?
   bool bend_shallow(const RigPoint& begin) {
-    const Friction friction = design_.friction.at_the_beginning();
+    const Friction friction = design_.friction;
     const Shallow shallow(friction, design_.rig);
     const double stage = std::min(begin.stage, design_.travel);
     PathPoint here = shallow.straight();

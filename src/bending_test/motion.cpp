@@ -74,7 +74,6 @@ std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) 
 
 MovingFibre::MovingFibre(BendingTest test, double farthest)
     : test_(std::move(test)),
-      beginning_(test_.friction.kinetic.at_the_beginning()),
       farthest_(farthest),
       in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_on_the_way(test_, farthest))),
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
@@ -82,9 +81,7 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
   require_bending(test_.rig, farthest);
   if (test_.friction.kinetic.depends_on_way() &&
       (test_.rest == SnapRest::overshoot || test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0))
-    throw std::invalid_argument(
-        "on two supports that are not alike, or where friction builds up, there is neither static excess nor "
-        "overshoot");
+    throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
   const Fibre& fibre = test_.rig.fibre;
   if (fibre.supports().radius > 0 && test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0)
     throw std::invalid_argument("on rollers there is no static excess");
@@ -94,8 +91,6 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
 MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& there)
     : MovingFibre({{test.friction.kinetic.from(there.S, there.q, 1), test.friction.static_excess}, test.rig, test.rest},
                   farthest) {
-  if (!test.friction.kinetic.lets_stick())
-    throw std::invalid_argument("a specimen on which friction builds up does not crack");
   const double S = there.S, stage = there.stage;
   if (Shallow::holds(test_.rig.fibre, S, there.w)) {
     state_ = shallow().held(stage, there.q);
@@ -138,7 +133,6 @@ std::optional<Stretch> MovingFibre::settle() {
 void MovingFibre::lead_on(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
-  beginning_ = friction.at_the_beginning();
   in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
@@ -176,7 +170,6 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
     return move_to(shallow().next(state_, stage));
   }
   if (glide_ && glide_->sliding != sliding) glide_.reset();
-  if (!test_.friction.kinetic.lets_stick()) return slide(sliding, stage);
   if (glide_) return slide(sliding, stage);
   const double limit = direction_of(sliding) * limit_at(sliding);
   if (direction_of(sliding) * (limit - state_.q) > 0) return stick(sliding, limit, stage);

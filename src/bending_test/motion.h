@@ -115,7 +115,7 @@ class MovingFibre {
   PathPoint point_within(const Stretch& stretch, double along) const;
   bool is_shallow(Sliding sliding) const;
   double limit_at(Sliding sliding) const;
-  Shallow shallow() const { return {beginning_, test_.rig}; }
+  Shallow shallow() const { return {test_.friction.kinetic, test_.rig}; }
   std::optional<Stretch> stick(Sliding sliding, double limit, double stage);
   std::optional<Stretch> slide(Sliding sliding, double stage);
   bool is_free() const { return state_.F == 0 && state_.S > 1; }
@@ -130,7 +130,6 @@ class MovingFibre {
   void lead_on(Sliding sliding);
 
   BendingTest test_;
-  Friction beginning_;
   double farthest_;
   SlidingCurve in_;
   std::optional<SlidingCurve> out_;

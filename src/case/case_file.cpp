@@ -171,7 +171,7 @@ void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<
 void read_supports(const Keys& keys, Test& test) {
   FrictionInput& friction = test.friction.emplace();
   if (keys.size() == 0) return;
-  read_friction(keys, friction, {"static_excess", "other", "build_up_length"});
+  read_friction(keys, friction, {"static_excess", "other"});
   if (const toml::node* node = keys.find("other")) {
     if (!node->is_table())
       keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(*node));
@@ -185,10 +185,6 @@ void read_supports(const Keys& keys, Test& test) {
       side.refuse("model", "a model to compute with", "'roughness', which can only be fitted",
                   "write a model to compute with, such as model = \"constant\"");
   }
-  for (const std::string_view beside : {"static_excess", "other"})
-    if (friction.build_up_length.value_or(0) > 0 && keys.has(beside))
-      keys.refuse("build_up_length", fmt::format("no build-up length beside {}", beside), "one",
-                  fmt::format("delete it, or {}", beside));
 }
 
 [[noreturn]] void refuse(const Test& test, const std::string& key, std::string expected, std::string found,

@@ -228,10 +228,6 @@ constexpr std::array keys{
              ". It does not reach into valleys narrower than itself"),
     quantity(at<&FrictionInput::static_excess>, "static_excess", kind::number, Range::non_negative, "0.1", "0.1",
              "excess of static over kinetic friction; 0 unless given", ". Only for simulate"),
-    quantity(at<&FrictionInput::build_up_length>, "build_up_length", kind::length, Range::non_negative, R"("2.5 um")",
-             "0.002", "length of sliding over which friction builds up after the specimen turns back; 0 unless given",
-             ", in S, over both supports together ([theory](theory.md#friction-that-builds-up)); not beside "
-             "`static_excess`, `[friction.other]`, `roller_radius`, cracks, or `snaps = \"overshoot\"`"),
     plain(of_friction, "other", Holds::section, "", "friction of the other support, if it differs",
           ", in a section `[friction.other]` with a model and its keys"),
     // stage

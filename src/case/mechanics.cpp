@@ -13,7 +13,6 @@
 
 #include "bending_test/history.h"
 #include "case/surface_study.h"
-#include "contact/build_up.h"
 #include "contact/over_rollers.h"
 #include "data/names.h"
 #include "inference/analysis.h"
@@ -407,24 +406,8 @@ Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales,
   return pins ? capped(friction, *pins, reach) : friction;
 }
 
-Friction built_up(const Test& test, Friction friction, const Fibre& fibre, const Scales& scales, double S_max) {
-  const double build_up_length = *test.friction->build_up_length;
-  if (fibre.supports().radius > 0)
-    throw wrong_value(test, "friction.build_up_length", "none on rollers", readable_length(test, build_up_length),
-                      "delete it, or roller_radius");
-  try {
-    return Friction::path_dependent(
-        std::make_shared<const BuildUp>(std::move(friction), scales.reduced_length(build_up_length), S_max));
-  } catch (const std::invalid_argument& error) {
-    throw wrong_value(test, "friction.build_up_length",
-                      fmt::format("at least {} with such a friction profile",
-                                  readable_length(test, scales.physical_length(2e-5 * (S_max - 1)))),
-                      readable_length(test, build_up_length), fmt::format("delete it ({})", error.what()));
-  }
-}
-
 // Of a surface that is climbed on the way in and come down on the way out, on edges that are alike.
-// Fails:      InputError where that is not covered: two surfaces, rollers, friction that builds up, an excess at rest, or slopes on which the specimen
+// Fails:      InputError where that is not covered: two surfaces, rollers, an excess at rest, or slopes on which the specimen
 //             would slide out by itself.
 Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
   const FrictionInput& friction = *test.friction;
@@ -434,8 +417,6 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   };
   if (test.other) refuse("friction.other", "another support");
   if (fibre.supports().radius > 0) refuse("rig.roller_radius", "rollers");
-  if (friction.build_up_length.value_or(0) > 0)
-    refuse("friction.build_up_length", readable_length(test, *friction.build_up_length));
   if (friction.static_excess.value_or(0) > 0)
     refuse("friction.static_excess", fmt::format("{:g}", *friction.static_excess));
   if (test.stage->snaps == SnapRest::overshoot) refuse("stage.snaps", "\"overshoot\"");
@@ -598,7 +579,6 @@ Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales,
   Friction first = friction_of({test, friction, "friction"}, fibre, scales, S_max);
   std::optional<Friction> other;
   if (test.other) other = friction_of({test, *test.other, "friction.other"}, fibre, scales, S_max);
-  if (friction.build_up_length.value_or(0) > 0) return built_up(test, std::move(first), fibre, scales, S_max);
   if (!other) return first;
   if (fibre.supports().radius > 0)
     throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
@@ -640,12 +620,6 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   if (kinetic.two_supports() && snaps == SnapRest::overshoot)
     refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
            "delete it, or [friction.other]");
-  if (!kinetic.lets_stick() && snaps == SnapRest::overshoot)
-    refuse("stage.snaps", "snaps that rest at the nearest stable state, as friction builds up", "\"overshoot\"",
-           "delete it, or [friction] build_up_length");
-  if (!kinetic.lets_stick() && test.specimen && !test.specimen->cracks.empty())
-    refuse("specimen.cracks", "a specimen without cracks, as friction builds up",
-           fmt::format("{} of them", test.specimen->cracks.size()), "delete them, or [friction] build_up_length");
   return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps};
 }
 

@@ -61,7 +61,7 @@ struct WaveTerm {
 
 // Friction that is more than a profile: it depends on the way on which the fibre gets to a length.
 
-// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h, build_up.h).
+// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h).
 class PathDependentFriction {
  public:
   virtual ~PathDependentFriction() = default;
@@ -83,7 +83,6 @@ class PathDependentFriction {
     return nullptr;
   }
   virtual bool depends_on_way() const { return false; }
-  virtual bool lets_stick() const { return true; }
 };
 
 class TwoSupportPath;
@@ -115,11 +114,7 @@ class Friction {
   Friction from(double S, double q, double direction) const;
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
-  // Does the fibre stick where it turns back, until friction is exhausted? Else it creeps.
-  bool lets_stick() const { return !way() || way()->lets_stick(); }
-  // Of the beginning of a test of a thick specimen: what builds up stays as it is at the length 1.
-  Friction at_the_beginning() const { return lets_stick() ? *this : constant(std::abs(at(1).mu)); }
-  const TwoSupportPath* two_supports() const;  // none of one profile
+  const TwoSupportPath* two_supports() const;                               // none of one profile
 
   // Domain: S > 0; a table is constant before its first knot.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numbers>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -216,22 +215,6 @@ Chapter drops_chapter(T test, const Answer& answer) {
 
 // ---- Loading and unloading
 
-// What friction that builds up after a reversal leaves of the waves and the roughness as fitted; "" where none is told.
-std::string smoothing_in_words(T test) {
-  const auto& build_up = test.cycles->build_up;
-  if (!build_up || !build_up->is_told()) return "";
-  const auto& fit = test.analysis.fit;
-  const auto wave = [&](double wavelength) {
-    return fmt::format("a wave of {} is larger at the contact by {:.0f} %",
-                       format_roughly(test.analysis.scales.physical_length(wavelength), Print(test).as(kind::length)),
-                       100 * (1 / share_read(*build_up, wavelength) - 1));
-  };
-  std::vector<std::string> waves{wave(std::numbers::pi * build_up->length.value)};
-  if (fit.model != ProfileModel::roughness || fit.wave_claimed)
-    for (const auto& each : fit.waves) waves.push_back(wave(each.wavelength.value));
-  return fmt::format(" Friction that builds up smooths what is read off: {}.", fmt::join(waves, ", "));
-}
-
 Chapter cycles_chapter(T test) {
   Chapter chapter{"Load and unload", {}};
   if (has_loops(test))
@@ -243,8 +226,7 @@ Chapter cycles_chapter(T test) {
        "no evidence, and other points to compare change EI by another 1 to 2 % in the authors' tests. Bumps that "
        "correlate belong, in part at least, to the specimen's surface; where friction is high in one direction and "
        "low in the other, an error that depends only on the deflection is at work. The fit assumes full friction "
-       "from the beginning of sliding." +
-           smoothing_in_words(test),
+       "from the beginning of sliding.",
        listed(test, "cycles.loops",
               {{"Loop", ""},
                {"Rows loading", "loading"},

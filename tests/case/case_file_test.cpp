@@ -177,8 +177,6 @@ TEST_CASE("table: the friction that can be described") {
         FrictionInput{.model = table, .file = "data/afm.csv", .length = "S [um]"});
   CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05") ==
         FrictionInput{.model = constant, .mu0 = 0.5, .static_excess = 0.05});
-  CHECK(friction("model = 'constant'\nmu0 = 0.5\nbuild_up_length = '2.5 um'") ==
-        FrictionInput{.model = constant, .mu0 = 0.5, .build_up_length = 2.5e-6});
   CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
         FrictionInput{.model = rough, .mu0 = 0.5, .rms = 0.1, .correlation_length = 5e-6, .seed = 7});
   CHECK(friction("model = 'surface'\nmu0 = 0.5\ntrace = 'afm.csv'") ==

@@ -59,10 +59,10 @@ bool is_another_case(const CaseKey& key) {
   const std::string_view name = key.name;
   if (key.section == "specimen") return name == "width" || name == "height" || name == "bending_stiffness";
   if (key.section == "friction")
-    return name == "waves" || name == "static_excess" || name == "build_up_length" || name == "file" ||
-           name == "length" || name == "mu" || name == "rms" || name == "correlation_length" || name == "seed" ||
-           name.starts_with("trace") || name == "position" || name == "height" || name == "direction" ||
-           name == "level" || name == "cutoff" || name == "edge_radius";
+    return name == "waves" || name == "static_excess" || name == "file" || name == "length" || name == "mu" ||
+           name == "rms" || name == "correlation_length" || name == "seed" || name.starts_with("trace") ||
+           name == "position" || name == "height" || name == "direction" || name == "level" || name == "cutoff" ||
+           name == "edge_radius";
   if (key.section == "stage") return name == "file" || name == "stage" || name == "time" || name == "decimal";
   return key.section == "record" &&
          (name == "deflection" || name.starts_with("displacement") || name == "specimen" || name == "calibration");

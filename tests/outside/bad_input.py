@@ -182,13 +182,6 @@ class BadCase(InFolder):
     def test_friction_that_becomes_negative(self):
         self.refuses_case(TRUTH.replace("amplitude  = 0.15", "amplitude  = 1.5"), ":14:", "amplitude", "negative")
 
-    def test_friction_that_builds_up_where_it_cannot(self):
-        builds = TRUTH.replace("phase      = 1.0", 'phase = 1.0\nbuild_up_length = "2.5 um"')
-        self.refuses_case(builds.replace("2.5 um", "-1 um"), ":17:", "build_up_length", "non-negative")
-        self.refuses_case(builds.replace('"2.5 um"', '"2.5 um"\nstatic_excess = 0.1'), ":17:", "no build-up length beside static_excess")
-        self.refuses_case(builds + 'snaps = "overshoot"\n', "[stage] snaps", "as friction builds up")
-        self.refuses_case(builds.replace("[rig]", 'cracks = [{ deflection = "90 um", loss = "5 %" }]\n[rig]'), "[specimen] cracks", "as friction builds up")
-
     def test_friction_beyond_what_is_computed(self):
         steep = TRUTH.replace("mu0        = 0.5", 'mu0 = 1.6\ndrift = "40 1/mm"')
         limit = ("[friction] drift", "friction of at most 2 at the surface", "40 1/mm", "check its unit")

@@ -317,7 +317,6 @@ program = ["0 um", "900 um"]
         self.refused("simulate", self.bar("c.toml", ends, rig='roller_radius = 5'), says=["roller_radius", "unit"])
         self.refused("simulate", self.bar("d.toml", ends, rig='friction_at = "skin"'), says=["friction_at", '"surface" or "axis"'])
         self.refused("simulate", self.bar("e.toml", "static_excess = 0.1\n" + ends), says=["static_excess", "rollers"])
-        self.refused("simulate", self.bar("f.toml", 'build_up_length = "10 um"\n' + ends), says=["build_up_length", "rollers"])
 
     def test_a_reading_that_no_roller_explains_is_left_out_and_a_case_needs_no_specimen(self):
         rows = [(0.002 * i, 48 * 0.002 * i * (1 + 0.002 * i)) for i in range(150)] + [(2.5, 30.0)]

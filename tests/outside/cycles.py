@@ -37,7 +37,7 @@ file = "{file}"
 {first} = "{first_title}"
 force = "{force_title}"
 """
-CYCLES = {"status", "bending_stiffness", "correlation", "build_up_length", "loops", "loading_stiffness"}
+CYCLES = {"status", "bending_stiffness", "correlation", "loops", "loading_stiffness"}
 LOOP = {"loading", "unloading", "mu_in", "mu_out", "energy", "replay_rms"}
 LOADING = {"status", "ratio", "ratio_systematic", "verdict"}
 

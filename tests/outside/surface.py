@@ -135,7 +135,6 @@ class Surface(InFolder):
         self.refused("simulate", self.case(more='trace_begin = "1 um"\n'), says=["trace_begin", "beyond the support"])
         self.refused("simulate", self.case(more='file = "wave.csv"\n'), says=["file", "no meaning here"])
         self.refused("simulate", self.case(more='edge_radius = "-1 um"\n'), says=["edge_radius"])
-        self.refused("simulate", self.case(more='build_up_length = "2 um"\n', back=', "100 um"'), says=["build_up_length", "turns back"])
         self.refused("fit", EXAMPLE / "case.toml", "--model", "constant", "--surface", TRACE, says=["friction varies"])
         self.refused("fit", self.case(), "--quiet", says=["[record]"])
 
