@@ -42,7 +42,7 @@ if(TARGET _flexslip)
   # The module is for one minor version of Python.
   find_package(Python COMPONENTS Interpreter QUIET)
   math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}), python3 (<< ${Python_VERSION_MAJOR}.${next_minor}), python3-numpy, python3-scipy")
   # ... and for one binary interface of NumPy.
   if(EXISTS /usr/share/numpy3/versions)
     file(STRINGS /usr/share/numpy3/versions abi REGEX "^abi ")

@@ -1,6 +1,6 @@
 # What the two libraries are made of, wherever they are built: src/CMakeLists.txt for a computer, studio/CMakeLists.txt for a page.
 
-set(FLEXSLIP_CORE_ROOMS numerics fibre contact bending_test data surface inference)
+set(FLEXSLIP_CORE_ROOMS numerics fibre contact bending_test data inference)
 set(FLEXSLIP_EDGE_ROOMS io result instruments case finding design campaign answers report)
 
 # Eigen cuts products of matrices to the caches of the processor, and sums of their parts round as they are cut: by its own sizes instead, the

@@ -16,7 +16,6 @@ CampaignFields = _made("campaign", "campaign --json", "CampaignFields", "What ma
 EquilibriumFields = _made("equilibrium", "equilibrium --json", "EquilibriumFields", "The curve of loading.")
 EquilibriumRegionFields = _made("equilibrium_region", "equilibrium --region --json", "EquilibriumRegionFields", "All equilibria.")
 ModulusFields = _made("modulus", "modulus --json", "ModulusFields", "The numbers of the bending standards.")
-SurfaceFields = _made("surface", "surface --json", "SurfaceFields", "What a height profile says of its surface.")
 ExportFields = _made("export", "read --json", "ExportFields", "What an export holds.")
 
 globals().update({made.__name__: made for made in made_classes()})

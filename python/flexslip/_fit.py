@@ -265,7 +265,7 @@ class Draws(FitDraws):
 
 @with_keywords("specimen", "rig", "record")
 def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
-        check_stability: bool = False, surface: Any = None, name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
+        check_stability: bool = False, name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:
     """What friction a measured test shows, where along the specimen, and how certainly.
 
@@ -282,8 +282,6 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
         Friction above this is implausible.
     check_stability : bool
         Fit again with the force changed in its ninth digit, and check that the answer stays.
-    surface : path, optional
-        Hold the surface that would explain the friction against this height profile.
     name : str, optional
         What to call a test whose record is a DataFrame or arrays; "arrays". One of a file is called after it.
     set, **keywords
@@ -316,7 +314,6 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
     case = case_of(file, arrays, set, keywords, name)
     alarms = _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms)
     limit = _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit)
-    trace = None if surface is None else os.fsencode(path_of(surface, "surface"))
     with in_words_of(case) as given:
-        test = _flexslip.fit(given, model or "", alarms, limit, bool(check_stability), trace)
+        test = _flexslip.fit(given, model or "", alarms, limit, bool(check_stability))
     return Fit(test.told(), case, test)

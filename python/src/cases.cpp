@@ -97,6 +97,9 @@ void add_cases(py::module_& module) {
   module.def("keys", keys);
   module.def("with_record", with_record);
   module.def("in_si", in_si);
+  module.def("length", [](const std::string& name, const std::string& text, bool may_be_zero) {
+    return quantity_of_flag("--" + name, text, kind::length, may_be_zero ? Range::non_negative : Range::positive);
+  });
 }
 
 }  // namespace flexslip::python

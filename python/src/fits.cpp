@@ -1,5 +1,4 @@
 #include <memory>
-#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -50,15 +49,13 @@ py::list figures_of_fit(Fitted test) {
 }
 
 std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, double false_alarms, double suspect_limit,
-                                bool check_stability, const std::optional<std::string>& surface) {
+                                bool check_stability) {
   AnalysisChoice choice{.model = model};
   choice.options.drops.false_alarms_per_test = false_alarms;
   choice.options.suspect_limit = suspect_limit;
   choice.options.check_stability = check_stability;
   return interruptible([&](const std::atomic<bool>&) {
-    auto test = std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
-    if (surface) hold_against(*test, *surface, {});
-    return test;
+    return std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
   });
 }
 
@@ -78,7 +75,7 @@ void add_fits(py::module_& module) {
         return interruptible([&](const std::atomic<bool>&) { return write_report(folder, test).is_done(); });
       });
   module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
-             py::arg("check_stability"), py::arg("surface"));
+             py::arg("check_stability"));
   module.attr("model_names") = model_names();
   module.attr("false_alarms") = usual.options.drops.false_alarms_per_test;
   module.attr("suspect_limit") = usual.options.suspect_limit;

@@ -16,7 +16,6 @@ PYBIND11_MODULE(_flexslip, module) {
   add_campaigns(module);
   add_equilibria(module);
   add_standards(module);
-  add_surfaces(module);
   add_sweeps(module);
   add_exports(module);
 }

@@ -15,7 +15,6 @@ void add_designs(pybind11::module_& module);       // planned tests
 void add_campaigns(pybind11::module_& module);     // many tests
 void add_equilibria(pybind11::module_& module);    // of a specimen, whatever the rig
 void add_standards(pybind11::module_& module);     // the numbers of the bending standards
-void add_surfaces(pybind11::module_& module);      // height profiles
 void add_sweeps(pybind11::module_& module);        // thousands of planned tests
 void add_exports(pybind11::module_& module);       // exports of testing machines
 

@@ -13,10 +13,11 @@ import numpy as np
 from hypothesis import strategies as some
 
 import flexslip
-from package import DESIGN, SOURCE, TRACE, case
+from package import DESIGN, SOURCE, case
 
 os.chdir(SOURCE)
 CASE = case("simulated")
+HEIGHTS = 1e-7 * np.cos(np.arange(128) / 3)
 SPECIMEN = {"diameter": "34.8 um", "modulus": "29.6 GPa", "span": "1278 um", "stiffness": "90.65 N/m"}
 KEYS = {(key["section"], key["name"]): key for key in flexslip.keys()}
 QUANTITIES = [key for key in flexslip.keys() if key["is"] == "quantity" and key["section"] in ("specimen", "rig") and key["unit"] and key["name"] != "strength"]  # which wants a section
@@ -212,7 +213,7 @@ class Faults(unittest.TestCase):
             with open("examples/simulated/test.csv", "rb") as file, open(base + b".csv", "wb") as copy:
                 copy.write(file.read())
             self.assertEqual(flexslip.read(base + b".csv").rows, 426)
-            for call in (lambda: flexslip.read(base), lambda: flexslip.fit(base + b".toml"), lambda: flexslip.surface(base), lambda: flexslip.campaign(base)):
+            for call in (lambda: flexslip.read(base), lambda: flexslip.fit(base + b".toml"), lambda: flexslip.campaign(base)):
                 self.assertEqual(os.fsencode(self.fault(call).file)[:len(base)], base)
 
     def test_outside_quantities_of_a_reduced_case_have_no_unit_of_si(self):
@@ -251,7 +252,7 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.design(**specimen, **rig), 'stage is missing; add stage={"program": ["0 um", "900 um"]}'),
                            (lambda: flexslip.simulate(**specimen, **rig, stage={"program": [0, 1e-4]}), 'add friction={"model": "sinusoid", "mu0": 0.5'),
                            (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "over: expected a number of this case"),
-                           (lambda: flexslip.surface(TRACE, friction=-1.0), "friction: expected a positive plain number")):
+                           (lambda: flexslip.surface(HEIGHTS, "0.1 um", noise=-1.0), "noise: expected a non-negative length")):
             error = self.fault(call)
             self.assertIn(told, str(error))
             self.assertNotRegex(str(error), r"--|\[(specimen|rig|stage|friction|record)\]|^line|set=")
@@ -339,10 +340,9 @@ class Faults(unittest.TestCase):
             self.assertRaises(TypeError, call)
 
     @hypothesis.settings(max_examples=60)
-    @hypothesis.given(some.sampled_from(["model", "false_alarms", "suspect_limit", "surface"]), anything)
+    @hypothesis.given(some.sampled_from(["model", "false_alarms", "suspect_limit"]), anything)
     def test_outside_options_of_fit(self, name, value):
         hypothesis.assume(value is not None and not (name in ("false_alarms", "suspect_limit") and isinstance(value, (int, float)) and value > 0))
-        hypothesis.assume(not (name == "surface" and isinstance(value, str) and os.path.exists(value)))
         try:
             flexslip.fit(CASE, **{name: value})
         except EXPECTED as error:
@@ -365,8 +365,8 @@ OPTIONS = {  # of functions that compute for a moment at most, whatever they are
     "equilibrium": (lambda given: flexslip.equilibrium(DESIGN, points=9, **given), ("longest",)),
     "equilibrium_region": (lambda given: flexslip.equilibrium_region(DESIGN, **{"points": 3, "levels": 3, **given}), ("longest", "span", "roller_radius")),
     "modulus": (lambda given: flexslip.modulus(CASE, **given), ("window", "friction_range", "span", "diameter", "set")),
-    "surface": (lambda given: flexslip.surface(TRACE, **given), ("level", "cutoff", "edge_radius", "friction", "wavelength", "amplitude", "pixel", "noise", "shortest",
-                "longest", "tapers", "position", "height", "position_unit", "height_unit", "step", "sheet", "encoding", "separator", "decimal", "thousands")),
+    "surface": (lambda given: flexslip.surface(**{"heights": HEIGHTS, "step": "0.1 um", **given}), ("heights", "step", "level", "wavelength", "amplitude", "pixel",
+                "noise", "shortest", "longest", "tapers")),
     "sweep": (lambda given: flexslip.sweep(DESIGN, **{"axes": {"mu0": [0.3]}, **given}), ("axes", "seed", "threads", "stiffness")),
 }
 
@@ -401,9 +401,12 @@ class Options(unittest.TestCase):
                            (lambda: flexslip.equilibrium(DESIGN, longest="1 um"), "longest"), (lambda: flexslip.equilibrium_region(DESIGN, levels=1), "levels"),
                            (lambda: flexslip.modulus(CASE, window=(0.5, 0.1)), "window"), (lambda: flexslip.modulus(CASE, window=0.5), "window"), (lambda: flexslip.modulus(CASE, friction_range=(0.5, 0.1)), "friction"),
                            (lambda: flexslip.modulus(CASE, friction_range="spam"), "friction"), (lambda: flexslip.modulus(CASE, friction_range=(1, 2, 3)), "friction_range"),
-                           (lambda: flexslip.surface(TRACE, level=10), "level"), (lambda: flexslip.surface(TRACE, cutoff="1 N"), "cutoff"),
-                           (lambda: flexslip.surface(TRACE, tapers=1), "tapers"), (lambda: flexslip.surface(TRACE, wavelength=["1 um", None]), "wavelength"),
-                           (lambda: flexslip.surface(TRACE, position=1, step="1 um"), "step"), (lambda: flexslip.surface("nothing.csv"), "nothing.csv"),
+                           (lambda: flexslip.surface(HEIGHTS, "0.1 um", level=10), "level"), (lambda: flexslip.surface(HEIGHTS, "0.1 um", amplitude="1 N"), "amplitude"),
+                           (lambda: flexslip.surface(HEIGHTS, "0.1 um", tapers=1), "tapers"), (lambda: flexslip.surface(HEIGHTS, None), "step"),
+                           (lambda: flexslip.surface(HEIGHTS, "0.1 um", wavelength=["1 um", None]), "wavelength"), (lambda: flexslip.surface(HEIGHTS[:9], "0.1 um"), "64 heights"),
+                           (lambda: flexslip.surface(HEIGHTS, "0.1 um", shortest="0.1 um"), "shortest"), (lambda: flexslip.surface(HEIGHTS, "0.1 um", longest="1 m"), "longest"),
+                           (lambda: flexslip.surface(1e-7 * np.arange(99), "0.1 um"), "a straight line"), (lambda: flexslip.surface([*HEIGHTS, math.nan], "0.1 um"), "nan at the index 128"),
+                           (lambda: flexslip.surface(0 * HEIGHTS, "0.1 um"), "check their unit"), (lambda: flexslip.surface(HEIGHTS, 1e9), "check its unit"),
                            (lambda: flexslip.sweep(DESIGN), "sweep"), (lambda: flexslip.sweep(DESIGN, axes={"spam": [1]}), "spam"),
                            (lambda: flexslip.sweep(DESIGN, axes={"stiffness": ["1 mm"]}), "stiffness"), (lambda: flexslip.sweep(DESIGN, axes={"mu0": np.ones((2, 2))}), "mu0"),
                            (lambda: flexslip.sweep(DESIGN, axes={"mu0": (0.1, 0.2, 1)}), "points"), (lambda: flexslip.sweep(DESIGN, axes={"mu0": [0.3]}, seed=3), "seed"),

@@ -2,21 +2,14 @@
 """outside: Ctrl-C ends each long call where it is, not when it is done. Counted in the processor's time, which nobody else's work changes."""
 import os
 import signal
-import tempfile
 import time
 import unittest
-
-import numpy as np
 
 import flexslip
 from package import SOURCE
 
 os.chdir(SOURCE)
 DESIGN = "examples/design.toml"
-FOLDER = tempfile.TemporaryDirectory()
-TRACE = os.path.join(FOLDER.name, "trace.csv")  # as long as a profilometer's
-heights = np.cumsum(np.random.default_rng(1).normal(size=200_000)) * 1e-9 + 1e-7 * np.sin(np.arange(200_000) * 2 * np.pi / 400)
-np.savetxt(TRACE, np.column_stack([np.arange(200_000) * 25e-9, heights]), delimiter=",", header="x [m],height [m]", comments="")
 CALLS = {
     "fit": lambda: flexslip.fit("examples/simulated/case.toml"),
     "fit of loops": lambda: flexslip.fit("examples/cyclic/case.toml"),
@@ -27,7 +20,6 @@ CALLS = {
     "simulate": lambda: flexslip.simulate(DESIGN, set={"stage.step": "0.02 um"}),
     "equilibrium": lambda: flexslip.equilibrium(DESIGN, points=1_000_000),
     "region": lambda: flexslip.equilibrium_region(DESIGN, points=3000, levels=500),
-    "surface": lambda: flexslip.surface(TRACE, friction=0.5, edge_radius="1 um"),
 }
 
 

@@ -10,7 +10,6 @@ PROGRAM = os.environ["FLEXSLIP"]
 SOURCE = pathlib.Path(os.environ["SOURCE_DIR"])
 EXAMPLES = "simulated", "cracked", "cyclic", "surface"
 DESIGN = "examples/design.toml"
-TRACE = "examples/surface/trace.csv"
 SPICULES = SOURCE / "../shared/data/spicules"
 
 

@@ -19,7 +19,7 @@ import unittest
 import numpy as np
 
 import flexslip
-from package import DESIGN, EXAMPLES, SOURCE, SPICULES, TRACE, campaign_of_examples, case, fitted, told
+from package import DESIGN, EXAMPLES, SOURCE, SPICULES, campaign_of_examples, case, fitted, told
 
 os.chdir(SOURCE)
 
@@ -41,7 +41,7 @@ class Json(unittest.TestCase):
     def test_outside_fit_with_options(self):
         self.same(flexslip.fit(case("simulated"), false_alarms=1, suspect_limit=0.4, check_stability=True), "fit", case("simulated"),
                   "--false-alarms", "1", "--suspect-limit", "0.4", "--check-stability")
-        self.same(flexslip.fit(case("surface"), surface="examples/surface/trace.csv"), "fit", case("surface"), "--surface", "examples/surface/trace.csv")
+        self.same(flexslip.fit(case("surface")), "fit", case("surface"))
 
     def test_outside_fit_of_keywords_is_that_of_flags(self):
         """To the letter, but that what is to be done is said in keys to who has no flags."""
@@ -98,12 +98,6 @@ class Json(unittest.TestCase):
         other = flexslip.modulus(case("simulated"), window=(0.999, 1))
         self.assertFalse(other.success)
         self.assertIn("no straight", other.message)
-
-    def test_outside_surface(self):
-        self.same(flexslip.surface(TRACE), "surface", TRACE)
-        self.same(flexslip.surface(TRACE, friction=0.58, edge_radius=1e-6, wavelength=["10.9 um", 2e-5], amplitude="0.11 um", level=2, tapers=5, cutoff="1 um"),
-                  "surface", TRACE, "--friction", "0.58", "--edge-radius", "1 um", "--wavelength", "10.9 um", "--wavelength", "20 um", "--amplitude", "0.11 um",
-                  "--level", "2", "--tapers", "5", "--cutoff", "1 um")
 
     def test_outside_sweep_has_the_numbers_of_the_programs_table(self):
         import pandas
@@ -179,14 +173,6 @@ class Tables(unittest.TestCase):
             for k in range(20):
                 np.testing.assert_array_equal(fit.draws.profiles[k], drawn[f"draw_{k + 1}"])
 
-    def test_outside_profile_and_spectrum_of_a_surface(self):
-        with tempfile.TemporaryDirectory() as folder:
-            base = pathlib.Path(folder)
-            told("surface", TRACE, "--friction", "0.58", "--quiet", "--profile", base / "p", "--spectrum", base / "s")
-            found = flexslip.surface(TRACE, friction=0.58)
-            self.same(found.profile, (base / "p").read_text(), {name: name for name in ("position", "height", "envelope", "edge", "slope", "mu")})
-            self.same(found.spectrum, (base / "s").read_text(), {name: name for name in ("frequency", "wavelength", "density", "density_low", "background")})
-
     def test_outside_states_on_rollers(self):
         w, q = np.linspace(0.02, 0.4, 20), np.linspace(-0.5, 1, 20)
         supports = {"roller_radius": 0.078, "thickness": 0.0125}
@@ -261,7 +247,7 @@ class Kept(unittest.TestCase):
         for answer in (fitted("cyclic"), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"),
                        flexslip.friction_profile(case("simulated")), flexslip.design(DESIGN), flexslip.design(DESIGN, over={"mu0": (0, 1, 3)}),
                        campaign_of_examples(), flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN, points=50),
-                       flexslip.equilibrium_region(DESIGN, points=9, levels=5), flexslip.modulus(case("simulated")), flexslip.surface(TRACE)):
+                       flexslip.equilibrium_region(DESIGN, points=9, levels=5), flexslip.modulus(case("simulated"))):
             again = pickle.loads(pickle.dumps(answer))
             self.assertEqual(again.to_json(), answer.to_json())
             self.assertEqual(repr(again), repr(answer))

@@ -39,8 +39,6 @@ def drawn():
         yield f"campaign {figure['name']}", campaign.plot(figure["name"])
     yield "equilibrium", flexslip.equilibrium(DESIGN).plot()
     yield "region", flexslip.equilibrium_region(DESIGN, points=50).plot()
-    yield "surface", flexslip.surface("examples/surface/trace.csv").plot()
-    yield "surface with friction", flexslip.surface("examples/surface/trace.csv", friction=0.58, edge_radius="1 um").plot()
     not_explained = flexslip.fit(case("simulated"), modulus="1 GPa")
     yield "no answer", not_explained.plot("record")
 
@@ -64,7 +62,7 @@ class Figures(unittest.TestCase):
                     self.assertTrue(any(np.isfinite(line.get_xdata()).any() for ax in each for line in ax.lines))
                     plt.close(each[0].figure)
                     names.append(name)
-        for name in ("cyclic loops", "cyclic boxes", "equilibrium", "region", "surface with friction"):
+        for name in ("cyclic loops", "cyclic boxes", "equilibrium", "region"):
             self.assertIn(name, names)
 
     def test_outside_matplotlib_finds_every_font(self):
@@ -157,7 +155,7 @@ class Words(unittest.TestCase):
                     flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.simulate("examples/cyclic/truth.toml"), flexslip.design(DESIGN),
                     flexslip.design(DESIGN, over={"mu0": (0.1, 0.9, 3)}), flexslip.friction_profile(case("simulated")),
                     flexslip.read("examples/simulated/test.csv"), flexslip.equilibrium(DESIGN), flexslip.equilibrium_region(DESIGN, points=9),
-                    flexslip.modulus(case("simulated")), flexslip.surface("examples/surface/trace.csv"), campaign_of_examples(), campaign_of_examples().tests)
+                    flexslip.modulus(case("simulated")), campaign_of_examples(), campaign_of_examples().tests)
 
     def test_outside_everything_is_shown(self):
         for answer in self.answers():
@@ -264,8 +262,6 @@ class Words(unittest.TestCase):
         self.assertEqual((fit.summary(), fit.summary(full=True)), (printed, full))
         printed = subprocess.run([PROGRAM, "design", DESIGN, "--quiet"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(flexslip.design(DESIGN).summary(), printed)
-        printed = subprocess.run([PROGRAM, "surface", "examples/surface/trace.csv"], capture_output=True, text=True, check=True).stdout
-        self.assertEqual(flexslip.surface("examples/surface/trace.csv").summary(), printed)
 
     def test_outside_every_number_has_its_meaning(self):
         fit = fitted("simulated")

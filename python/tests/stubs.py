@@ -39,7 +39,7 @@ curve: flexslip.Equilibrium = flexslip.equilibrium("case.toml", longest="1 mm")
 forces: np.float64 = curve.curve.force[0]
 modulus = flexslip.modulus("test.csv", span="64 mm", window=(0.1, 0.3)).modulus
 pascals: float = modulus.value
-slope = flexslip.surface("trace.csv", wavelength=["10 um"]).rms_slope
+slope = flexslip.surface([0.0] * 100, "1 um", wavelength=["10 um"]).rms_slope
 designs: int = len(flexslip.sweep("case.toml", axes={"mu0": [0.3, 0.5]}))
 on_rollers = flexslip.elastica_on_rollers([0.1], 0.3, roller_radius=0.05)
 for each in flexslip.campaign("tests").tests:
@@ -57,7 +57,7 @@ WRONG = {  # and the code or words of what mypy says
 
 def mypy(*arguments, folder):
     settings = pathlib.Path(folder) / "mypy.ini"
-    settings.write_text("[mypy]\nstrict = True\nshow_error_codes = True\n[mypy-pandas.*,matplotlib.*]\nignore_missing_imports = True\n")
+    settings.write_text("[mypy]\nstrict = True\nshow_error_codes = True\n[mypy-pandas.*,matplotlib.*,scipy.*]\nignore_missing_imports = True\n")
     environment = {**os.environ, "MYPYPATH": str(BUILT)}
     environment.pop("PYTHONPATH", None)
     return subprocess.run([sys.executable, "-m", "mypy", "--config-file", settings, "--cache-dir", pathlib.Path(folder) / "cache", *arguments],
@@ -88,7 +88,7 @@ class Types(unittest.TestCase):
         program = pathlib.Path(self.folder) / "guide.py"
         blocks = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/python.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
         told = {"fit.params.mu0": "FitParametersMu0", 'fit.params["wavelength"]': "Estimate", "fit.curves.force": "ndarray", "fit.draws.profiles": "ndarray",
-                "fit.residual": "ndarray", "surface.profile.mu": "ndarray", "test.path.force": "ndarray", "standard.modulus": "Estimate"}
+                "fit.residual": "ndarray", "surface.density": "ndarray", "test.path.force": "ndarray", "standard.modulus": "Estimate"}
         program.write_text("\n".join([*blocks, *(f"reveal_type({each})" for each in told)]))
         checked = mypy(program, folder=self.folder)
         self.assertEqual(checked.returncode, 0, checked.stdout + checked.stderr)

@@ -12,7 +12,6 @@
 #include "answers/profile_fields.h"
 #include "answers/standard_fields.h"
 #include "answers/state_fields.h"
-#include "answers/surface_fields.h"
 #include "data/names.h"
 #include "instruments/export_fields.h"
 
@@ -93,10 +92,6 @@ std::vector<AnswerDescription> all_answers() {
       {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
       {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
       {"read --json", "contents of an export", false, export_fields().descriptions()},
-      {"surface --json", "what a height profile says about its surface", false, surface_fields().descriptions()},
-      {"surface --profile", "heights of a profile, and the path of an edge over them", true,
-       trace_fields().descriptions()},
-      {"surface --spectrum", "power spectral density of a height profile", true, spectrum_fields().descriptions()},
       {"simulate --json", "what a test would measure", false, simulation_fields(all_columns).descriptions()},
       {"simulate", "path of a test; some columns only for some tests", true, path_fields(all_columns).descriptions()},
       {"equilibrium --json", "the curve of loading", false, equilibria_fields({false, true}).descriptions()},

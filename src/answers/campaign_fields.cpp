@@ -23,11 +23,6 @@ Fields<TestSummary> summary_parameter_fields() {
       .own_estimate(parameter::correlation_length, of_roughness(&TestSummary::correlation_length))
       .own_estimate(parameter::amplitude, &TestSummary::amplitude)
       .own_estimate(parameter::wavelength, &TestSummary::wavelength)
-      .own_estimate("surface_height", kind::length,
-                    "amplitude of the surface wave that would explain the wave of friction",
-                    &TestSummary::surface_height)
-      .own_estimate("surface_slope", kind::number, "rms slope of the surface that would explain the friction",
-                    &TestSummary::surface_slope)
       .own_estimate(parameter::phase, &TestSummary::phase)
       .own_estimate(parameter::bending_stiffness, &TestSummary::bending_stiffness);
 }
@@ -146,11 +141,7 @@ Fields<CategorySpread> category_fields() {
              &CategorySpread::amplitude)
       .group("wavelength", "wavelength of the wave of friction, along the specimen", spread_fields(kind::length),
              &CategorySpread::wavelength)
-      .count("waves_claimed", "number of tests that claim a wave of friction", &CategorySpread::waves_claimed)
-      .group("surface_height", "amplitude of the surface wave that would explain the wave of friction",
-             spread_fields(kind::length), &CategorySpread::surface_height)
-      .group("surface_slope", "rms slope of the surface that would explain the friction", spread_fields(kind::number),
-             &CategorySpread::surface_slope);
+      .count("waves_claimed", "number of tests that claim a wave of friction", &CategorySpread::waves_claimed);
 }
 
 std::string_view differ_by(const SpecimenLine& line) { return line.by_factors ? "factor" : "standard deviation"; }

@@ -167,60 +167,6 @@ Fields<FittedTest> band_fields() {
                    [](T test) { return test.analysis.fit.band.deviation; });
 }
 
-// ---- The surface that would explain it, and a trace it is held against
-
-Fields<HeldSurface> held_fields() {
-  using H = const HeldSurface&;
-  return Fields<HeldSurface>()
-      .own_estimate("rms_slope", kind::number, "rms slope of the trace, of waves from shortest to longest",
-                    [](H held) { return held.texture.drowned ? std::nullopt : std::optional(held.texture.rms_slope); })
-      .own("shortest", kind::length, "shortest wavelength in rms_slope", [](H held) { return held.texture.shortest; })
-      .own("longest", kind::length, "longest wavelength in rms_slope", [](H held) { return held.texture.longest; })
-      .number("correlation", "correlation of the slopes at the best place",
-              [](H held) { return held.placement.correlation; })
-      .number("p_value", "probability that chance gives as high a correlation at any place, in either direction",
-              [](H held) { return held.placement.p_value; })
-      .own("begin", kind::length, "position on the trace at which the support stood at first, at the best place",
-           &HeldSurface::begin)
-      .yes_no("turned", "the trace runs in the other direction at the best place",
-              [](H held) { return held.placement.turned; });
-}
-
-Fields<FittedTest> implied_fields() {
-  const auto of = [](auto part) { return [part](T test) { return (*test.implied).*part; }; };
-  const auto mean = [](std::vector<double> ImpliedProfile::*part) {
-    return [part](T test) { return test.implied->mean.*part; };
-  };
-  const auto of_wave = [](auto get) {
-    return [get](T test) {
-      const std::vector<WaveEstimate>& waves = test.analysis.fit.waves;
-      return waves.empty() ? std::nullopt : std::optional(get(waves.front()));
-    };
-  };
-  return Fields<FittedTest>()
-      .estimate("rms_slope", kind::number, "rms slope that would explain the friction, of waves up to longest",
-                of(&ImpliedSurface::rms_slope))
-      .estimate("rms_height", kind::length, "rms height that would explain the friction, of waves up to longest",
-                of(&ImpliedSurface::rms_height))
-      .number("longest", kind::length, "longest wavelength in rms_slope and rms_height, a quarter of the specimen seen",
-              of(&ImpliedSurface::longest))
-      .estimate("wave_height", kind::length,
-                "amplitude of the wave of height that would explain the likeliest wave of friction; null without one",
-                of_wave([](const WaveEstimate& wave) { return wave.height; }))
-      .number("pixel_wanted", kind::length,
-              "pixel needed to see the wave by the paper's rule, ten pixels from crest to trough",
-              of_wave([](const WaveEstimate& wave) { return wanted_image(1, 2 * wave.height.value).pixel; }))
-      .group("profile", "surface along the specimen",
-             Fields<FittedTest>()
-                 .numbers("position", kind::length, "position from midspan", of(&ImpliedSurface::position))
-                 .numbers("slope", kind::number, "slope of the surface, from the mean of the fit",
-                          mean(&ImpliedProfile::slope))
-                 .numbers("height", kind::length, "height of the surface, from the mean of the fit, without tilt",
-                          mean(&ImpliedProfile::height)))
-      .group("against_trace", "comparison with a measured height trace; null without one", held_fields(),
-             [](T test) { return test.held; });
-}
-
 // ---- Loading and unloading
 
 std::string_view name_of(CyclesStatus status) {
@@ -546,8 +492,6 @@ Fields<FittedTest> every_fit_field() {
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .group("judgement", "verdict on the test when all is weighed", judgement_fields(),
              [](T test) { return test.judgement ? &test : nullptr; })
-      .group("surface", "surface that would explain how friction varies; null if friction does not vary",
-             implied_fields(), [](T test) { return test.implied ? &test : nullptr; })
       .group("slip_or_crack", "what the rises between the drops say about slips and cracks; null if there are too few",
              slip_or_crack_fields(),
              [](T test) { return test.analysis.slip_or_crack.judged ? &test.analysis.slip_or_crack : nullptr; })

@@ -78,9 +78,7 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
-                                           Part{"measured", &TestSummary::measured},
-                                           Part{"surface_height", &TestSummary::surface_height},
-                                           Part{"surface_slope", &TestSummary::surface_slope}};
+                                           Part{"measured", &TestSummary::measured}};
 template <>
 constexpr std::tuple parts_of<Supports>{Part{"radius", &Supports::radius}, Part{"half_depth", &Supports::half_depth}};
 template <>

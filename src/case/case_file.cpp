@@ -13,9 +13,9 @@
 #include "case/case_changes.h"
 #include "case/keys.h"
 #include "case/toml.h"
+#include "contact/height_trace.h"
 #include "io/text.h"
 #include "io/text_file.h"
-#include "surface/height_trace.h"
 
 namespace flexslip {
 namespace {

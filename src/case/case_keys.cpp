@@ -207,7 +207,7 @@ constexpr std::array keys{
           "seed of the random numbers, for the model rough"),
     plain(at<&FrictionInput::trace>, "trace", Holds::file, R"("trace.csv")",
           "file with a height profile of the surface that the support climbs, for the model surface",
-          ", read as [`surface`](surface.md) reads it; `mu0` is then the friction of the flat surface"),
+          " ([surface.md](surface.md)); `mu0` is then the friction of the flat surface"),
     plain(at<&FrictionInput::position>, "position", Holds::text, R"("x [um]")",
           "column of positions in the height profile, by name or number; found unless given"),
     plain(at<&FrictionInput::height>, "height", Holds::text, R"("z [nm]")",

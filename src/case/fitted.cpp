@@ -26,46 +26,6 @@ namespace {
 constexpr std::array models{ProfileModel::roughness, ProfileModel::constant, ProfileModel::drift,
                             ProfileModel::sinusoid, ProfileModel::sinusoids};
 
-// At even distances; in [m].
-Slopes slopes_of(const ImpliedSurface& implied, double span) {
-  std::vector<double> position;
-  for (const double each : implied.position) position.push_back(span * each);
-  const HeightTrace even = sampled(position, implied.mean.slope).trace;
-  return {even.begin, even.step, even.height};
-}
-
-Slopes slopes_of(const HeightTrace& trace) {
-  Slopes out{trace.begin + 0.5 * trace.step, trace.step, {}};
-  for (std::size_t i = 1; i < trace.height.size(); ++i)
-    out.value.push_back((trace.height[i] - trace.height[i - 1]) / trace.step);
-  return out;
-}
-
-// The span [m] is one [L] of the implied surface.
-// Fails:      InputError for a trace that is all level, or too short to be held against.
-HeldSurface held_against(const ImpliedSurface& implied, double span, const TraceFile& file) {
-  constexpr std::size_t fewest = 16;  // slopes of either that are held against each other
-  const HeightTrace trace = levelled(file.sampled.trace, 1);
-  SurfaceOptions options;
-  const double finest = 2 * trace.step;
-  const double longest = std::min(span * implied.longest, trace.width());
-  if (longest > 2 * finest) options.texture.longest = longest;
-  const SurfaceStudy study = study_surface(file, options);
-  Slopes profile = slopes_of(implied, span), of_trace = slopes_of(trace);
-  const double step = std::max(profile.step, of_trace.step);
-  profile = averaged(profile, step);
-  of_trace = averaged(of_trace, step);
-  if (std::min(profile.value.size(), of_trace.value.size()) < fewest)
-    throw InputError({.file = file.source,
-                      .expected = fmt::format("a trace that overlaps the friction by at least {} slopes", fewest),
-                      .found = fmt::format("{} slopes at steps of {}, and {} of the friction", of_trace.value.size(),
-                                           readable(step, kind::length), profile.value.size()),
-                      .remedy = "use a longer trace, or a finer one"});
-  HeldSurface held{study.texture, placed(profile, of_trace), 0};
-  held.begin = held.placement.offset + (held.placement.turned ? -0.5 : 0.5) * span;
-  return held;
-}
-
 InputFile input_file(const std::string& name) {
   if (name == "-" || name == "standard input") return {"standard input", ""};  // the latter is what read_case calls it
   if (!std::filesystem::is_regular_file(name)) return {name, ""};              // a pipe, which is read once
@@ -257,8 +217,6 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   Provenance provenance{FLEXSLIP_VERSION, {}, to_toml(input), options};
   if (!input.source.empty()) provenance.inputs.push_back(input_file(input.source));
   provenance.inputs.push_back(input.record->given ? InputFile{data, ""} : input_file(data));
-  std::optional<ImpliedSurface> implied;
-  if (analysis.status == AnalysisStatus::ok) implied = implied_surface(analysis.fit);
   return {.name = name_of_test(file),
           .reduced = input.reduced,
           .measurement = std::move(measurement),
@@ -275,8 +233,6 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
           .surface = surface,
           .strain_at_break = strain_at_break,
           .nose_curvature = nose_curvature,
-          .implied = std::move(implied),
-          .held = {},
           .provenance = std::move(provenance)};
 }
 
@@ -297,18 +253,6 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   on_rollers.test.rig->roller_radius = radius;
   test.on_rollers = std::make_shared<const FittedTest>(fit_measured(std::move(on_rollers), options));
   return test;
-}
-
-void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options) {
-  const TraceFile file = read_trace(trace, options, test.reduced ? kind::number : kind::length);
-  if (!test.implied)
-    throw InputError(
-        {.file = file.source,
-         .expected = "a fit in which friction varies, to compare a surface with",
-         .found = is_fitted(test) ? fmt::format("the model {}", name_of(test.analysis.fit.model)) : "no fit",
-         .remedy = "leave --surface out, or fit with --model roughness"});
-  test.held = held_against(*test.implied, test.analysis.scales.span(), file);
-  test.provenance.inputs.push_back(input_file(trace));
 }
 
 std::size_t file_row(const FittedTest& test, std::size_t point) { return file_row(test.measurement, point); }

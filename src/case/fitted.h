@@ -10,16 +10,13 @@
 #include "case/case_file.h"
 #include "case/mechanics.h"
 #include "case/standards.h"
-#include "case/surface_study.h"
 #include "data/literature_friction.h"
 #include "data/section.h"
 #include "inference/analysis.h"
 #include "inference/cyclic_answer.h"
-#include "inference/implied_surface.h"
 #include "inference/judgement.h"
 #include "inference/profile.h"
 #include "result/fields.h"
-#include "surface/placement.h"
 
 namespace flexslip {
 
@@ -39,14 +36,6 @@ AnalysisOptions options_for(const Test& input, const AnalysisChoice& choice);
 
 // What a report tells of them, and what an answer that is kept depends on.
 Fields<AnalysisOptions> analysis_fields();
-
-// The surface that would explain a friction, held against a height trace of the specimen. Units: those of the test.
-struct HeldSurface {
-  Texture texture;  // of the trace, of waves no longer than the implied surface is told of
-  Placement
-      placement;  // of the slopes that the friction implies along the trace; position of the trace = offset ± position from midspan
-  double begin;  // [m] of the trace, where the support stood at first
-};
 
 struct InputFile {
   std::string name;    // as the user named it
@@ -85,17 +74,11 @@ struct FittedTest {
       surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
   std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
   double nose_curvature;                  // [1/L] from which it wraps the nose; infinite for a sharp one
-  std::optional<ImpliedSurface> implied;  // the surface that would explain its friction; if the fit varies it
-  std::optional<HeldSurface> held;        // a trace that it was held against
   Provenance provenance;
   // The same readings on rollers of the usual radius, where the case states no supports and there is one (data/small_deflection.h), and the
   // analysis has an answer.
   std::shared_ptr<const FittedTest> on_rollers{};
 };
-
-// Holds the surface that would explain the friction of a test against a trace, and keeps that in its answers.
-// Fails:      InputError as read_trace and held_against; where there is no such surface.
-void hold_against(FittedTest& test, const std::string& trace, const TraceOptions& options);
 
 // The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
 std::string name_of_test(const std::string& file);

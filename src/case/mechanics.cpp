@@ -12,8 +12,8 @@
 #include <fmt/format.h>
 
 #include "bending_test/history.h"
-#include "case/surface_study.h"
 #include "contact/over_rollers.h"
+#include "contact/slope_friction.h"
 #include "data/names.h"
 #include "inference/analysis.h"
 #include "instruments/trace_file.h"
@@ -22,7 +22,6 @@
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/root.h"
-#include "surface/slope_friction.h"
 
 namespace flexslip {
 namespace {
@@ -192,27 +191,50 @@ FrictionTable read_friction_table(const Side& side) {
   return friction;
 }
 
+// Refuses a path over a trace whose slopes show no friction that could be computed with. [m], [1]
+void require_climbable(const std::vector<double>& path, const HeightTrace& trace, double mu, const std::string& source,
+                       const Kind& kind) {
+  constexpr double most = 20;  // [1] of any friction that is computed with
+  const auto fault = too_steep(path, trace.step, mu, most);
+  if (!fault) return;
+  const double steepest = slope_of_friction(most, mu);
+  const bool falls = fault->slope < 0;
+  throw InputError(
+      {.file = source,
+       .expected = fmt::format("slopes between {:.3g}, where a contact of friction {:g} slides by itself, and {:.3g}, "
+                               "where it would show a friction of {:g}",
+                               -mu, mu, steepest, most),
+       .found = fmt::format("a slope of {:.3g} at the position {}, {:.2g} times the limit", fault->slope,
+                            readable(trace.position(fault->interval), kind),
+                            std::abs(fault->slope) / (falls ? mu : steepest)),
+       .remedy = falls ? "if it is noise, remove short waves with a cutoff, or state the radius of the edge; otherwise "
+                         "check the unit of the heights"
+                       : "if it is noise, remove short waves with a cutoff; otherwise check the unit of the heights"});
+}
+
 // Between the heights of the trace, from midspan; the flat surface's beyond its ends. Over lengths [m].
 FrictionTable read_surface(const Side& side) {
   const Test& test = side.test;
   const FrictionInput& surface = side.friction;
   const double mu0 = *surface.mu0, half_span = 0.5 * span_of(test);
   const Kind length = kind_in(test, kind::length);
-  TraceOptions options;
-  options.position = surface.position.value_or("");
-  options.height = surface.height.value_or("");
-  options.step = surface.trace_step;
-  const TraceFile file = read_trace(*surface.trace, options, length);
-  const double radius = surface.edge_radius.value_or(test.rig->roller_radius.value_or(0));
-  PreparedTrace ready = prepared(file.sampled, static_cast<std::size_t>(surface.level), surface.cutoff, radius);
+  const TraceFile file = read_trace(
+      *surface.trace,
+      {.position = surface.position.value_or(""), .height = surface.height.value_or(""), .step = surface.trace_step},
+      length);
+  HeightTrace trace = levelled(file.trace, static_cast<std::size_t>(surface.level));
+  if (surface.cutoff) trace = smoothed(std::move(trace), *surface.cutoff);
+  const double step = trace.step;
+  std::vector<double> path =
+      path_of_edge(trace.height, step, surface.edge_radius.value_or(test.rig->roller_radius.value_or(0)));
   const bool is_inwards = surface.direction == TraceDirection::inwards;
-  for (const bool turned : {false, true}) {
-    if (turned && is_inwards) std::reverse(ready.path.begin(), ready.path.end());
-    if (const auto fault = too_steep(ready.path, ready.trace.step, mu0, max_apparent, false))
-      throw refusal_of(*fault, ready.trace, mu0, file.source, length);
+  require_climbable(path, trace, mu0, file.source, length);
+  if (is_inwards) {
+    std::reverse(path.begin(), path.end());
+    require_climbable(path, trace, mu0, file.source, length);
   }
   const double begin = surface.trace_begin.value_or(half_span);
-  const double step = ready.trace.step, extent = step * static_cast<double>(ready.path.size() - 1);
+  const double extent = step * static_cast<double>(path.size() - 1);
   const double first = is_inwards ? begin - extent : begin;
   if (!(first + extent > half_span))
     throw side.wrong(
@@ -226,9 +248,9 @@ FrictionTable read_surface(const Side& side) {
     table.S.push_back(2 * s);
     table.mu.push_back(mu);
   };
-  const SlopeFriction shown = friction_of_heights(ready.path, step, mu0);
+  const std::vector<double> shown = friction_of_heights(path, step, mu0);
   add(first - 0.5 * step, mu0);
-  for (std::size_t i = 0; i < shown.mu.size(); ++i) add(first + step * (static_cast<double>(i) + 0.5), shown.mu[i]);
+  for (std::size_t i = 0; i < shown.size(); ++i) add(first + step * (static_cast<double>(i) + 0.5), shown[i]);
   add(first + extent + 0.5 * step, mu0);
   return table;
 }

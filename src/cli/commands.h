@@ -21,7 +21,6 @@ struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-void add_surface_command(CLI::App& app);
 void add_state_command(CLI::App& app);
 void add_invert_command(CLI::App& app);
 void add_equilibrium_command(CLI::App& app);

@@ -18,21 +18,20 @@ namespace {
 struct FitRequest {
   TestRequest test;
   AnalysisChoice analysis;
-  std::string profile, curves, draws, report, surface;
+  std::string profile, curves, draws, report;
   bool full = false;
   Output output;
 };
 
 void run_fit(const FitRequest& request) {
   auto shown = shown_stages("Fitting", request.output);
-  FittedTest test = with_test(request.test, [&](const Test& input) {
+  const FittedTest test = with_test(request.test, [&](const Test& input) {
     if (request.analysis.model.empty() && input.friction && input.friction->has_parameters())
       note(request.output, "the parameters in [friction] are for simulating and are not used by the fit");
     return fit_test(input, options_for(input, request.analysis));
   });
   shown.reset();
 
-  if (!request.surface.empty()) hold_against(test, request.surface, {});
   if (!request.profile.empty()) write_profile(request.profile, test);
   if (!request.curves.empty()) write_curves(request.curves, test);
   if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
@@ -64,9 +63,6 @@ void add_fit_command(CLI::App& app) {
       command, "--draws", request.draws,
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
   add_report_option(command, request.report, "Write report.html and figures/ into this folder", announce_report);
-  add_option(
-      command, "--surface TRACE", request.surface,
-      "Compare the surface that would explain the friction with this height profile, read as by flexslip surface");
   command.add_flag("--full", request.full, "Print every table and remark, not only what fits on one screen");
   add_output_options(command, request.output);
   command.footer(

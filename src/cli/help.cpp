@@ -30,9 +30,6 @@ const std::vector<Everyday>& everyday() {
        {"--json", "--set", "--span", "--stiffness", "--diameter", "--width", "--height", "--stage", "--force",
         "--displacement"}},
       {"invert", {"--output", "--json", "--set", "--roller-radius", "--thickness"}},
-      {"surface",
-       {"--friction", "--edge-radius", "--wavelength", "--amplitude", "--level", "--cutoff", "--step", "--figure",
-        "--json"}},
       {"design", {"--over", "--figure", "--set", "--output", "--json"}},
       {"simulate", {"--output", "--noise", "--seed", "--figure", "--set", "--json"}},
       {"state", {"--S", "--w", "--q", "--roller-radius", "--thickness", "--output", "--json"}}};

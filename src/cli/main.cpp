@@ -102,10 +102,10 @@ int run(int argc, char** argv) {
       "     be calculated is written\n"
       "  2  the input or the call was wrong\n"
       "  130  interrupted");
-  for (const auto add_command : {add_fit_command, add_campaign_command, add_read_command, add_modulus_command,
-                                 add_invert_command, add_surface_command, add_design_command, add_simulate_command,
-                                 add_equilibrium_command, add_sweep_command, add_state_command, add_studio_command,
-                                 add_keys_command, add_results_command, add_completions_command, add_help_command})
+  for (const auto add_command :
+       {add_fit_command, add_campaign_command, add_read_command, add_modulus_command, add_invert_command,
+        add_design_command, add_simulate_command, add_equilibrium_command, add_sweep_command, add_state_command,
+        add_studio_command, add_keys_command, add_results_command, add_completions_command, add_help_command})
     add_command(app);
   add_short_help(app);
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {

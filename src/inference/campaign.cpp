@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "inference/implied_surface.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -28,7 +27,7 @@ class Gathered {
 template <class Predicate>
 CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs) {
   CategorySpread over{};
-  Gathered mu0, mu0_limit, amplitude, wavelength, height, slope;
+  Gathered mu0, mu0_limit, amplitude, wavelength;
   for (const auto& test : tests) {
     if (!belongs(test)) continue;
     ++over.tests;
@@ -38,19 +37,15 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
     } else {
       mu0.add(test.mu0.value);
     }
-    if (test.surface_slope) slope.add(test.surface_slope->value);
     if (test.category == SawtoothCategory::none || !test.wavelength) continue;
     over.waves_claimed += test.wave_claimed;
     amplitude.add(test.amplitude.value().value);
     wavelength.add(test.wavelength->value);
-    if (test.surface_height) height.add(test.surface_height->value);
   }
   over.mu0 = mu0.spread();
   over.mu0_limit = mu0_limit.spread();
   over.amplitude = amplitude.spread();
   over.wavelength = wavelength.spread();
-  over.surface_height = height.spread();
-  over.surface_slope = slope.spread();
   return over;
 }
 
@@ -126,9 +121,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
     summary.amplitude = wave.amplitude;
     summary.wavelength = scaled(wave.wavelength, scales.span());
     summary.phase = wave.phase;
-    summary.surface_height = scaled(wave.height, scales.span());
   }
-  if (const auto implied = implied_surface(fit); implied && tells_variation) summary.surface_slope = implied->rms_slope;
   return summary;
 }
 

@@ -48,9 +48,6 @@ struct TestSummary {
   // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
   double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
   MeasuredFriction measured;
-  // Of the surface that would show its friction: the amplitude of its wave, if there is a likeliest one, and all of its slopes.
-  std::optional<Estimate> surface_height{};  // [m]
-  std::optional<Estimate> surface_slope{};   // [1] rms
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
@@ -68,10 +65,8 @@ struct CategorySpread {
   Spread mu0;                     // [1] without tests that tell only a limit
   Spread mu0_limit{};             // [1] over those that tell only a limit: the limits
   std::size_t waves_claimed = 0;  // of those that amplitude and wavelength are taken over
-  Spread amplitude;         // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
-  Spread wavelength;        // [m] likewise
-  Spread surface_height{};  // [m] likewise, of the wave of the surface that would show it
-  Spread surface_slope{};   // [1] rms, of the slopes that would show the friction, over the tests where it varies
+  Spread amplitude;   // [1] over the tests of categories with a sawtooth that have a wave, claimed or indicative
+  Spread wavelength;  // [m] likewise
 };
 
 // A category of tests; none: all tests.

@@ -203,7 +203,7 @@ std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_
 
 WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength, double hidden_by_rig,
                      bool rolls_back) {
-  std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle, height;
+  std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle;
   std::vector<JointPart> joint;
   double cosine = 0, sine = 0;
   for (const auto& draw : draws) {
@@ -217,9 +217,6 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     const double angle = about + elementary::wrapped_angle(-elementary::angle(draw.sine, draw.cosine) - about);
     amplitude.push_back({elementary::length(draw.cosine, draw.sine) / std::max(draw.mean, 0.02), draw.weight});
     wavelength.push_back({lambda, draw.weight});
-    // A μ is the amplitude of friction itself: a mean near zero does not matter here.
-    height.push_back(
-        {elementary::length(draw.cosine, draw.sine) * lambda / (2 * pi * (1 + draw.mean * draw.mean)), draw.weight});
     at_middle.push_back({angle, draw.weight});
     phase.push_back(
         {usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
@@ -229,10 +226,9 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     part.value[JointPart::phase] = phase.back().value;
     joint.push_back(part);
   }
-  return {
-      estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)),
-      estimate_of(std::move(phase)),     estimate_of(std::move(at_middle)),
-      estimate_of(std::move(height)),    correlations_of(as_estimated(std::move(joint), hidden_by_rig, rolls_back))};
+  return {estimate_of(std::move(amplitude)), estimate_of(std::move(wavelength)), estimate_of(std::move(phase)),
+          estimate_of(std::move(at_middle)),
+          correlations_of(as_estimated(std::move(joint), hidden_by_rig, rolls_back))};
 }
 
 SearchOptions search_options(const FitOptions& options) {

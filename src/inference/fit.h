@@ -31,11 +31,10 @@ inline constexpr double claiming_gain = 3;
 
 // A wave of friction, (4.25).
 struct WaveEstimate {
-  Estimate amplitude;        // [1] A, relative to mu0
-  Estimate wavelength;       // [L] λ
-  Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not
-  Estimate height{};  // [L] amplitude of the surface wave that would show it: A μ λ/(2π (1 + μ²)), μ of the mean
+  Estimate amplitude;                       // [1] A, relative to mu0
+  Estimate wavelength;                      // [L] λ
+  Estimate phase;                           // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  Estimate phase_at_middle;                 // [rad] π S_middle/λ + φ, which is not
   std::vector<Correlation> correlations{};  // with all that goes with it
 };
 

@@ -11,7 +11,6 @@
 #include "io/input_error.h"
 #include "io/table.h"
 #include "io/text.h"
-#include "surface/texture.h"
 
 namespace flexslip {
 namespace {
@@ -21,7 +20,7 @@ constexpr std::array<std::string_view, 9> of_position{"x",      "s",       "posi
 constexpr std::array<std::string_view, 9> of_height{"z",    "y",       "height", "topography", "profile",
                                                     "edge", "zsensor", "höhe",   "elevation"};
 
-// A column of numbers, and the unit that a user states with it or for it; empty if none.
+// A column of numbers, and the unit that a user states with it; empty if none.
 struct TraceColumn {
   const ExportColumn* column;
   std::string unit;
@@ -36,12 +35,12 @@ std::vector<std::string> names_of(const Columns& columns) {
 }
 
 // The one that a user names, perhaps with its unit in brackets.
-TraceColumn named(const Export& file, const std::string& wanted, std::string_view flag, const std::string& unit) {
+TraceColumn named(const Export& file, const std::string& wanted, std::string_view key) {
   const ExportedSpecimen& all = file.specimens.front();
   const bool is_whole = std::any_of(all.columns.begin(), all.columns.end(),
                                     [&](const ExportColumn& column) { return column.name == wanted; });
   const ColumnTitle title = is_whole ? ColumnTitle{wanted, ""} : parse_column_title(wanted);
-  return {&all.columns[column_named(file, all, title.name, flag)], title.unit.empty() ? unit : title.unit};
+  return {&all.columns[column_named(file, all, title.name, key)], title.unit};
 }
 
 // The one whose words say what it is.
@@ -64,11 +63,11 @@ const ExportColumn* other_than(const Columns& two, const ExportColumn* one) { re
   throw InputError({.file = file.origin.source,
                     .expected = fmt::format("a column known to hold the {}", what),
                     .found = "the columns " + listed(names_of(columns)),
-                    .remedy = fmt::format("name it with --{}, by name or number", what)});
+                    .remedy = fmt::format("write {} = \"…\" into [friction], its name or number", what)});
 }
 
 // The values of a column [SI, or reduced].
-std::vector<double> values_of(const Export& file, const TraceColumn& of, const Kind& kind, std::string_view flag) {
+std::vector<double> values_of(const Export& file, const TraceColumn& of, const Kind& kind, std::string_view key) {
   ExportColumn column = *of.column;
   const auto refuse = [&](std::string expected, std::string found, std::string remedy) {
     throw InputError({.file = file.origin.source,
@@ -82,23 +81,24 @@ std::vector<double> values_of(const Export& file, const TraceColumn& of, const K
     refuse("plain numbers, in spans, as the case is reduced", in_quotes(column.unit + of.unit), "");
   if (!of.unit.empty()) {
     if (!given || given->dimension != kind.dimension)
-      throw InputError({.field = std::string(flag), .expected = "a unit of length", .found = in_quotes(of.unit)});
+      throw InputError({.field = std::string(key), .expected = "a unit of length", .found = in_quotes(of.unit)});
     if (stated && *given != *stated)
       refuse(fmt::format("the unit {}, as you say", in_quotes(of.unit)), in_quotes(column.unit),
              "leave the unit out, as the file states it");
     column.unit = of.unit;
   }
-  return in_si(file, column, kind, "um",
-               [&](std::string_view unit) { return fmt::format("state it with {0}, as in {0} {1}", flag, unit); });
+  return in_si(file, column, kind, "um", [&](std::string_view unit) {
+    return fmt::format("write {} = \"{} [{}]\" into [friction]", key, column.name, unit);
+  });
 }
 
-void require_rising(const TraceFile& read, std::span<const double> x, const Kind& kind) {
+void require_rising(const Export& file, const ExportColumn& column, std::span<const double> x, const Kind& kind) {
   const bool falls = x.back() < x.front();
   for (std::size_t i = 1; i < x.size(); ++i)
     if (falls ? !(x[i] < x[i - 1]) : !(x[i] > x[i - 1]))
-      throw InputError({.file = read.source,
-                        .line = read.lines[i],
-                        .field = "column " + in_quotes(read.position),
+      throw InputError({.file = file.origin.source,
+                        .line = file.specimens.front().lines[i],
+                        .field = "column " + in_quotes(column.name),
                         .expected = fmt::format("positions that {} from row to row", falls ? "fall" : "rise"),
                         .found = fmt::format("{} after {}", readable(x[i], kind), readable(x[i - 1], kind)),
                         .remedy = "a trace runs one way: cut the file, or choose another column"});
@@ -106,36 +106,22 @@ void require_rising(const TraceFile& read, std::span<const double> x, const Kind
 
 }  // namespace
 
-TraceOptions trace_options_of(const ReadingWords& words) {
-  TraceOptions options{.file = options_of(words),
-                       .position = said(words, "position"),
-                       .height = said(words, "height"),
-                       .position_unit = said(words, "position-unit"),
-                       .height_unit = said(words, "height-unit")};
-  if (const std::string step = said(words, "step"); !step.empty()) try {
-      options.step = parse_quantity(step, kind::length, Range::positive);
-    } catch (const InputError& error) {
-      throw located(error, "", 0, "--step");
-    }
-  return options;
-}
-
 TraceFile read_trace(const std::string& path, const TraceOptions& options, const Kind& kind) {
-  const Export file = read_export(path, options.file);
+  const Export file = read_export(path);
   if (file.specimens.size() != 1)
     throw InputError({.file = file.origin.source,
                       .expected = "one trace",
                       .found = fmt::format("{} tables", file.specimens.size()),
                       .remedy = "write each into a file of its own"});
-  TraceFile read{file.origin.source, "", "", file.specimens.front().lines, {}, file.notes};
+  TraceFile read{file.origin.source, "", "", {}};
   Columns columns;
   for (const ExportColumn& column : file.specimens.front().columns)
     if (column.words.empty()) columns.push_back(&column);
   if (columns.empty()) ask(file, columns, "height");
 
-  TraceColumn position{nullptr, options.position_unit}, height{nullptr, options.height_unit};
-  if (!options.position.empty()) position = named(file, options.position, "--position", position.unit);
-  if (!options.height.empty()) height = named(file, options.height, "--height", height.unit);
+  TraceColumn position{nullptr, ""}, height{nullptr, ""};
+  if (!options.position.empty()) position = named(file, options.position, "position");
+  if (!options.height.empty()) height = named(file, options.height, "height");
   const bool has_positions = !options.step && (position.column != nullptr || columns.size() > 1);
   if (position.column == nullptr && has_positions) {
     position.column = columns.size() > 2         ? told(columns, of_position, height.column)
@@ -150,7 +136,7 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
     if (height.column == nullptr) ask(file, columns, "height");
   }
   read.height = height.column->name;
-  const std::vector<double> z = values_of(file, height, kind, "--height-unit");
+  const std::vector<double> z = values_of(file, height, kind, "height");
   if (z.size() < fewest_heights)
     throw InputError({.file = file.origin.source,
                       .expected = fmt::format("{} heights or more", fewest_heights),
@@ -160,24 +146,17 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
       throw InputError({.file = file.origin.source,
                         .expected = "a column of positions beside the heights, or their distance",
                         .found = fmt::format("the column {}", in_quotes(read.height)),
-                        .remedy = "state the distance with --step, as in --step \"0.1 um\""});
-    read.sampled = {{0, *options.step, z}, false, 0, false};
+                        .remedy = "write trace_step = \"0.1 um\" into [friction]"});
+    read.trace = {0, *options.step, z};
     return read;
   }
   if (position.column == height.column)
     throw InputError(
         {.file = file.origin.source, .expected = "two columns", .found = in_quotes(read.height) + " for both"});
   read.position = position.column->name;
-  const std::vector<double> x = values_of(file, position, kind, "--position-unit");
-  require_rising(read, x, kind);
-  read.sampled = sampled(x, z);
-  if (read.sampled.turned) std::reverse(read.lines.begin(), read.lines.end());
-  if (read.sampled.turned) read.notes.emplace_back("positions fall, so the rows are read in reverse order");
-  if (read.sampled.interpolated)
-    read.notes.push_back(
-        fmt::format("distances differ by up to {:.0f} % from their mean: heights are interpolated at "
-                    "the mean distance",
-                    100 * read.sampled.unevenness));
+  const std::vector<double> x = values_of(file, position, kind, "position");
+  require_rising(file, *position.column, x, kind);
+  read.trace = sampled(x, z);
   return read;
 }
 

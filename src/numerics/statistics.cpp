@@ -147,19 +147,15 @@ double log_gamma(double a) {
   return (a - 0.5) * elementary::log(a) - a + 0.5 * elementary::log(2 * std::numbers::pi) + series - shift;
 }
 
-// The incomplete gamma functions P(a, x) and Q(a, x) = 1 - P, by the series of P below a + 1 and the continued fraction of Q (Lentz) above.
-struct Tails {
-  double below, beyond;
-};
-
-Tails gamma_tails(double a, double x) {
-  if (!(x > 0)) return {0, 1};
+// The incomplete gamma function Q(a, x), by the series of 1 - Q below a + 1 and the continued fraction of Q (Lentz) above.
+double gamma_beyond(double a, double x) {
+  if (!(x > 0)) return 1;
   const double front = elementary::exp(a * elementary::log(x) - x - log_gamma(a));
   constexpr double enough = 1e-15;
   if (x < a + 1) {
     double term = 1 / a, sum = term;
     for (double n = a + 1; term > enough * sum; n += 1) sum += term *= x / n;
-    return {front * sum, 1 - front * sum};
+    return 1 - front * sum;
   }
   constexpr double tiny = 1e-300;
   double b = x + 1 - a, c = 1 / tiny, d = 1 / b, h = d;
@@ -171,22 +167,12 @@ Tails gamma_tails(double a, double x) {
     h *= d * c;
     if (std::abs(d * c - 1) < enough) break;
   }
-  return {1 - front * h, front * h};
+  return front * h;
 }
 
 }  // namespace
 
-double chi_squared_beyond(double x, double freedoms) { return gamma_tails(0.5 * freedoms, 0.5 * x).beyond; }
-
-double chi_squared_quantile(double probability, double freedoms) {
-  if (!(probability > 1e-6 && probability < 1 - 1e-6 && freedoms >= 1 && freedoms <= 1e7))
-    throw std::invalid_argument("a quantile of chi squared at " + std::to_string(probability) + " of " +
-                                std::to_string(freedoms) + " freedoms");
-  const double spread = std::sqrt(2 * freedoms);
-  const auto is_beyond = [&](double x) { return !(gamma_tails(0.5 * freedoms, 0.5 * x).below < probability); };
-  const auto enough = [](const Bracket& x) { return x.width() < 1e-12 * x.high; };
-  return halved_until(enough, {0, freedoms + 8 * spread + 40}, is_beyond).middle();
-}
+double chi_squared_beyond(double x, double freedoms) { return gamma_beyond(0.5 * freedoms, 0.5 * x); }
 
 double mean_of(const NormalMixture& mixture) {
   double weight = 0, sum = 0;

@@ -122,18 +122,13 @@ double effective_deviation(std::span<const double> residuals, std::size_t parame
 // The correlation that the residuals of a line lose to it: they show about (2 + 4 rho)/n less than the noise has.
 double correlation_lost_to_line(std::span<const double> residuals);
 
-// The distribution that sums of squares are judged by: its tails and quantiles, with freedoms that need not be whole (of variances that are
+// The distribution that sums of squares are judged by: its tail, with freedoms that need not be whole (of variances that are
 // sums of unequal parts).
 
 // P(chi squared > x).
 // Domain:     x >= 0, 0 < freedoms <= 1e7.
 // Max error:  1e-12, and 1e-10 of the smaller of it and its complement.
 double chi_squared_beyond(double x, double freedoms);
-
-// x with P(chi squared < x) = probability.
-// Domain:     1e-6 < probability < 1 - 1e-6, 1 <= freedoms <= 1e7; std::invalid_argument otherwise.
-// Max error:  1e-9 relative.
-double chi_squared_quantile(double probability, double freedoms);
 
 // What is known of a number, as a mixture of normal distributions.
 

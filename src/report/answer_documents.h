@@ -1,5 +1,5 @@
 // What the answers say for people: the sentence, and all of it as the document that the text on a terminal, the report and the paper lay out. A source
-// each: fit_document.cpp, modulus_document.cpp, campaign_document.cpp, design_document.cpp, surface_document.cpp.
+// each: fit_document.cpp, modulus_document.cpp, campaign_document.cpp, design_document.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include "answers/standard_fields.h"
 #include "campaign/campaign.h"
 #include "case/fitted.h"
-#include "case/surface_study.h"
 #include "design/design_answer.h"
 #include "finding/finding.h"
 #include "report/document.h"
@@ -69,7 +68,7 @@ std::string campaign_in_short(const Campaign& campaign);
 using WriteEstimate = std::string(const Estimate& estimate, double factor);
 WriteEstimate with_interval, with_error;
 
-// All of it: test by test, by category, between specimens, what tests share, what failed, what surface would explain it, the force curves, what the
+// All of it: test by test, by category, between specimens, what tests share, what failed, the force curves, what the
 // columns say. The estimates of the tests are written so; links lead to the reports of the tests with an answer, in their order, if they are given.
 std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
                                  const std::vector<std::string>& links = {});
@@ -94,7 +93,5 @@ std::vector<Chapter> document_of(const DesignAnswer& answer);
 // ---- A height trace
 
 // The answer in a sentence; all of it.
-std::string surface_in_short(const SurfaceStudy& study);
-std::vector<Chapter> document_of(const SurfaceStudy& study);
 
 }  // namespace flexslip

@@ -15,7 +15,6 @@
 #include "numerics/statistics.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
-#include "surface/texture.h"
 
 namespace flexslip {
 namespace {
@@ -189,30 +188,14 @@ std::string friction_in_standard(const CampaignTest& test) {
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   const double per_length = units.length.factor;
-  PrintedTable table{.head = {"Test",
-                              "Verdict",
-                              "Sawtooth",
-                              "Standing",
-                              "Friction",
-                              titled("Spacing", units.length),
-                              "σ",
-                              titled("ℓ", units.length),
-                              "A",
-                              titled("λ", units.length),
-                              titled("Height", units.length),
-                              "Slope",
-                              titled("EI", units.bending_stiffness),
-                              titled("Residual", units.force),
-                              "Drops",
-                              titled("Work", units.energy),
-                              "Work (%)",
-                              titled("E_f", units.modulus),
-                              titled("σ_f", units.strength),
-                              "Friction in E_f, σ_f (%)",
-                              "Doubts"},
-                     .rows = {},
-                     .folding = Folding::never,
-                     .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
+  PrintedTable table{
+      .head = {"Test", "Verdict", "Sawtooth", "Standing", "Friction", titled("Spacing", units.length), "σ",
+               titled("ℓ", units.length), "A", titled("λ", units.length), titled("EI", units.bending_stiffness),
+               titled("Residual", units.force), "Drops", titled("Work", units.energy), "Work (%)",
+               titled("E_f", units.modulus), titled("σ_f", units.strength), "Friction in E_f, σ_f (%)", "Doubts"},
+      .rows = {},
+      .folding = Folding::never,
+      .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
@@ -225,37 +208,27 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     const double share = summary.friction_share;
-    table.rows.push_back({test.name,
-                          test.verdict,
-                          std::string(name_of(summary.category)),
-                          std::string(name_of(summary.standing)),
-                          !tells                 ? ""
-                          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
-                                                 : written(summary.mu0, 1),
-                          format_significant(per_length * summary.spacing, 2),
-                          is_rough ? written(summary.roughness, 1) : "",
-                          is_rough ? written(summary.correlation_length, per_length) : "",
-                          of_wave(summary.amplitude, 1),
-                          of_wave(summary.wavelength, per_length),
-                          of_wave(summary.surface_height, per_length),
-                          summary.surface_slope ? written(*summary.surface_slope, 1) : "",
-                          written(summary.bending_stiffness, units.bending_stiffness.factor),
-                          format_significant(units.force.factor * summary.residual_rms, 3),
-                          fmt::format("{}", summary.drops),
-                          format_significant(units.energy.factor * summary.work_of_fracture, 3),
-                          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
-                          test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
-                          test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
-                          friction_in_standard(test),
-                          fmt::format("{}", fmt::join(remarks, "; "))});
+    table.rows.push_back(
+        {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
+         !tells                 ? ""
+         : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
+                                : written(summary.mu0, 1),
+         format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
+         is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
+         of_wave(summary.wavelength, per_length), written(summary.bending_stiffness, units.bending_stiffness.factor),
+         format_significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
+         format_significant(units.energy.factor * summary.work_of_fracture, 3),
+         std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
+         test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
+         test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
+         friction_in_standard(test), fmt::format("{}", fmt::join(remarks, "; "))});
   }
   return table;
 }
 
 PrintedTable category_rows(const Campaign& campaign) {
   const TableUnit length = units_of(campaign).length;
-  PrintedTable table{.head = {"Sawtooth", "Suspects", "Tests", "Friction", "A", titled("λ", length),
-                              titled("Height", length), "Slope"},
+  PrintedTable table{.head = {"Sawtooth", "Suspects", "Tests", "Friction", "A", titled("λ", length)},
                      .rows = {},
                      .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"}};
   for (const auto& category : campaign.categories)
@@ -265,11 +238,10 @@ PrintedTable category_rows(const Campaign& campaign) {
         const std::string words = of_spread(spread, factor, decimals);
         return words.empty() || spreads->waves_claimed == spread.count ? words : fmt::format("[{}]", words);
       };
-      table.rows.push_back(
-          {std::string(key_of(category)), spreads == &category.without_suspects ? "left out" : "counted in",
-           fmt::format("{}", spreads->tests), of_friction(*spreads), of_waves(spreads->amplitude, 1, 3),
-           of_waves(spreads->wavelength, length.factor, 1), of_waves(spreads->surface_height, length.factor, 3),
-           of_spread(spreads->surface_slope, 1, 3)});
+      table.rows.push_back({std::string(key_of(category)),
+                            spreads == &category.without_suspects ? "left out" : "counted in",
+                            fmt::format("{}", spreads->tests), of_friction(*spreads),
+                            of_waves(spreads->amplitude, 1, 3), of_waves(spreads->wavelength, length.factor, 1)});
     }
   return table;
 }
@@ -332,32 +304,6 @@ std::string literature_in_words(const Campaign& campaign) {
                      agree, format_count(over->mu0.count, "test", "tests"));
 }
 
-// What surface would explain the waves that are claimed, and what images would settle it.
-Rows surface_of_waves(const Campaign& campaign) {
-  std::vector<double> heights, wavelengths;
-  for (const auto& test : campaign.tests) {
-    if (!test.summary || test.summary->suspect || !test.summary->wave_claimed || !test.summary->surface_height)
-      continue;
-    heights.push_back(test.summary->surface_height->value);
-    wavelengths.push_back(test.summary->wavelength->value);
-  }
-  if (heights.empty()) return {};
-  const auto length = [](double value) { return readable(value, kind::length); };
-  const auto [least, most] = std::minmax_element(heights.begin(), heights.end());
-  const double mean = mean_of(heights);
-  // The least wave wants the finest pixel, the longest the widest field.
-  const WantedImage wanted = wanted_image(*std::max_element(wavelengths.begin(), wavelengths.end()), 2 * *least);
-  return {
-      {"height", fmt::format("waves {} high (half of crest to trough; {} to {}) would explain the waves of friction "
-                             "that are claimed, by their slopes",
-                             length(mean), length(*least), length(*most))},
-      {"image",
-       fmt::format("with pixels of {} it shows those of the mean height; with pixels of {} in fields of {} it settles "
-                   "it for every test (the paper's rule: ten pixels from crest to trough, ten waves in the field)",
-                   length(wanted_image(1, 2 * mean).pixel), length(wanted.pixel), length(wanted.field))},
-      {"trace", "flexslip surface tells what one resolves, and fit --surface whether it fits"}};
-}
-
 // What the columns say, of those tables that there are.
 Rows column_rows(const Campaign& campaign) {
   return {{"Sawtooth",
@@ -367,9 +313,6 @@ Rows column_rows(const Campaign& campaign) {
            "μ₀, averaged over the length that slid; σ is its roughness, ℓ the correlation length; ± are standard "
            "errors, ranges in parentheses 95 % intervals"},
           {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
-          {"Height, Slope",
-           "half of crest to trough of the wave of the surface that would show it, and the rms of the slopes that "
-           "would show how friction varies"},
           {"Work (%)",
            "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
           {"E_f, σ_f",
@@ -435,8 +378,7 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
   chapters.push_back({"Bent too little to tell friction", {rows_without_friction(campaign)}});
   chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
   if (has_answers)
-    for (const Chapter& chapter : {Chapter{"A surface that would explain it", {surface_of_waves(campaign)}},
-                                   Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
+    for (const Chapter& chapter : {Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
                                    Chapter{"What the columns say", {column_rows(campaign)}}})
       chapters.push_back(chapter);
   return chapters;

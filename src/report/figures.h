@@ -10,7 +10,6 @@
 #include "case/fitted.h"
 #include "case/simulated_test.h"
 #include "case/studies.h"
-#include "case/surface_study.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
 #include "report/plot.h"
@@ -68,7 +67,6 @@ Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& crack
 Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages);
 
 // A height trace, what an edge sees of it, its spectrum, and the friction that it predicts.
-Plot surface_figure(const SurfaceStudy& study);
 
 // What several of them have: marks with numbers of their own, labels, and force against deflection.
 inline Mark level(double y, const Style& style, std::string title = {}) {

@@ -166,16 +166,14 @@ Chapter wave_chapter(T test) {
                    numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
   chapter.blocks.insert(chapter.blocks.end(),
-                        {explanation_table(test),
-                         !tells_lengths(test.analysis.fit)
-                             ? std::string()
-                             : std::string("Where the supports are not alike or friction falls, the specimen slides "
-                                           "over one at a time: friction is then that of the weaker side. Images of "
-                                           "both supports tell, or the specimen tested again, turned end for end."),
-                         test.implied ? numbers(test, "surface") : PrintedTable{},
-                         test.implied && test.cycles
-                             ? std::string("Slopes make friction high in one direction where it is low in the other.")
-                             : std::string()});
+                        {
+                            explanation_table(test),
+                            !tells_lengths(test.analysis.fit)
+                                ? std::string()
+                                : std::string("Where the supports are not alike or friction falls, the specimen slides "
+                                              "over one at a time: friction is then that of the weaker side. Images of "
+                                              "both supports tell, or the specimen tested again, turned end for end."),
+                        });
   return chapter;
 }
 

@@ -37,22 +37,18 @@ TEST_CASE("trace file: one profile in five dialects, by hand as Gwyddion and oth
   const TraceFile plain = read_trace(fixture("gwyddion_plain.txt"), {});
   CHECK(plain.position == "x");
   CHECK(plain.height == "y");
-  REQUIRE(plain.sampled.trace.height.size() == 80);
-  CHECK(plain.sampled.trace.step == doctest::Approx(1.96078e-8).epsilon(1e-5));
-  CHECK(plain.lines.front() == 4);
+  REQUIRE(plain.trace.height.size() == 80);
+  CHECK(plain.trace.step == doctest::Approx(1.96078e-8).epsilon(1e-5));
   TraceOptions alone;
   alone.step = 1.96078e-8;
   for (const TraceFile& other :
        {read_trace(fixture("gwyddion_gnuplot.txt"), {}), read_trace(fixture("gwyddion_comma.csv"), {}),
         read_trace(fixture("profilometer.csv"), {}), read_trace(fixture("heights_alone.txt"), alone)}) {
-    REQUIRE(other.sampled.trace.height.size() == 80);
-    CHECK(other.sampled.trace.step ==
-          doctest::Approx(plain.sampled.trace.step).epsilon(1e-3));  // rounded to 0.1 nm of 1.55 µm
+    REQUIRE(other.trace.height.size() == 80);
+    CHECK(other.trace.step == doctest::Approx(plain.trace.step).epsilon(1e-3));  // rounded to 0.1 nm of 1.55 µm
     for (std::size_t i = 0; i < 80; ++i)
-      CHECK(std::abs(other.sampled.trace.height[i] - plain.sampled.trace.height[i]) <
-            6e-13);  // to six digits, and to 1 pm
+      CHECK(std::abs(other.trace.height[i] - plain.trace.height[i]) < 6e-13);  // to six digits, and to 1 pm
   }
-  CHECK(read_trace(fixture("profilometer.csv"), {}).sampled.turned);
   CHECK(read_trace(fixture("profilometer.csv"), {}).position == "Lateral");
   CHECK(read_trace(fixture("profilometer.csv"), {}).height == "Height");
 }
@@ -68,21 +64,18 @@ TEST_CASE("trace file: columns by name, number and unit as a user says them (tab
             "expected the unit 'nm', as you say, found 'um'"));
   options.height = "Hight";
   CHECK(has(message_of([&] { read_trace(fixture("profilometer.csv"), options); }), "did you mean 'Height'?"));
-  TraceOptions units;
-  units.position_unit = "um";
-  units.height_unit = "nm";
-  CHECK(refusal("a,b\n", "#,1#", units).empty());
+  CHECK(refusal("a,b\n", "#,1#", {.position = "a [um]", .height = "b [nm]"}).empty());
 }
 
 TEST_CASE("trace file: bad input is refused with place and remedy (limit)") {
   CHECK(has(refusal("x [um],z [um]\n", "#,1", {}, 20), "expected 64 heights or more, found 20"));
-  CHECK(has(refusal("x,z\n", "#,1"), "state it with --"));
+  CHECK(has(refusal("x,z\n", "#,1"), "write height = \"z [um]\" into [friction]"));
   CHECK(has(refusal("x [um],z [N]\n", "#,1"), "column 'z': expected a unit of length, found 'N'"));
   CHECK(has(refusal("x [um],z [um]\n0,5\n3,5\n", "#,1"), "trace.csv:4: column 'x': expected positions that rise"));
   CHECK(has(refusal("x [um],z [um]\n", "#,\n"), "trace.csv"));
-  CHECK(has(refusal("z [um]\n", "#"), "state the distance with --step"));
-  CHECK(has(refusal("a [um],b [um],c [um]\n", "#,1,2"), "name it with --position"));
-  CHECK(has(refusal("x [um],b [um],c [um]\n", "#,1,2"), "name it with --height"));
+  CHECK(has(refusal("z [um]\n", "#"), "write trace_step = \"0.1 um\" into [friction]"));
+  CHECK(has(refusal("a [um],b [um],c [um]\n", "#,1,2"), "write position = "));
+  CHECK(has(refusal("x [um],b [um],c [um]\n", "#,1,2"), "write height = "));
   TraceOptions twice;
   twice.position = twice.height = "1";
   CHECK(has(refusal("x [um],z [um]\n", "#,1", twice), "'x' for both"));

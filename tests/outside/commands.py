@@ -604,7 +604,7 @@ class Program(InFolder):
         self.refused("help", "fot", says=["did you mean 'fit'?"])
 
     def test_short_help_shows_the_options_that_people_use(self):
-        for command, few in ("fit", 12), ("modulus", 12), ("surface", 11):
+        for command, few in ("fit", 12), ("modulus", 12):
             short, whole = self.succeeds(command, "-h"), self.succeeds(command, "--help")
             options = [re.findall(r"^  (?:-\w,)?(--?[\w-]+)", text, re.MULTILINE) for text in (short, whole)]
             self.assertLessEqual(len(options[0]), few, options[0])

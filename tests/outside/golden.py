@@ -56,10 +56,7 @@ def answers():
     for name in "simulated", "cracked", "cyclic":
         yield f"fit {name}", ["fit", example(name)], []
         yield f"fit {name} json", ["fit", example(name), "--json"], []
-    yield "fit surface json", ["fit", example("surface"), "--surface", EXAMPLES / "surface/trace.csv", "--json"], []
-    for flags, name in (([], ""), (["--json"], " json")):
-        yield f"surface{name}", ["surface", EXAMPLES / "surface/trace.csv", "--wavelength", "10.9 um", "--amplitude", "0.11 um", "--friction", "0.58", "--edge-radius", "1 um", *flags], []
-    yield "surface files", ["surface", EXAMPLES / "surface/trace.csv", "--profile", "p.csv", "--spectrum", "s.csv", "--quiet"], ["p.csv", "s.csv"]
+    yield "fit surface json", ["fit", example("surface"), "--json"], []
     yield "simulate surface", ["simulate", EXAMPLES / "surface/truth.toml", "--quiet"], []
     yield "fit files", ["fit", example("simulated"), "--profile", "p.csv", "--curves", "c.csv", "--draws", "d.csv", "--quiet"], ["p.csv", "c.csv", "d.csv"]
     for model in "constant", "sinusoid", "sinusoids":

@@ -42,7 +42,6 @@ class NothingLost(InFolder):
         self.file("sweep.toml", WAVY + AXES)
         self.file("states.csv", "S,q\n1.05,0.2\n")
         self.file("points.csv", "w,F\n0.1,4\n")
-        self.file("trace.csv", "x [um],z [um]\n" + "".join(f"{i},{i % 7}\n" for i in range(100)))
         self.file("export.csv", "Displacement (mm),Force (N)\n0,0\n0.1,1\n0.2,2\n")
 
     def content(self):
@@ -71,8 +70,6 @@ class NothingLost(InFolder):
             (["invert", "points.csv"], ["points.csv"], ["--output"]),
             (["state", "states.csv"], ["states.csv"], ["--output"]),
             (["read", "export.csv"], ["export.csv"], ["--output"]),
-            (["surface", "trace.csv"], ["trace.csv"], ["--output", "--profile", "--spectrum"]),
-            (["fit", "case.toml", "--surface", "trace.csv"], ["trace.csv"], ["--output"]),
             (["simulate", "simulated.toml"], simulate, ["--output"]),
             (["design", "wavy.toml"], ["wavy.toml"], ["--output"]),
             (["equilibrium", "simulated.toml"], simulate, ["--output"]),
@@ -96,7 +93,7 @@ class NothingLost(InFolder):
     def test_every_option_that_writes_is_tried(self):
         tried = {(call[0], option) for call, _, options in self.calls() for option in options}
         tried |= {("fit", "--report"), ("campaign", "--report")}  # below
-        tried |= {(command, "--figure") for command in ("design", "simulate", "equilibrium", "surface")}  # below
+        tried |= {(command, "--figure") for command in ("design", "simulate", "equilibrium")}  # below
         tried |= {("studio", "--output")}  # outside/studio_command
         tried |= {("completions", "--output"), ("keys", "--output"), ("results", "--output")}  # which read no file of the user's
         commands = re.findall(r"^  (\w+) ", run("--help").stdout.split("Commands:")[1], re.MULTILINE)
@@ -148,7 +145,7 @@ class NothingLost(InFolder):
             self.nothing_is_written("fit", "case.toml", "--report", ".", says=["--report", "figures/force-measured.csv", "test.csv"])
             (figures / "force-measured.csv").unlink()
         shutil.copy(self.folder / "wavy.toml", self.folder / "fig-case.csv")
-        for command in ("simulate", "design", "equilibrium", "surface"):
+        for command in ("simulate", "design", "equilibrium"):
             self.nothing_is_written(command, "fig-case.csv", "--figure", "fig.svg", says=["--figure", "fig-case.csv"])
 
     def test_nor_in_the_folder_of_a_campaigns_report(self):

@@ -1,14 +1,13 @@
 #!/usr/bin/python3
-"""outside: surfaces, from a trace to its friction and back."""
-import csv
-import json
+"""outside: the friction of a height profile that a support climbs."""
 import math
 import unittest
 
-from program import SOURCE, InFolder, numbers, run, table
+import numpy as np
+
+from program import SOURCE, InFolder, numbers, table
 
 EXAMPLE = SOURCE / "examples/surface"
-TRACE = EXAMPLE / "trace.csv"
 CASE = """[specimen]
 bending_stiffness = "2.1e-12 N m^2"
 [rig]
@@ -32,28 +31,6 @@ def wave(height, wavelength, step=0.1, count=2000, noise=0):
 class Surface(InFolder):
     def case(self, more="", back="", stiffness="5 kN/m"):
         return self.file("case.toml", CASE.format(more=more, back=back, stiffness=stiffness))
-
-    def test_the_example_tells_what_it_was_made_with(self):
-        """tools/make-surface: a wave of 0.11 µm every 10.9 µm, roughness 0.02 µm over 2 µm, noise 2 nm."""
-        told = self.json("surface", TRACE)
-        highest = told["waves"][0]
-        self.assertTrue(highest["coherent"])
-        for name, truth in (("wavelength", 10.9e-6), ("amplitude", 0.11e-6)):
-            self.assertLess(abs(highest[name]["value"] - truth), 3 * highest[name]["standard_error"])
-        self.assertEqual(told["noise_is"], "found")
-        self.assertAlmostEqual(told["noise"], 2e-9, delta=0.1e-9)
-        slope = math.hypot(2 * math.pi * 0.11 / 10.9 / math.sqrt(2), 0.02 * math.sqrt(2) / 2)
-        low, high = told["rms_slope"]["interval95"]
-        self.assertTrue(low < slope < high, (low, slope, high))
-
-    def test_the_papers_images_do_not_resolve_the_wave_that_its_friction_wants(self):
-        """Closing remark 2, section 5: 0.29 µm a pixel in a field of 450 µm; 0.11 µm high every 10.9 µm."""
-        pixels = "x [um],z [um]\n" + "".join(f"{0.29 * i:.2f},{0.29 * round((0.11 * math.cos(2 * math.pi * 0.29 * i / 10.9) + 0.013 * i) / 0.29):.2f}\n" for i in range(1552))
-        told = self.json("surface", self.file("edge.csv", pixels), "--wavelength", "10.9 um", "--amplitude", "0.11 um")
-        self.assertAlmostEqual(told["pixel"], 0.29e-6, delta=1e-12)
-        seen = told["resolution"][0]
-        self.assertAlmostEqual(seen["least_amplitude_by_pixels"], 1.45e-6, delta=1e-11)
-        self.assertAlmostEqual(seen["pixel_wanted"], 0.022e-6, delta=1e-12)
 
     def test_a_wave_of_height_is_a_wave_of_friction(self):
         """tan(atan μ + α) at the middles of a fine trace."""
@@ -79,11 +56,12 @@ class Surface(InFolder):
             self.assertAlmostEqual(point["q"], -math.tan(math.atan(0.5) - math.atan(slope)), delta=3e-4)
 
     def test_a_table_of_its_friction_is_the_same_test(self):
-        """`surface --profile` as [friction] model = "table"."""
-        trace = self.file("wave.csv", wave(0.11, 10.9))
-        profile = table(self.succeeds("surface", trace, "--friction", "0.5", "--quiet", "--profile", "-", "--output", "/dev/null"))
-        step = 0.1e-6
-        rows = [(2 * (639e-6 + float(s) + 0.5 * step), mu) for s, mu in zip(profile["position [m]"], profile["mu"]) if mu != "nan"]
+        """The trace levelled and climbed here, as [friction] model = "table"."""
+        self.file("wave.csv", wave(0.11, 10.9))
+        step, z = 0.1e-6, 1e-6 * np.round(0.11 * np.cos(2 * np.pi * 0.1 * np.arange(2000) / 10.9), 9)
+        x = np.arange(len(z))
+        slope = np.diff(z - np.polyval(np.polyfit(x, z, 1), x)) / step
+        rows = [(2 * (639e-6 + step * (i + 0.5)), repr(float((0.5 + each) / (1 - 0.5 * each)))) for i, each in enumerate(slope)]
         ends = [(2 * (639e-6 - 0.5 * step), "0.5"), *rows, (rows[-1][0] + 2 * step, "0.5")]
         self.file("friction.csv", "S [m],mu\n" + "".join(f"{S!r},{mu}\n" for S, mu in ends))
         by_surface = numbers(self.succeeds("simulate", self.case(), "--quiet"), "F [N]")
@@ -94,76 +72,39 @@ class Surface(InFolder):
         for one, other in zip(by_surface, by_table):
             self.assertAlmostEqual(one, other, delta=1e-9 * max(by_table))
 
-    def test_from_a_surface_to_its_friction_and_back(self):
-        """The shipped example: the wave of the surface is found in the fit, and its place along the trace."""
-        fit = self.json("fit", EXAMPLE / "case.toml", "--surface", TRACE)
-        told = fit["surface"]
-        height = told["wave_height"]
-        self.assertLess(abs(height["value"] - 0.106e-6), 3 * height["standard_error"])  # as `surface` finds it in this piece
-        self.assertAlmostEqual(fit["wave"]["wavelength"]["value"], 10.9e-6, delta=0.2e-6)
-        self.assertAlmostEqual(told["pixel_wanted"], height["value"] / 5, delta=1e-15)
-        held = told["against_trace"]
-        self.assertEqual(held["p_value"], 0.001)
-        self.assertGreater(held["correlation"], 0.8)
-        self.assertAlmostEqual(held["begin"], 0, delta=1e-6)
-        self.assertFalse(held["turned"])
+    def test_the_wave_of_a_surface_is_found_in_its_friction(self):
+        """The shipped example: by h = A μ λ/(2π (1 + μ²)) its wave of friction is one of height as high as that of the trace (tools/make-surface)."""
+        fit = self.json("fit", EXAMPLE / "case.toml")
+        A, length, mu0 = fit["parameters"]["amplitude"], fit["parameters"]["wavelength"], fit["parameters"]["mu0"]["value"]
+        self.assertAlmostEqual(length["value"], 10.9e-6, delta=0.2e-6)
+        height = mu0 * length["value"] / (2 * math.pi * (1 + mu0**2))
+        self.assertLess(abs(A["value"] * height - 0.11e-6), 3 * A["standard_error"] * height)
 
-    def test_what_has_nothing_to_do_with_a_trace_fits_nowhere(self):
-        other = wave(0.11, 3.7)
-        held = self.json("fit", EXAMPLE / "case.toml", "--surface", self.file("other.csv", other))["surface"]["against_trace"]
-        self.assertGreater(held["p_value"], 0.05)
-
-    def test_two_waves_of_one_length_have_no_place(self):
-        """The other example has a wave of the same length, and was not made with this trace."""
-        held = self.json("fit", SOURCE / "examples/simulated/case.toml", "--surface", TRACE)["surface"]["against_trace"]
-        self.assertGreater(held["correlation"], 0.9)
-        self.assertGreater(held["p_value"], 0.05)
+    def test_short_waves_are_left_out_by_a_filter_and_by_an_edge(self):
+        """Roughness of 4 µm below a wave of 40 µm: a filter of 12 µm leaves it 1e-3 of its slopes, an edge of 200 µm rolls over its crests."""
+        rough = [0.3 * math.cos(2 * math.pi * 0.1 * i / 40) + 0.05 * math.cos(2 * math.pi * 0.1 * i / 4) for i in range(2000)]
+        self.file("wave.csv", "x [um],z [um]\n" + "".join(f"{0.1 * i:.3f},{z:.9f}\n" for i, z in enumerate(rough)))
+        spread = {}
+        for name, more in ("plain", ""), ("filtered", 'cutoff = "12 um"\n'), ("rolled", 'edge_radius = "200 um"\n'):
+            curve = table(self.succeeds("equilibrium", self.case(more=more), "--longest", "1600 um", "--points", "600"))
+            inside = [float(mu) for S, mu in zip(curve["S [m]"], curve["mu"]) if 10 < 1e6 * float(S) / 2 - 639 < 150]
+            spread[name] = max(inside) - min(inside)
+        long_wave = 2 * 0.3 * 2 * math.pi / 40 * 1.25  # crest to trough, to first order
+        self.assertGreater(spread["plain"], 2 * long_wave)
+        self.assertAlmostEqual(spread["filtered"], long_wave, delta=0.1 * long_wave)
+        self.assertLess(spread["rolled"], 0.8 * spread["plain"])
 
     def test_bad_input_is_refused_with_place_and_remedy(self):
         self.file("wave.csv", wave(0.11, 10.9))
-        self.refused("surface", self.folder / "wave.csv", "--shortest", "0.1 um", says=["--shortest", "twice the distance between heights, 200 nm"])
-        self.refused("surface", self.folder / "wave.csv", "--longest", "1 mm", says=["--longest", "at most the field of 200 µm"])
-        self.refused("surface", self.folder / "wave.csv", "--cutoff", "3 N", says=["--cutoff"])
-        self.refused("surface", self.folder / "wave.csv", "--friction", "0.01", says=["wave.csv", "slides by itself", "at the position"])
-        self.refused("surface", self.folder / "wave.csv", "--position", "y", says=["--position", "'x' and 'z'"])
-        self.refused("surface", self.folder / "none.csv", says=["none.csv"])
-        flat = self.file("flat.csv", "x [um],z [um]\n" + "".join(f"{i},{2 * i}\n" for i in range(100)))
-        self.refused("surface", flat, says=["flat.csv", "heights that differ once the trace is levelled"])
+        self.refused("simulate", self.file("steep.toml", CASE.format(more="", back="", stiffness="5 kN/m").replace("mu0 = 0.5", "mu0 = 0.01")),
+                     says=["wave.csv", "slides by itself", "at the position"])
         self.refused("simulate", self.case(more='level = 12\n'), says=["[friction] level", "at most 9"])
         self.refused("simulate", self.case(more='height = "q"\n'), says=["wave.csv", "'x' and 'z'"])
         self.refused("simulate", self.case(more='direction = "up"\n'), says=["direction", "outwards"])
         self.refused("simulate", self.case(more='trace_begin = "1 um"\n'), says=["trace_begin", "beyond the support"])
         self.refused("simulate", self.case(more='file = "wave.csv"\n'), says=["file", "no meaning here"])
         self.refused("simulate", self.case(more='edge_radius = "-1 um"\n'), says=["edge_radius"])
-        self.refused("fit", EXAMPLE / "case.toml", "--model", "constant", "--surface", TRACE, says=["friction varies"])
-        self.refused("fit", self.case(), "--quiet", says=["[record]"])
-
-    def test_noise_alone_is_no_surface(self):
-        """Standard error says so, and the exit code is 1."""
-        state, rows = 1, []
-        for i in range(500):
-            state = (1103515245 * state + 12345) % 2**31
-            rows.append(f"{i},{state / 2**31}\n")
-        noise = self.file("noise.csv", "x [um],z [um]\n" + "".join(rows))
-        result = run("surface", noise, "--json")
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("hides the surface", result.stderr)
-        self.assertEqual(json.loads(result.stdout)["status"], "noise")
-
-    def test_an_edge_that_rolls_is_less_steep(self):
-        rough = EXAMPLE / "trace.csv"
-        slopes = [self.json("surface", rough, "--edge-radius", f"{radius} um")["rms_slope_of_edge"] for radius in (0.5, 2, 10)]
-        self.assertEqual(slopes, sorted(slopes, reverse=True))
-
-    def test_tables_have_what_is_written_of_them(self):
-        profile, spectrum = self.folder / "p.csv", self.folder / "s.csv"
-        self.succeeds("surface", TRACE, "--profile", profile, "--spectrum", spectrum, "--quiet", "-o", "/dev/null")
-        with open(profile, encoding="utf-8") as file:
-            self.assertEqual(next(csv.reader(file)), ["position [m]", "height [m]", "envelope [m]", "edge [m]", "slope", "mu"])
-        power = table(spectrum.read_text())
-        step = float(power["frequency [1/m]"][1]) - float(power["frequency [1/m]"][0])
-        rms = math.sqrt(sum(map(float, power["density"])) * step)
-        self.assertAlmostEqual(rms, self.json("surface", TRACE)["rms_height_of_trace"], delta=0.03 * rms)  # tapers weigh the ends less
+        self.refused("surface", EXAMPLE / "trace.csv", says=["surface"])
 
 
 if __name__ == "__main__":

@@ -199,10 +199,9 @@ class Workbooks(InFolder):
         copy("stage", "w_s [um]\n0\n50\n100\n")
         copy("friction", "S [mm],mu\n0.9,0.3\n2,0.5\n")
         copy("states", "S,q\n1.05,0.2\n1.1,0.25\n")
-        copy("trace", "x [um],z [um]\n" + "".join(f"{i},{(i * i) % 7}\n" for i in range(200)))
         copy("points", "w,F\n0.1,4\n0.11,4.5\n")
         case = WAVY.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "friction.csv"\nlength = "S [mm]"\nmu = "mu"\n[stage]\nfile = "stage.csv"\nstage = "w_s [um]"\n'
-        calls = [["simulate", "case.toml"], ["state", "--csv", "states.csv"], ["invert", "--csv", "points.csv"], ["surface", "trace.csv", "--json"]]
+        calls = [["simulate", "case.toml"], ["state", "--csv", "states.csv"], ["invert", "--csv", "points.csv"]]
         tried = 0
         for command, *rest in calls:
             answers = []
@@ -216,7 +215,7 @@ class Workbooks(InFolder):
                 answers.append(done.stdout.replace(ending, ""))
             self.assertEqual(without_digests(answers[0]), without_digests(answers[1]), command)
             tried += 1
-        self.assertEqual(tried, 4)
+        self.assertEqual(tried, 3)
 
     def test_a_campaign_of_workbooks(self):
         book = {f"Probe {k}": [TITLES, *READINGS[:: k]] for k in (1, 2)}

@@ -40,18 +40,6 @@ TEST_CASE("table: the answer of a campaign counted by hand") {
         "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work went into friction.");
 }
 
-TEST_CASE("table: what surface would explain the waves of a campaign, and what would settle it") {
-  const std::string words = on_one_line(some_campaign());
-  CHECK(has(words, "waves 110 nm high (half of crest to trough; 110 nm to 110 nm) would explain"));
-  CHECK(has(words, "with pixels of 22 nm it shows those of the mean height"));  // 2 h/10
-  const std::string none = "A surface that would explain it";
-  CHECK_FALSE(has(on_one_line(no_tests()), none));
-  CHECK_FALSE(has(on_one_line(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})), none));
-  CampaignTest indicative = some_test("SS2", SawtoothCategory::clear, 0.5, 11e-6);
-  indicative.summary->wave_claimed = false;  // no reason to image anything
-  CHECK_FALSE(has(on_one_line(campaign_of({indicative})), none));
-}
-
 TEST_CASE("limit: no tests, none with an answer, all suspect") {
   CHECK(campaign_in_short(no_tests()) == "No tests.");
   CHECK(campaign_text(no_tests()) == "No tests.\n");
@@ -71,8 +59,6 @@ TEST_CASE("table: rows for people, each with as many cells as the head") {
   CHECK(tests.head[9] == "λ (µm)");
   CHECK(tests.rows[0][4] == "0.600 (0.576 to 0.624)");
   CHECK(tests.rows[0][9] == "10.90 (10.50 to 11.30)");
-  CHECK(tests.rows[0][10] == "0.110 (0.050 to 0.170)");
-  CHECK(tests.rows[0][11] == "0.050 (0.030 to 0.070)");
   CHECK(tests.rows[3][9].empty());
   CHECK(table_with(chapters, "Sawtooth", "Suspects").rows[1][3] == "0.750 (0.400 to 1.250)");
   const PrintedTable specimens = table_with(chapters, "Sawtooth", "Parameter");

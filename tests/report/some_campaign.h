@@ -61,8 +61,6 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
     test.summary->amplitude = Estimate{0.15, 0.02, 0.11, 0.19};
     test.summary->wavelength = Estimate{*wavelength, 0.2e-6, *wavelength - 0.4e-6, *wavelength + 0.4e-6};
     test.summary->phase = Estimate{1, 0.5, 0, 2};
-    test.summary->surface_height = Estimate{0.11e-6, 0.03e-6, 0.05e-6, 0.17e-6};
-    test.summary->surface_slope = Estimate{0.05, 0.01, 0.03, 0.07};
     test.curves->drops = {30, 40};
   }
   auto& curves = *test.curves;

@@ -1,17 +1,14 @@
-#include "surface/slope_friction.h"
+#include "contact/slope_friction.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "numerics/effort.h"
-#include "numerics/root.h"
 
 namespace flexslip {
 
@@ -29,37 +26,13 @@ double friction_on_the_way_back(double apparent, double mu) {
   return slope < mu ? std::max((mu - slope) / (1 + mu * slope), 0.0) : 0;
 }
 
-double base_friction(std::span<const double> apparent) {
-  if (apparent.empty()) throw std::invalid_argument("no friction has no base");
-  double low = std::numeric_limits<double>::infinity(), high = 0;
-  for (const double each : apparent) {
-    if (!(each >= 0 && std::isfinite(each)))
-      throw std::invalid_argument("an apparent friction must be finite and >= 0, not " + std::to_string(each));
-    low = std::min(low, each);
-    high = std::max(high, each);
-  }
-  // The slopes fall in mu, all of them.
-  if (!(low < high)) return low;
-  const auto is_beyond = [&](double mu) {
-    double sum = 0;
-    for (const double each : apparent) sum += slope_of_friction(each, mu);
-    return !(sum > 0);
-  };
-  return halved(60, {low, high}, is_beyond).middle();
-}
-
-double height_of_wave(double amplitude, double mu, double wavelength) {
-  return amplitude * mu * wavelength / (2 * std::numbers::pi * (1 + mu * mu));
-}
-
-std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most, bool both_ways) {
+std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most) {
   const double steepest_up = slope_of_friction(most, mu), steepest_down = mu;
   std::optional<TooSteep> found;
   double worst = 1;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const double slope = (path[i + 1] - path[i]) / step;
-    double excess = slope > 0 ? slope / steepest_up : -slope / steepest_down;
-    if (both_ways) excess = std::max(excess, std::abs(slope) / std::min(steepest_up, steepest_down));
+    const double excess = slope > 0 ? slope / steepest_up : -slope / steepest_down;
     // A friction of exactly 0 is none either.
     if (excess > worst || (!found && excess == 1 && slope < 0)) {
       worst = std::max(worst, excess);
@@ -69,24 +42,18 @@ std::optional<TooSteep> too_steep(std::span<const double> path, double step, dou
   return found;
 }
 
-SlopeFriction friction_of_heights(std::span<const double> path, double step, double mu) {
+std::vector<double> friction_of_heights(std::span<const double> path, double step, double mu) {
   if (!(step > 0) || path.size() < 2 || !(mu >= 0))
     throw std::invalid_argument("friction on slopes needs two heights and a friction >= 0");
-  SlopeFriction out;
+  std::vector<double> shown;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    out.slope.push_back((path[i + 1] - path[i]) / step);
-    out.mu.push_back(friction_on_slope(mu, out.slope.back()));
-    if (!(out.mu.back() >= 0))
-      throw std::invalid_argument("on a slope of " + std::to_string(out.slope.back()) + " a contact of friction " +
+    const double slope = (path[i + 1] - path[i]) / step;
+    shown.push_back(friction_on_slope(mu, slope));
+    if (!(shown.back() >= 0))
+      throw std::invalid_argument("on a slope of " + std::to_string(slope) + " a contact of friction " +
                                   std::to_string(mu) + " slides by itself");
   }
-  return out;
-}
-
-std::vector<double> heights_of_slopes(std::span<const double> slope, double step) {
-  std::vector<double> height{0};
-  for (const double each : slope) height.push_back(height.back() + each * step);
-  return height;
+  return shown;
 }
 
 namespace {
@@ -141,14 +108,6 @@ std::vector<double> path_of_edge(std::span<const double> height, double step, do
                                 std::to_string(step));
   if (radius < step) return {height.begin(), height.end()};
   return Dilation(height, step, radius).path();
-}
-
-std::vector<double> envelope(std::span<const double> height, double step, double radius) {
-  std::vector<double> path = path_of_edge(height, step, radius);
-  for (double& each : path) each = -each;
-  path = path_of_edge(path, step, radius);
-  for (double& each : path) each = -each;
-  return path;
 }
 
 }  // namespace flexslip

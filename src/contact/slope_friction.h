@@ -1,4 +1,4 @@
-// Coulomb friction on a slope, the slope that explains a friction, and a surface as a rounded edge sees it.
+// Coulomb friction on a slope, and a surface as a rounded edge sees it.
 //
 // A support that climbs a slope tan α of the specimen's surface shows μ_app = (μ + tan α)/(1 - μ tan α) = tan(atan μ + α), and on the way down
 // tan(atan μ - α). To first order A μ = (1 + μ²) times the amplitude of the slope (theory.md, "A surface and its friction").
@@ -22,47 +22,26 @@ double slope_of_friction(double apparent, double mu);
 // Domain:     of slopes less steep than mu both ways, between 0 and what 2 atan mu gives; 0 beyond.
 double friction_on_the_way_back(double apparent, double mu);
 
-// [1] The friction of the flat surface whose slopes, zero on average, show these apparent frictions: Σ slope_of_friction = 0.
-// Domain:     apparent frictions >= 0, at least one; std::invalid_argument otherwise.
-// Max error:  1e-14.
-double base_friction(std::span<const double> apparent);
-
-// [L] The amplitude of the wave of height that shows, to first order, a wave of friction mu (1 + amplitude cos): amplitude mu λ/(2π (1 + mu²)).
-double height_of_wave(double amplitude, double mu, double wavelength);
-
-// What heights at a distance of step show between each and the next, to a support that climbs them in their order.
-struct SlopeFriction {
-  std::vector<double> slope, mu;  // [1]
-};
-
 // Why heights show no friction that could be computed with: the steepest of the intervals at fault.
 struct TooSteep {
   std::size_t interval;  // after this height
   double slope;          // [1]
 };
 
-// Where the apparent friction is not above 0 and at most a limit; with both_ways, also on the way back. None where it is everywhere.
+// Where the apparent friction is not above 0 and at most a limit. None where it is everywhere.
 // Domain:     step > 0, most > mu > 0.
-std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most, bool both_ways);
+std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most);
 
+// [1] What heights at a distance of step show between each and the next, to a support that climbs them in their order.
 // Domain:     step > 0, at least two heights, none too steep; std::invalid_argument otherwise.
-SlopeFriction friction_of_heights(std::span<const double> path, double step, double mu);
-
-// [L] Heights at a distance of step whose slopes from each to the next are these: as many and one, the first 0.
-std::vector<double> heights_of_slopes(std::span<const double> slope, double step);
+std::vector<double> friction_of_heights(std::span<const double> path, double step, double mu);
 
 // A surface as a rounded edge sees it that is drawn over it: a circle that rolls on the profile does not reach into valleys narrower than itself.
-
 // [L] Where the lowest point of the circle lies at each place of a trace: the dilation by the disk, max_j z_j + √(r² - (s_i - s_j)²) - r. What a support
 // of that radius climbs when it stands at that place.
 // Domain:     step > 0, radius >= 0; std::invalid_argument otherwise. Radius 0, and one below the step: the heights themselves.
 // Max error:  rounding. The circle touches samples, no lines between them.
 // Cost:       O(n log n): which sample is touched never falls along the trace.
 std::vector<double> path_of_edge(std::span<const double> height, double step, double radius);
-
-// [L] The envelope: the highest surface that the circle can be rolled over as it is over the heights (morphological closing, ISO 16610-41), the
-// erosion of that path. On it lie the samples that are touched; between them its arcs bridge the valleys.
-// Domain, cost: likewise.
-std::vector<double> envelope(std::span<const double> height, double step, double radius);
 
 }  // namespace flexslip

@@ -1,4 +1,4 @@
-#include "surface/height_trace.h"
+#include "contact/height_trace.h"
 
 #include <cmath>
 #include <numbers>
@@ -14,21 +14,17 @@ namespace flexslip {
 
 TEST_CASE("height trace: even positions are taken as they are, falling ones turned round (identity)") {
   const std::vector<double> x{3, 2, 1, 0}, z{5, 6, 7, 9};
-  const Sampled turned = sampled(x, z);
-  CHECK(turned.turned);
-  CHECK_FALSE(turned.interpolated);
-  CHECK(turned.trace.begin == 0);
-  CHECK(turned.trace.step == 1);
-  CHECK(turned.trace.height == std::vector<double>{9, 7, 6, 5});
+  const HeightTrace turned = sampled(x, z);
+  CHECK(turned.begin == 0);
+  CHECK(turned.step == 1);
+  CHECK(turned.height == std::vector<double>{9, 7, 6, 5});
 }
 
 TEST_CASE("height trace: of uneven positions a straight line stays one (limit)") {
   const std::vector<double> x{0, 1, 1.5, 3, 5}, z{1, 3, 4, 7, 11};
-  const Sampled uneven = sampled(x, z);
-  CHECK(uneven.interpolated);
-  CHECK(uneven.unevenness == doctest::Approx(0.6).epsilon(1e-15));
-  for (std::size_t i = 0; i < 5; ++i)
-    CHECK(uneven.trace.height[i] == doctest::Approx(1 + 2 * uneven.trace.position(i)).epsilon(1e-15));
+  const HeightTrace even = sampled(x, z);
+  CHECK(even.step == 1.25);
+  for (std::size_t i = 0; i < 5; ++i) CHECK(even.height[i] == doctest::Approx(1 + 2 * even.position(i)).epsilon(1e-15));
 }
 
 TEST_CASE("height trace: positions that turn back are refused (limit)") {
@@ -88,20 +84,6 @@ TEST_CASE("height trace: the filter is the weighted mean as it is written, at th
     for (std::size_t i = 0; i < 150; ++i) CHECK(std::abs(tiny.height[i] - 1e-9 * through.height[i]) < 1e-22);
   }
   CHECK(smoothed({0, 1, std::vector<double>(10, 0.0)}, 3).height == std::vector<double>(10, 0.0));
-}
-
-TEST_CASE("height trace: the pixel that heights are rounded to is found, and none where there is none (table)") {
-  Uniform uniform;
-  std::vector<double> rounded, plain;
-  for (int i = 0; i < 500; ++i) {
-    plain.push_back(uniform(0, 1));
-    rounded.push_back(0.29 * std::round(uniform(0, 1) / 0.29));
-  }
-  CHECK(height_quantum(rounded) == doctest::Approx(0.29).epsilon(1e-12));
-  CHECK(height_quantum(plain) == 0);
-  CHECK(height_quantum(std::vector{0.0, 0.5, 0.5, 0.0, 0.5}) == 0.5);
-  CHECK(height_quantum(std::vector{0.0, 0.5, 1.0, 1.5}) == 0);  // a straight line
-  CHECK(height_quantum(std::vector<double>(10, 1.0)) == 0);
 }
 
 }  // namespace flexslip
