@@ -312,14 +312,14 @@ class Faults(unittest.TestCase):
         self.assertEqual(two.replace(friction=constant)["friction"], constant)
         self.assertIn("[friction] amplitude is missing", str(self.fault(lambda: case.replace(friction={"amplitude": None}))))
         self.assertRaisesRegex(TypeError, "did you mean 'span'", lambda: case.replace(spam=None))
-        text = '[stage]\nprogram = [  # of one loading\n  "0 mm",\n  "2 mm",\n]\n[friction]\nmodel = "constant"\nmu0 = 0.3\nstatic_excess = 0.1\n'
+        text = '[stage]\nprogram = [  # of one loading\n  "0 mm",\n  "2 mm",\n]\n[friction]\nmodel = "constant"\nmu0 = 0.3\nreference = "2 mm"\ndrift = "1 1/m"\n'
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "lines.toml")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
             changed = flexslip.Case(path).replace(stage={"program": ["0 mm", "3 mm"]})
-            error = self.fault(lambda: changed.replace(stage=None, friction={"other": constant}))
-            self.assertEqual((error.key, error.line), ("friction.static_excess", 9))  # where it stands in the file
+            error = self.fault(lambda: changed.replace(stage=None, friction={"drift": None}))
+            self.assertEqual((error.key, error.line), ("friction.reference", 9))  # where it stands in the file
 
     def test_outside_exceptions_have_names_that_read_well(self):
         error = self.fault(lambda: flexslip.fit("nothing.toml"))
