@@ -40,11 +40,8 @@ Fields<TestSummary> verdict_fields() {
   return Fields<TestSummary>()
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](const TestSummary& test) { return name_of(test.category); })
-      .yes_no("suspect", "standing is suspect or untrusted", &TestSummary::suspect)
-      .words(
-          "standing",
-          "how far the answer can be trusted: sound, conditional, doubtful, suspect or untrusted; the remarks say why",
-          [](const TestSummary& test) { return name_of(test.standing); })
+      .yes_no("suspect", "a finding of severity refusal or suspicion stands against the answer: the means leave it out",
+              &TestSummary::suspect)
       .words(
           "drops_verdict",
           "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told; null without drops",

@@ -345,25 +345,14 @@ Fields<Answer> answer_fields() {
 // Domain: judgement is given.
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
-      .words("standing",
-             "how far the answer can be trusted: sound, conditional (it holds if nothing that one loading or the case "
-             "leaves open speaks against it), doubtful, "
-             "suspect or untrusted",
-             [](T test) { return name_of(standing_of(findings_of(test))); })
-      .words("drops",
-             "whether cracks alone can make the drops, judged by the rises and by a reload: not_by_cracks_alone, "
-             "cracks or cannot_be_told; null without drops",
-             [](T test) {
-               return test.analysis.drops.drops.empty() ? std::nullopt : std::optional(name_of(test.judgement->drops));
-             })
       .number(
           "cracks_alone",
           "probability that cracks alone made the drops, by the rises and by a reload; null where these do not tell",
           [](T test) { return test.judgement->cracks_alone; })
       .number("stiffness_lost", "share of the stiffness lost, as the last comparable reload shows",
-              [](T test) { return test.judgement->reload.loss; })
+              [](T test) { return test.reload.loss; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",
-              [](T test) { return test.judgement->reload.loss_error; });
+              [](T test) { return test.reload.loss_error; });
 }
 
 // Of the whole record up to failure, what friction took off the work under the curve.
@@ -473,8 +462,8 @@ Fields<FittedTest> every_fit_field() {
       .all_of(answer_fields(), [](T test) { return answer_of(test); })
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
-      .yes_no("suspect", "judgement.standing is suspect or untrusted, or no sliding explains the record",
-              [](T test) { return standing_of(findings_of(test)) >= Standing::suspect; })
+      .yes_no("suspect", "a finding of severity refusal or suspicion stands against the answer",
+              [](T test) { return is_suspect(findings_of(test)); })
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
       .only_where(is_fitted)
       .number("residual_rms", kind::force,

@@ -87,7 +87,10 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                       : fmt::format("{} {}", answer.findings.front().sentence, answer.next);
     return kept;
   }
-  kept.summary = summary_of(test.name, test.analysis, test.judgement.value(), answer.standing);
+  TestSummary summary = summary_of(test.name, test.analysis, test.judgement.value());
+  summary.suspect = is_suspect(answer.findings);
+  const bool tells_friction = !is_refused(answer.findings) && !test.judgement->lost_stiffness;
+  kept.summary = tells_friction ? std::move(summary) : without_friction(std::move(summary));
   kept.curves = curves_of(test.analysis);
   return kept;
 }

@@ -57,7 +57,6 @@ template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
-                                           Part{"standing", &TestSummary::standing},
                                            Part{"drops_verdict", &TestSummary::drops_verdict},
                                            Part{"cracks_alone", &TestSummary::cracks_alone},
                                            Part{"model", &TestSummary::model},

@@ -189,10 +189,11 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
     if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error;
     cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
   }
+  const ReloadChange reload =
+      cycles ? reload_change(cycles->stiffness, measurement.loading.number - 1) : ReloadChange{};
   std::optional<Judgement> judgement;
-  if (analysis.status == AnalysisStatus::ok)
-    judgement = judge(analysis, cycles ? &*cycles : nullptr, measurement.loading.number - 1);
-  if (judgement && lost_stiffness(*judgement)) {  // cracks took their part of the work
+  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis, reload);
+  if (judgement && judgement->lost_stiffness) {  // cracks took their part of the work
     analysis.energy.friction_share = not_a_number;
     analysis.work_by.reset();
   }
@@ -227,6 +228,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
           .small_deflection = standard,
           .analysis = std::move(analysis),
           .cycles = std::move(cycles),
+          .reload = reload,
           .drops_elsewhere = drops_elsewhere,
           .imaged = std::move(imaged),
           .judgement = std::move(judgement),

@@ -67,6 +67,7 @@ struct FittedTest {
   SmallDeflection small_deflection;      // of the loading evaluated, as the bending standards have it
   TestAnalysis analysis;                 // of the loading evaluated
   std::optional<CyclicAnswer> cycles;    // if it was unloaded; in the scales of the analysis
+  ReloadChange reload;                   // of the loading evaluated, by the initial slopes of the loadings
   DropsElsewhere drops_elsewhere;
   std::optional<ImagedLength> imaged;  // if the record has lengths that were imaged, and the analysis an answer
   std::optional<Judgement> judgement;  // if the analysis has an answer

@@ -88,6 +88,20 @@ double freedom_of(const MeasuredLoading& loading) {
   return std::max(static_cast<double>(loading.last - loading.first) - 2, 1.0);
 }
 
+// What a later loading tells of the stiffness lost since one.
+ReloadChange between(const LoadingStiffness& before, const LoadingStiffness& after) {
+  const double ratio = after.ratio.value / before.ratio.value;
+  const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
+  const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
+  ReloadChange change{.loss = 1 - ratio, .loss_error = elementary::length(scatter, systematic) / before.ratio.value};
+  constexpr double one_sided_95 = 1.645, worth_saying = 0.05;
+  if (change.loss - one_sided_95 * change.loss_error > relevant_loss)
+    change.change = StiffnessChange::softer;
+  else if (std::abs(change.loss) > std::max(worth_saying, two_sided_95 * change.loss_error))
+    change.change = change.loss > 0 ? StiffnessChange::slightly_softer : StiffnessChange::stiffer;
+  return change;
+}
+
 }  // namespace
 
 std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings) {
@@ -149,6 +163,20 @@ std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<c
     result.push_back(stiffness);
   }
   return result;
+}
+
+bool lost_stiffness(const ReloadChange& reload) { return reload.change == StiffnessChange::softer; }
+
+ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
+  if (evaluated >= loadings.size() || loadings[evaluated].status != LoadingStatus::ok) return {};
+  const LoadingStiffness &own = loadings[evaluated], &first = loadings.front();
+  for (std::size_t i = loadings.size(); i-- > evaluated + 1;)
+    if (loadings[i].status == LoadingStatus::ok) {
+      ReloadChange change = between(own, loadings[i]);
+      change.comes_after = true;
+      return change;
+    }
+  return evaluated > 0 && first.status == LoadingStatus::ok ? between(first, own) : ReloadChange{};
 }
 
 }  // namespace flexslip

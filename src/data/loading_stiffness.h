@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "data/record.h"
+#include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -60,5 +61,26 @@ struct LoadingStiffness {
 //          free of their noise; errors allow for AR(1). That they know nothing of contacts that settle differently is what the
 //          systematic error is for: real ratios depend on the window by more than the scatter (docs/validation.md).
 std::vector<LoadingStiffness> compare_loadings(const Record& record, std::span<const LoadingRange> loadings);
+
+// How the stiffness of a specimen changed from one loading to another.
+enum class StiffnessChange {
+  none,             // by less than its error or than a twentieth; or no two loadings can be compared
+  softer,           // by more than relevant_loss, surely: it lost stiffness
+  slightly_softer,  // by more than its error, and by a twentieth, as friction that runs in makes it, too
+  stiffer,          // likewise
+};
+
+// What a comparable loading says of the stiffness: of the last one after a loading against that; where there is none, of that loading against the first.
+struct ReloadChange {
+  double loss = not_a_number, loss_error = not_a_number;  // [1] of stiffness; NaN where no two can be compared
+  bool comes_after = false;                               // what the loading itself lost is in it
+  StiffnessChange change = StiffnessChange::none;
+};
+
+// evaluated: which of the loadings, counted from 0.
+ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated);
+
+// Does it show that so much stiffness was lost that no friction can be read off?
+bool lost_stiffness(const ReloadChange& reload);
 
 }  // namespace flexslip

@@ -15,9 +15,7 @@
 #include "finding/clauses.h"
 #include "finding/findings.h"
 #include "finding/hangs_on.h"
-#include "finding/load_train_of_drops.h"
 #include "finding/printed.h"
-#include "finding/reload.h"
 #include "finding/slips_of_a_bar.h"
 #include "numerics/statistics.h"
 
@@ -66,30 +64,29 @@ std::string drops_by_kind(T test) {
 // Of a specimen that is softer when loaded again; none of one that is not. A slight loss counts where it is bent too little for friction that ran in to look
 // like one.
 std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
-  const ReloadChange reload = reload_of(test);
-  const bool is_slightly = !test.judgement && reload.change == StiffnessChange::slightly_softer;
-  if (!lost_stiffness(reload) && !is_slightly) return std::nullopt;
-  const Finding* softer = finding_in(findings, is_slightly ? "changed_reload" : "softer_reload");
+  const bool is_slightly = !test.judgement && test.reload.change == StiffnessChange::slightly_softer;
+  if (!lost_stiffness(test.reload) && !is_slightly) return std::nullopt;
+  const Finding* softer = finding_in(findings, "changed_reload");
   return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
 }
 
+// What a test comes to that is not what was stated of it.
+constexpr std::array wrong_inputs{"not_bent",        "deflection_for_stage", "wrong_load_train",
+                                  "wrong_stiffness", "impossible_modulus",   "most_drops_impossible"};
+
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
-  for (const std::string_view wrong :
-       {"not_bent", "deflection_for_stage", "wrong_load_train", "wrong_stiffness", "impossible_modulus"})
-    if (const Finding* found = finding_in(findings, wrong))
-      return {VerdictCode::check_input, {found->sentence}, found->code};
+  const Finding* refusal = is_refused(findings) ? &findings.front() : nullptr;  // the rules begin with those
+  if (refusal && std::find(wrong_inputs.begin(), wrong_inputs.end(), refusal->code) != wrong_inputs.end())
+    return {VerdictCode::check_input, {refusal->sentence}, refusal->code};
   if (!is_fitted(test)) {
-    const Finding* shallow = finding_in(findings, "too_few_points");
-    if (shallow && !is_slender(test)) {
-      const Finding* broken = finding_in(findings, "gave_way");
-      const auto softer = broken ? std::nullopt : verdict_on_reload(test, findings, std::string(no_friction_of_a_bar));
-      return softer.value_or(verdict_without_friction(test, *shallow, broken));
-    }
-    const Finding& reason = findings.front();
-    return {VerdictCode::no_answer, {reason.sentence}, reason.code};
+    const bool is_bar = test.analysis.status == AnalysisStatus::bent_too_little && !is_slender(test);
+    if (!is_bar) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
+    if (refusal->code != "gave_way")
+      if (auto softer = verdict_on_reload(test, findings, std::string(no_friction_of_a_bar))) return *softer;
+    return verdict_of_a_bar(test, findings);
   }
   const Judgement& judgement = *test.judgement;
-  if (lost_stiffness(judgement)) {
+  if (judgement.lost_stiffness) {
     const std::string no_friction = "no friction can be read off";
     if (auto softer = verdict_on_reload(test, findings, no_friction)) return *softer;
     std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
@@ -99,10 +96,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     parts.push_back(no_friction);
     return {VerdictCode::crack, parts, "cracks"};
   }
-  if (const Finding* impossible = finding_in(findings, "most_drops_impossible"))
-    return {VerdictCode::check_input, {impossible->sentence}, impossible->code};
-  if (const Finding* none = finding_in(findings, "no_sliding"))
-    return {VerdictCode::no_answer, {none->sentence}, none->code};
+  if (refusal) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
   const FrictionFit& fit = test.analysis.fit;
   const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
   const bool tells = std::isfinite(judgement.cracks_alone);
@@ -111,7 +105,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     Verdict verdict{VerdictCode::undecided,
                     {friction + " if the drops are slips and no stiffness was lost", drops_by_kind(test)},
                     open ? open->code : std::string_view()};
-    if (has_reload(test)) verdict.parts.front() = friction + " if the drops are slips";
+    if (test.reload.comes_after) verdict.parts.front() = friction + " if the drops are slips";
     if (tells) verdict.parts.push_back(cracks_in_words(test));
     return verdict;
   }
@@ -123,7 +117,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
                   {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
   if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
   if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
-  if (judgement.reload.change == StiffnessChange::slightly_softer)
+  if (test.reload.change == StiffnessChange::slightly_softer)
     verdict.parts.push_back(finding_in(findings, "changed_reload")->short_form);
   return verdict;
 }
@@ -202,7 +196,7 @@ std::string drops_in_words(T test) {
                        Print(test).own(analysis.drops.smallest_fall, kind::force), end);
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
-  const bool has_spacing = is_fitted(test) && slips.count >= enough && !lost_stiffness(*test.judgement);
+  const bool has_spacing = is_fitted(test) && slips.count >= enough && !test.judgement->lost_stiffness;
   return fmt::format("{} in {}, {}{}{}", drops_of(test), used, sizes_in_words(test),
                      has_spacing ? fmt::format(", one per {} of the specimen",
                                                format_roughly(analysis.scales.physical_length(slips.median_spacing),
@@ -223,7 +217,7 @@ std::string slip_or_crack_in_words(T test) {
                                 : fmt::format("{} of {} drops can be slips",
                                               possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
   std::vector<std::string> parts;
-  if (lost_stiffness(judgement.reload)) parts.emplace_back("a reload shows lost stiffness");
+  if (lost_stiffness(test.reload)) parts.emplace_back("a reload shows lost stiffness");
   if (std::isfinite(judgement.cracks_alone))
     parts.push_back(fmt::format("{}; the rises give back {} of the stiffness that the drops seem to take",
                                 cracks_in_words(test),
@@ -236,11 +230,11 @@ std::string slip_or_crack_in_words(T test) {
                        : stiffness_is_off(test.analysis)
                            ? "no probability while the record has another bending stiffness: check the load train"
                            : "no probability: such records were not simulated");
-  if (const ReloadChange& reload = judgement.reload; reload.comes_after && !lost_stiffness(judgement))
+  if (const ReloadChange& reload = test.reload; reload.comes_after && !judgement.lost_stiffness)
     parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
                                 format_percent(judgement.loss_needed), 100 * std::abs(reload.loss),
                                 100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer"));
-  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && !has_reload(test) && lost > 0)
+  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && !test.reload.comes_after && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -253,7 +247,7 @@ std::string if_lost_in_words(T test) {
     constexpr double tenth = 0.1, worth_saying = 0.005;
     if (may_have_lost_stiffness(test))
       parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
-    else if (has_reload(test) && loss > worth_saying)
+    else if (test.reload.comes_after && loss > worth_saying)
       parts.push_back(
           fmt::format("{:.2f} with the loss of {} that the reload leaves open", friction, format_percent(loss)));
   }
@@ -263,7 +257,7 @@ std::string if_lost_in_words(T test) {
 
 std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   const FrictionFit& fit = test.analysis.fit;
-  if (lost_stiffness(*test.judgement)) return "none can be read off a specimen that loses stiffness";
+  if (test.judgement->lost_stiffness) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound)
     return fmt::format("{} (95 %){}; it cannot be distinguished from zero", mean_friction(fit), if_lost_in_words(test));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
@@ -287,8 +281,9 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
                                         Print(test).as(kind::length)));
   else if (fit.model == ProfileModel::roughness)
     words += "; no regular spacing";
-  for (const std::string_view code : {"steady_change", "hidden_waves", "soft_rig"})
-    if (const Finding* condition = finding_in(findings, code)) words += "; " + condition->short_form;
+  for (const std::string_view code : {"changing_friction", "hidden_waves"})
+    if (const Finding* found = finding_in(findings, code); found && found->severity == Severity::condition)
+      words += "; " + found->short_form;
   return words;
 }
 
@@ -369,20 +364,42 @@ std::string assumed_in_words(T test) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Standing standing) {
+// What a reload and the loops say beside the first loading; empty where the specimen was loaded once.
+std::string reload_in_words(T test) {
+  if (!test.cycles) return "";
+  const CyclicFriction& friction = test.cycles->friction;
+  std::vector<std::string> parts;
+  if (test.judgement && friction.status == CyclesStatus::ok && !test.judgement->lost_stiffness) {
+    const auto [in, out, rms] = direction_means(friction);
+    parts.push_back(
+        fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
+                    is_beyond_friction(friction) ? "; EI and contact had to move too far to make them alike" : ""));
+  }
+  constexpr double says_nothing = 0.25;
+  if (const ReloadChange& reload = test.reload; reload.loss_error > says_nothing)
+    parts.emplace_back("their slopes are too uncertain to be compared");
+  else if (std::isfinite(reload.loss))
+    parts.push_back(fmt::format(
+        "{} is {:.1f} ± {:.1f} % {} than {}", reload.comes_after ? "the last that can be compared" : "that evaluated",
+        100 * std::abs(reload.loss), 100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer",
+        reload.comes_after ? "that evaluated" : "the first"));
+  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
+                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
+}
+
+std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, VerdictCode verdict) {
   std::vector<AnswerRow> rows{{"drops", drops_in_words(test)}};
-  const auto may_have_cracked = [&] { return lost_stiffness(*test.judgement) && !deflection_for_stage(test); };
-  const bool tells = is_fitted(test) && (is_trusted(standing) || may_have_cracked());
+  const bool tells = is_fitted(test) && (!is_refused(findings) || verdict == VerdictCode::crack);
   if (tells) {
     if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
     rows.push_back({"friction", friction_in_words(test, findings)});
     if (tells_work(test)) rows.push_back({"work", work_in_words(test)});
   }
-  if (tells_slips_of_a_bar(test)) rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
+  if (test.analysis.slips_of_bar) rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
   const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
     rows.push_back({"reload", reload});
-  const bool tells_friction = tells && !lost_stiffness(*test.judgement);
+  const bool tells_friction = tells && !test.judgement->lost_stiffness;
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
     rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
@@ -404,10 +421,9 @@ std::string next_step(const Verdict& verdict, const std::vector<Finding>& findin
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
   Verdict verdict = verdict_whatever_the_supports(test, findings);
-  const Standing standing = standing_of(findings);
-  std::vector<AnswerRow> rows = rows_of(test, findings, standing);
+  std::vector<AnswerRow> rows = rows_of(test, findings, verdict.code);
   std::string next = next_step(verdict, findings);
-  return {std::move(verdict), standing, std::move(rows), std::move(findings), std::move(next)};
+  return {std::move(verdict), std::move(rows), std::move(findings), std::move(next)};
 }
 
 }  // namespace flexslip

@@ -11,10 +11,8 @@ namespace flexslip {
 
 std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.size(); }
 
-bool has_reload(const FittedTest& test) { return test.judgement && test.judgement->reload.comes_after; }
-
 bool may_have_lost_stiffness(const FittedTest& test) {
-  if (!test.judgement || has_reload(test)) return false;
+  if (!test.judgement || test.reload.comes_after) return false;
   const bool is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
   return drops_of(test) > 0 || test.drops_elsewhere.drops > 0 || !is_smooth;
 }

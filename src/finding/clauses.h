@@ -12,9 +12,6 @@ namespace flexslip {
 
 std::size_t drops_of(const FittedTest& test);
 
-// Does a later loading bound what stiffness was lost in that evaluated?
-bool has_reload(const FittedTest& test);
-
 // Does its friction hold only if no stiffness was lost? Cracks make drops, and those too small to be seen make a force as rough as friction that varies; a
 // force that is smooth hides none.
 bool may_have_lost_stiffness(const FittedTest& test);

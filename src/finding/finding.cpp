@@ -40,12 +40,27 @@ std::string sentence_of(const Verdict& verdict) {
   return fmt::format("{}: {}{}", word_of(verdict.code), parts, parts.ends_with('.') ? "" : ".");
 }
 
+bool is_refused(const std::vector<Finding>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity == Severity::refusal; });
+}
+
+bool is_suspect(const std::vector<Finding>& findings) {
+  return std::any_of(findings.begin(), findings.end(),
+                     [](const Finding& finding) { return finding.severity <= Severity::suspicion; });
+}
+
+const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& each) { return each.code == code; });
+  return found == findings.end() ? nullptr : &*found;
+}
+
 std::vector<Finding> doubts_of(const Answer& answer) {
   const VerdictCode verdict = answer.verdict.code;
   // What is read off with a wrong input, or of a specimen that lost stiffness, is wrong for that reason.
   if (verdict == VerdictCode::check_input || verdict == VerdictCode::no_answer) return {};
-  constexpr std::array whatever_happened{"coarse_force", "few_rows", "lagging_force", "other_contact",
-                                         "sloping_baseline"};
+  constexpr std::array whatever_happened{"few_rows", "filtered_force", "other_contact", "sloping_baseline"};
   std::vector<Finding> doubts;
   for (const Finding& finding : answer.findings) {
     if (finding.severity > Severity::doubt || finding.code == answer.verdict.finding) continue;

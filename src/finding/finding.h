@@ -69,10 +69,18 @@ struct AnswerRow {
   std::string words;
 };
 
+// Does a finding refuse the answer: is there none, or none to use?
+bool is_refused(const std::vector<Finding>& findings);
+
+// Is it refused, or does its conclusion not survive a finding? A campaign leaves such a test out of its means.
+bool is_suspect(const std::vector<Finding>& findings);
+
+// That of a code; null where it was not found.
+const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code);
+
 // All that is told of a test at a glance, in the order in which it is told.
 struct Answer {
   Verdict verdict;
-  Standing standing;
   std::vector<AnswerRow> rows;
   std::vector<Finding> findings;  // the weightiest first
   std::string next;               // the one step that would tell most; may be empty

@@ -12,13 +12,10 @@
 #include <fmt/ranges.h>
 
 #include "data/names.h"
-#include "data/rounded_drops.h"
 #include "data/small_deflection.h"
 #include "finding/clauses.h"
 #include "finding/hangs_on.h"
-#include "finding/load_train_of_drops.h"
 #include "finding/printed.h"
-#include "finding/reload.h"
 #include "finding/slips_of_a_bar.h"
 #include "inference/first_passages.h"
 #include "inference/process_mode.h"
@@ -33,7 +30,10 @@ namespace {
 using T = const FittedTest&;
 using Found = std::optional<Finding>;
 
-constexpr double max_deflection = 0.8;  // [L] the greatest that a specimen reaches over its supports
+constexpr double max_deflection = 0.8;   // [L] the greatest that a specimen reaches over its supports
+constexpr std::size_t enough_drops = 3;  // to tell the load train by
+constexpr std::string_view image_of_supports =
+    "Image the supports: the length pulled in shows whether the specimen slides.";
 constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
 
 const Check* check_of(T test, CheckKind kind) {
@@ -44,9 +44,21 @@ const Check* check_of(T test, CheckKind kind) {
 
 // A stiffness that was stated is not that of the initial slope, of a specimen that had lost none before.
 bool contradicts_slope(T test) {
-  const ReloadChange reload = reload_of(test);
   return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope &&
-         (reload.comes_after || !lost_stiffness(reload));
+         (test.reload.comes_after || !lost_stiffness(test.reload));
+}
+
+bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::bent_too_little; }
+
+double greatest_deflection(T test) {
+  const auto& w = test.analysis.reduced.deflection;
+  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
+}
+
+std::string load_train_in_words(T test) {
+  const double stiffness = test.analysis.rig.stiffness;
+  return std::isfinite(stiffness) ? Print(test).own(test.analysis.scales.physical_stiffness(stiffness), kind::stiffness)
+                                  : "∞";
 }
 
 std::string_view stiffness_known(T test) {
@@ -61,7 +73,7 @@ std::string rig_keys(T test, const std::vector<std::string>& names) {
 
 // A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
 bool presumes_too_much(T test) {
-  return contradicts_slope(test) || test.analysis.model_implausible || lost_stiffness(*test.judgement);
+  return contradicts_slope(test) || test.analysis.model_implausible || test.judgement->lost_stiffness;
 }
 
 Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
@@ -138,14 +150,19 @@ Found sloping_baseline(T test) {
 
 std::string to_find_contact(T test) { return to_change(test, {"record", "contact", "\"find\""}); }
 
-// The record's own contact is another than that taken off.
-Found other_contact(T test) {
+// Is the record's own contact another than that taken off?
+bool has_other_contact(T test) {
   const Measurement& measurement = test.measurement;
   const auto& [value, error, low, high] = measurement.own_contact.offset;
   constexpr double errors = 2, least = 0.0012;  // [1], [L] less moves friction by less than its interval
-  if (measurement.own_contact.status != ContactStatus::found || measurement.contact == ContactSource::found ||
-      !(std::abs(value) > std::max(errors * error, least * test.analysis.scales.span())))
-    return std::nullopt;
+  return measurement.own_contact.status == ContactStatus::found && measurement.contact != ContactSource::found &&
+         std::abs(value) > std::max(errors * error, least * test.analysis.scales.span());
+}
+
+Found other_contact(T test) {
+  if (!has_other_contact(test)) return std::nullopt;
+  const Measurement& measurement = test.measurement;
+  const auto& [value, error, low, high] = measurement.own_contact.offset;
   return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format(
                      "The record itself begins {} {} {}{}.",
@@ -158,58 +175,66 @@ Found other_contact(T test) {
                  .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
 }
 
+// Does the record begin at a force that no specimen makes, as that of a load cell that was not set to zero?
+bool begins_below_zero(T test) {
+  return test.measurement.test.record->zero == ForceZeroRule{} && test.measurement.begins_under < 0;
+}
+
+std::string to_set_zero(T test) {
+  const std::string force = Print(test).own(test.measurement.begins_under, kind::force);
+  return to_change(test, {"record", "zero", fmt::format("\"{}\"", force)});
+}
+
 // A preload that the specimen bears and a load cell that was not set to zero look alike.
 Found begins_under_force(T test) {
   const Measurement& measurement = test.measurement;
   const double force = measurement.begins_under;
-  if (measurement.test.record->zero != ForceZeroRule{}) return std::nullopt;
   const std::string printed = Print(test).own(force, kind::force);
-  if (force < 0)
+  if (begins_below_zero(test))
     return Finding{.severity = Severity::doubt,
                    .sentence = fmt::format("The record begins at a force of {}, as no specimen makes it.", printed),
                    .short_form = fmt::format("begins at {}", printed),
-                   .remedy = fmt::format("The load cell was not set to zero: {}.",
-                                         to_change(test, {"record", "zero", fmt::format("\"{}\"", printed)})),
+                   .remedy = fmt::format("The load cell was not set to zero: {}.", to_set_zero(test)),
                    .numbers = {{"force", force, kind::force}}};
-  if (!(force > 0) || measurement.contact != ContactSource::found || measurement.test.record->contact)
+  if (measurement.test.record->zero != ForceZeroRule{} || !(force > 0) || measurement.contact != ContactSource::found ||
+      measurement.test.record->contact)
     return std::nullopt;
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence =
-          fmt::format("The record begins under a force of {}, which is taken as borne by the specimen.", printed),
-      .short_form = fmt::format("begins under {}", printed),
-      .remedy = fmt::format("If the load cell was not set to zero, {}; if it was, {}.",
-                            to_change(test, {"record", "zero", fmt::format("\"{}\"", printed)}), to_find_contact(test)),
-      .numbers = {{"force", force, kind::force}}};
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format(
+                     "The record begins under a force of {}, which is taken as borne by the specimen.", printed),
+                 .short_form = fmt::format("begins under {}", printed),
+                 .remedy = fmt::format("If the load cell was not set to zero, {}; if it was, {}.", to_set_zero(test),
+                                       to_find_contact(test)),
+                 .numbers = {{"force", force, kind::force}}};
 }
 
 // What is most likely off where the record begins comes first.
 std::string find_contact_or_check(T test, const std::string& remedy) {
-  if (const Found below = begins_under_force(test); below && test.measurement.begins_under < 0)
-    return below->remedy.substr(0, below->remedy.size() - 1) + "; check " + remedy;
-  return (other_contact(test) ? capitalised(to_find_contact(test)) + "; check " : "Check ") + remedy;
-}
-
-double greatest_deflection(T test) {
-  const auto& w = test.analysis.reduced.deflection;
-  return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
+  if (begins_below_zero(test))
+    return fmt::format("The load cell was not set to zero: {}; check {}", to_set_zero(test), remedy);
+  return (has_other_contact(test) ? capitalised(to_find_contact(test)) + "; check " : "Check ") + remedy;
 }
 
 // ---- Why a record has no answer
 
-Found no_force(T test) {
+// The readings are not those of a specimen bent over its supports.
+Found not_bent(T test) {
   const auto& force = test.analysis.record.force;
-  if (is_fitted(test) || force.empty() || *std::max_element(force.begin(), force.end()) > 0) return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = "The force is nowhere above zero.",
-                 .short_form = "no force above zero",
-                 .remedy = "Check which column is the force, and its sign."};
-}
-
-Found too_deep(T test) {
+  if (is_fitted(test) || force.empty()) return std::nullopt;
+  if (!(*std::max_element(force.begin(), force.end()) > 0))
+    return Finding{.severity = Severity::refusal,
+                   .sentence = "The force is nowhere above zero.",
+                   .short_form = "no force above zero",
+                   .remedy = "Check which column is the force, and its sign."};
   const double deepest = greatest_deflection(test);
-  if (test.analysis.status != AnalysisStatus::bent_too_little || deepest <= max_deflection || no_force(test))
-    return std::nullopt;
+  if (!(deepest > 0))
+    return Finding{.severity = Severity::refusal,
+                   .sentence = "The displacement stays before the contact: the specimen is nowhere bent.",
+                   .short_form = "nowhere bent",
+                   .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
+                                         to_find_contact(test))};
+  const bool explains_slope = is_slender(test) || !contradicts_slope(test);
+  if (is_bent_enough(test) || deepest <= max_deflection || !explains_slope) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format(
@@ -220,20 +245,46 @@ Found too_deep(T test) {
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
-Found not_bent(T test) {
-  if (is_fitted(test) || test.analysis.record.force.empty() || greatest_deflection(test) > 0 || no_force(test))
+// A stage moves evenly from row to row; a deflection leaps in each drop by what the load train gives back.
+Found deflection_for_stage(T test) {
+  const TrainInDrops& train = test.analysis.statistics.train;
+  if (!is_bent_enough(test) || !test.measurement.is_derived || std::isinf(test.analysis.rig.stiffness) ||
+      train.drops < enough_drops)
     return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = "The displacement stays before the contact: the specimen is nowhere bent.",
-                 .short_form = "nowhere bent",
-                 .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
-                                       to_find_contact(test))};
+  constexpr double surely = 3, half = 0.5;
+  if (!(train.leap - surely * train.leap_error > half)) return std::nullopt;
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("In each of the {} drops the column taken for the stage leaps ahead, by {:.2f} of what "
+                              "the load train gives back; a stage moves evenly. It holds the deflection.",
+                              train.drops, train.leap),
+      .short_form = "the stage leaps as a deflection does",
+      .remedy = "Name that column as the deflection, or the column of the stage.",
+      .numbers = {{"leap", train.leap}}};
+}
+
+// What the specimen bends in a drop beyond the rows before it is what the load train gives back. A force that lags behind shows it too late.
+Found train_by_drops(T test) {
+  const TrainInDrops& train = test.analysis.statistics.train;
+  const std::size_t drops = test.analysis.drops.drops.size();
+  if (train.misfits < enough_drops || 2 * train.misfits < drops || test.analysis.statistics.rounded.lag > 0 ||
+      !(train.compliance > 0))
+    return std::nullopt;
+  const std::string as_on = format_roughly(1 / train.compliance, Print(test).as(kind::stiffness));
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format(
+          "{} of {} drops do not fit the load train stated ({}): while the force falls, the specimen bends as on {}.",
+          train.misfits, drops, load_train_in_words(test), as_on),
+      .short_form = fmt::format("load train as of {}", as_on),
+      .remedy = fmt::format("State the stiffness of the load train ({}).", rig_keys(test, {"stiffness"})),
+      .numbers = {{"misfits", static_cast<double>(train.misfits)},
+                  {"load_train", 1 / train.compliance, kind::stiffness}}};
 }
 
 Found too_few_points(T test) {
+  if (is_bent_enough(test)) return std::nullopt;
   const std::size_t rows = test.analysis.record.force.size();
-  if (test.analysis.status != AnalysisStatus::bent_too_little || too_deep(test) || not_bent(test) || no_force(test))
-    return std::nullopt;
   const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
   return Finding{
       .severity = Severity::refusal,
@@ -248,11 +299,42 @@ Found too_few_points(T test) {
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
+// Of a bar that is bent too little to tell friction: a drop is deeper than any slip.
+Found gave_way(T test) {
+  const auto& of_bar = test.analysis.slips_of_bar;
+  if (!of_bar || of_bar->beyond == 0) return std::nullopt;
+  const std::size_t row = file_row(test, test.analysis.slips[of_bar->least_like_a_slip].drop.before);
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("{} than any slip: {}. The specimen gave way.", capitalised(deeper_drops(test)),
+                              most_by_slip_in_words(test)),
+      .short_form = "gave way",
+      .remedy = fmt::format("Use flexslip modulus for stiffness and strength; to end the record before that drop, {}.",
+                            to_say(test.measurement.test, {{"record", "until", fmt::format("{}", row)}})),
+      .numbers = {{"beyond_slips", static_cast<double>(of_bar->beyond)},
+                  {"most_by_slip", most_by_slip(test), kind::force}}};
+}
+
+// Of a test that is bent too little to tell friction: its force sinks by a tenth or more, and not in drops.
+Found sinks(T test) {
+  const Sinking& sinking = test.analysis.statistics.sinking;
+  constexpr double worth_saying = 0.1;
+  if (is_bent_enough(test) || !(sinking.share > worth_saying)) return std::nullopt;
+  const std::size_t row = file_row(test, sinking.from);
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("From row {} on the force sinks by {} without a drop, as no elastic specimen "
+                                         "does at so small a deflection: it yielded or gave way slowly.",
+                                         row, format_percent(sinking.share)),
+                 .short_form = fmt::format("the force sinks by {}", format_percent(sinking.share)),
+                 .remedy = "Use flexslip modulus for stiffness and strength.",
+                 .numbers = {{"sunk", sinking.share}, {"row", static_cast<double>(row)}}};
+}
+
 // Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
 Found wrong_load_train(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!is_bent_enough(test)) return std::nullopt;
-  if (Found found = other_train_in_drops(test)) return found;
+  if (Found found = train_by_drops(test)) return found;
   const double times = analysis.stiffness_over_slope;
   if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
       !likely_slip_of_units(times).empty())
@@ -272,8 +354,7 @@ Found wrong_load_train(T test) {
 
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
-  const bool is_judged = is_bent_enough(test) || (!too_deep(test) && !not_bent(test)) || !is_slender(test);
-  if (!is_judged || !contradicts_slope(test) || wrong_load_train(test)) return std::nullopt;
+  if (!contradicts_slope(test)) return std::nullopt;
   const double times = analysis.stiffness_over_slope;
   return Finding{
       .severity = Severity::refusal,
@@ -296,7 +377,6 @@ double modulus_found(T test) {
 
 // Of a slope in wrong units, or of a load train that gives as much as all of the displacement.
 Found impossible_modulus(T test) {
-  if (wrong_load_train(test) || wrong_stiffness(test)) return std::nullopt;
   const double modulus = modulus_found(test);
   if (!(modulus > stiffest_material)) return std::nullopt;
   const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
@@ -308,14 +388,19 @@ Found impossible_modulus(T test) {
                  .numbers = {{"modulus", modulus, kind::pressure}}};
 }
 
+// No friction gives the record, or the best fit misses it.
 Found not_explained(T test) {
-  if (test.analysis.status != AnalysisStatus::not_explained || no_force(test)) return std::nullopt;
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
-                 .short_form = "no friction explains it",
-                 .remedy = find_contact_or_check(test,
-                                                 "the columns (flexslip read FILE shows them), their units, the span, "
-                                                 "the section, the modulus and the load train.")};
+  if (test.analysis.status != AnalysisStatus::not_explained && !test.analysis.model_implausible) return std::nullopt;
+  const std::string gave_way =
+      is_fitted(test) ? " If they are right, the specimen gave way: unload and load once more." : "";
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
+      .short_form = "no friction explains it",
+      .remedy = find_contact_or_check(test,
+                                      "the columns (flexslip read FILE shows them), their units, the span, the "
+                                      "section, the modulus, the supports and the load train." +
+                                          gave_way)};
 }
 
 // ---- What stands against an answer
@@ -328,9 +413,14 @@ bool begin_beyond_friction(T test) {
   return 2 * static_cast<std::size_t>(beyond) > test.judgement->impossible;
 }
 
+// The load train is not as stated, before anything else.
+bool are_most_drops_impossible(T test) {
+  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->lost_stiffness;
+}
+
 Found most_drops_impossible(T test) {
-  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
-  if (!most_are_impossible(impossible, drops) || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (!are_most_drops_impossible(test)) return std::nullopt;
+  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
   Finding finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
@@ -355,18 +445,6 @@ Found most_drops_impossible(T test) {
   return finding;
 }
 
-Found no_sliding(T test) {
-  if (!test.analysis.model_implausible) return std::nullopt;
-  const std::string remedy = find_contact_or_check(
-      test,
-      "the columns (flexslip read FILE shows them), the modulus, the section, the span, the contact, the zero of the "
-      "force and the load train. If they are right, the specimen gave way: unload and load once more.");
-  return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
-                 .short_form = "no friction explains it",
-                 .remedy = remedy};
-}
-
 Found cracks(T test) {
   if (!test.judgement->drops_are_cracks) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
@@ -377,10 +455,27 @@ Found cracks(T test) {
                  .numbers = {{"cracks_alone", test.judgement->cracks_alone}}};
 }
 
+// It is softer than it can be without damage; or it has changed by more than its error.
+Found changed_reload(T test) {
+  const auto& [loss, error, comes_after, change] = test.reload;
+  if (change == StiffnessChange::none) return std::nullopt;
+  const bool is_softer = change != StiffnessChange::stiffer;
+  const std::string by =
+      fmt::format("{:.1f} ± {:.1f} % {}", 100 * std::abs(loss), 100 * error, is_softer ? "softer" : "stiffer");
+  return Finding{
+      .severity = lost_stiffness(test.reload) ? Severity::suspicion : Severity::doubt,
+      .sentence = lost_stiffness(test.reload) ? fmt::format("The specimen lost stiffness: loaded again, it is {}.", by)
+                                              : fmt::format("Loaded again, the specimen is {} than at first.", by),
+      .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(loss), is_softer ? "softer" : "stiffer"),
+      .remedy = is_softer ? "Unload the next specimen earlier, before it loses stiffness, and load it once more."
+                          : "See whether the contact or the rig has changed.",
+      .numbers = {{"loss", loss}, {"loss_error", error}}};
+}
+
 // What cannot be a slip is told at the bending stiffness stated, which may be what is wrong.
 Found impossible_drops(T test) {
-  const std::size_t drops = test.analysis.drops.drops.size(), impossible = test.judgement->impossible;
-  if (impossible == 0 || most_drops_impossible(test)) return std::nullopt;
+  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
+  if (impossible == 0 || are_most_drops_impossible(test)) return std::nullopt;
   const Check* stiffness = check_of(test, CheckKind::stiffness);
   const bool is_stiffness_in_doubt = stiffness && stiffness->outcome == CheckOutcome::failed;
   const std::string can_be = drops == 1            ? "The drop cannot be a slip"
@@ -396,56 +491,34 @@ Found impossible_drops(T test) {
       .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
-// What lies behind a row may read otherwise than what lies before it.
-std::string to_compare_before(T test, std::size_t row) {
-  return fmt::format("Compare with the friction before it: {}.",
-                     to_say(test.measurement.test, {{"record", "until", fmt::format("{}", row)}}));
-}
-
-// Where friction repeats, so do its drops: one far deeper is something else, which friction behind it is then read with.
-Found one_drop_stands_out(T test) {
-  const auto& drops = test.analysis.drops.drops;
-  constexpr std::size_t enough = 6;
-  constexpr double far = 2;  // times the next
-  if (drops.size() < enough || !test.analysis.fit.wave_claimed || lost_stiffness(*test.judgement)) return std::nullopt;
-  const auto shallower = [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; };
-  const auto deepest = std::max_element(drops.begin(), drops.end(), shallower);
-  double next = 0;
-  for (auto drop = drops.begin(); drop != drops.end(); ++drop)
-    if (drop != deepest) next = std::max(next, drop->force_fall);
-  if (!(deepest->force_fall > far * next)) return std::nullopt;
-  const std::size_t row = file_row(test, deepest->before);
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence = fmt::format("Friction repeats, and yet the drop behind row {} is {:.1f} times the next: a crack or a "
-                              "jump of the load cell reads as less friction behind it.",
-                              row, deepest->force_fall / next),
-      .short_form = "one drop stands out",
-      .remedy = to_compare_before(test, row),
-      .numbers = {{"times_the_next", deepest->force_fall / next}}};
-}
-
+// Above the limit, or below none.
 Found implausible_friction(T test) {
   const TestAnalysis& analysis = test.analysis;
+  if (!is_friction_implausible(analysis)) {
+    if (!(analysis.friction_read.median < min_friction)) return std::nullopt;
+    return Finding{.severity = Severity::doubt,
+                   .sentence = "The force lies below the frictionless curve.",
+                   .short_form = "below the frictionless curve",
+                   .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
+  }
   const double most = std::min(analysis.suspects.limit, analysis.most_friction);
-  if (!is_friction_implausible(analysis)) return std::nullopt;
   const std::string how =
       analysis.suspects.suspect
           ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
                         analysis.suspects.points.size(), analysis.suspects.points_judged)
           : fmt::format("at least {:.2f} on average (95 %)", analysis.fit.mu0.low);
-  return Finding{
-      .severity = Severity::suspicion,
-      .sentence = fmt::format("The record needs implausible friction, {}.", how),
-      .short_form = fmt::format("friction above {:.2g}", most),
-      .remedy =
-          analysis.fit.mu0.low > analysis.most_friction
-              ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether they are stuck.",
-                            analysis.most_friction)
-          : !test.measurement.test.rig->states_supports()
-              ? fmt::format("If the supports are not edges, state {}: rollers taken for edges read so.",
-                            rig_keys(test, {"roller_radius"}))
-              : "Image the supports: the length pulled in shows whether the specimen slides."};
+  return Finding{.severity = Severity::suspicion,
+                 .sentence = fmt::format("The record needs implausible friction, {}.", how),
+                 .short_form = fmt::format("friction above {:.2g}", most),
+                 .remedy = analysis.fit.mu0.low > analysis.most_friction
+                               ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether "
+                                             "they are stuck.",
+                                             analysis.most_friction)
+                           : !test.measurement.test.rig->states_supports()
+                               ? fmt::format("If the supports are not edges, state {}: rollers taken for edges read "
+                                             "so.",
+                                             rig_keys(test, {"roller_radius"}))
+                               : std::string(image_of_supports)};
 }
 
 Found misses_force(T test) {
@@ -497,19 +570,6 @@ Found coloured_noise(T test) {
   return finding;
 }
 
-Found simpler_fits_better(T test) {
-  const Check* check = check_of(test, CheckKind::nesting);
-  if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so simpler explanations are not compared.");
-  if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("The likeliest explanation contains no simpler one.");
-  return checked(test, *check, "No simpler explanation fits better.",
-                 fmt::format("A simpler explanation fits better, by {:.1f} in ln L.",
-                             std::max(number_of(*check, "most_below"), 0.0)),
-                 "a simpler explanation fits better",
-                 "The best fit was not found: compare those of the models constant and drift.");
-}
-
 Found unstable(T test) {
   const Check* check = check_of(test, CheckKind::stability);
   if (!check) return std::nullopt;
@@ -523,23 +583,9 @@ Found unstable(T test) {
   return checked(test, *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
 }
 
-Found falling_friction(T test) {
-  if (!test.judgement->friction_falls) return std::nullopt;
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence =
-          "Friction decreases along the record, as it would if stiffness were lost or if rollers were taken for edges.",
-      .short_form = "friction decreases",
-      .remedy =
-          !test.measurement.test.rig->states_supports()
-              ? fmt::format("State {} if the supports are not edges; if they are, an image of the supports tells.",
-                            rig_keys(test, {"roller_radius"}))
-              : "Image the supports: the length pulled in shows whether the specimen slides."};
-}
-
 // The loops, which know no wrong contact or drawn-in beginning, need another friction than the one loading.
 Found loops_differ(T test) {
-  if (!test.cycles || test.cycles->friction.status != CyclesStatus::ok || lost_stiffness(*test.judgement))
+  if (!test.cycles || test.cycles->friction.status != CyclesStatus::ok || test.judgement->lost_stiffness)
     return std::nullopt;
   const Estimate& mu0 = test.analysis.fit.mu0;
   const auto [in, out, rms] = direction_means(test.cycles->friction);
@@ -558,25 +604,12 @@ Found loops_differ(T test) {
                  .numbers = {{"in", in}, {"out", out}}};
 }
 
-Found coarse_force(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  constexpr double relevant = 0.05;  // of the greatest force
-  const auto& force = analysis.record.force;
-  if (!(analysis.drops.smallest_fall > relevant * *std::max_element(force.begin(), force.end()))) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("A drop of less than {} could not be seen.",
-                                         Print(test).own(analysis.drops.smallest_fall, kind::force)),
-                 .short_form = "force too coarse for drops",
-                 .remedy = "Record the force more finely.",
-                 .numbers = {{"smallest_fall", analysis.drops.smallest_fall, kind::force}}};
-}
-
 // Unloading once more tells slips from cracks, wherever that can still be done.
 std::string reload_remedy(T test) {
   if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
     return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
   constexpr double well_known = 0.02;
-  if (const ReloadChange reload = reload_of(test); has_reload(test))
+  if (const ReloadChange& reload = test.reload; reload.comes_after)
     return reload.loss_error < well_known
                ? fmt::format(
                      "Unload and load the next specimen again after every few drops: this reload bounds the loss of "
@@ -592,10 +625,35 @@ std::string reload_remedy(T test) {
                      of > 1 ? fmt::format(" (none comes after loading {}, which is evaluated)", loading) : "");
 }
 
-// A filter that looks both ways, which no load cell has.
-Found smoothed_force(T test) {
+// Where the stage moves much farther than usual from one row to the next, what happened in between is not seen.
+Found gap_in_stage(T test) {
+  const WidestStep& widest = test.analysis.statistics.widest_step;
+  constexpr double far = 20, part = 0.02;  // [usual step], of all travel
+  if (!is_bent_enough(test) || !(widest.length > far * widest.usual && widest.share_of_travel > part))
+    return std::nullopt;
+  const std::size_t row = file_row(test, widest.behind);
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("Behind row {} the stage moves by {} at once: rows are missing, or it counts "
+                                         "wrongly from there on, which reads as another friction.",
+                                         row, Print(test).own(widest.length, kind::length)),
+                 .short_form = fmt::format("a gap behind row {}", row),
+                 .remedy = fmt::format("Compare with the friction before it: {}.",
+                                       to_change(test, {"record", "until", fmt::format("{}", row)})),
+                 .numbers = {{"step", widest.length, kind::length}, {"row", static_cast<double>(row)}}};
+}
+
+// By a low-pass, which a load cell or a loop of the machine has; or by a filter that looks both ways, which only software has.
+Found filtered_force(T test) {
+  const RoundedDrops& drops = test.analysis.statistics.rounded;
   if (!is_bent_enough(test)) return std::nullopt;
-  const RoundedDrops drops = rounded_drops(test.analysis.record);
+  if (drops.lag > 0)
+    return Finding{.severity = Severity::doubt,
+                   .sentence = fmt::format("The force lags behind by about {:.1f} rows: the drops recorded are "
+                                           "rounded, and shallower than the real ones.",
+                                           drops.lag),
+                   .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
+                   .remedy = "Filter the force less, or record rows that are farther apart in time.",
+                   .numbers = {{"lag_in_rows", drops.lag}}};
   if (!(drops.spread > 0)) return std::nullopt;
   return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format("The force has been smoothed: each drop is spread over about {:.1f} rows, and "
@@ -604,66 +662,6 @@ Found smoothed_force(T test) {
                  .short_form = "the force has been smoothed",
                  .remedy = "Give the readings as they were recorded.",
                  .numbers = {{"spread_in_rows", drops.spread}}};
-}
-
-// Where the stage moves much farther than usual from one row to the next, what happened in between is not seen.
-Found gap_in_stage(T test) {
-  const std::vector<double>& stage = test.analysis.record.stage;
-  if (!is_bent_enough(test)) return std::nullopt;
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < stage.size(); ++i) steps.push_back(stage[i] - stage[i - 1]);
-  const auto widest = std::max_element(steps.begin(), steps.end());
-  const double step = *widest, usual = median_of(steps);
-  constexpr double far = 20, part = 0.02;  // [usual step], of all travel
-  if (!(step > far * usual && step > part * (stage.back() - stage.front()))) return std::nullopt;
-  const std::size_t row = file_row(test, static_cast<std::size_t>(widest - steps.begin()));
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Behind row {} the stage moves by {} at once: rows are missing, or it counts "
-                                         "wrongly from there on, which reads as another friction.",
-                                         row, Print(test).own(step, kind::length)),
-                 .short_form = fmt::format("a gap behind row {}", row),
-                 .remedy = to_compare_before(test, row),
-                 .numbers = {{"step", step, kind::length}, {"row", static_cast<double>(row)}}};
-}
-
-// What relaxes or gives way while nothing moves is no friction that is overcome.
-Found sank_at_rest(T test) {
-  if (!is_bent_enough(test)) return std::nullopt;
-  const std::vector<double>& force = test.analysis.record.force;
-  const Measurement& measurement = test.measurement;
-  const double little = 0.1 * *std::max_element(force.begin(), force.end());  // of which a share says nothing
-  double most = 0;
-  std::size_t behind = 0;
-  for (const std::size_t halt :
-       measurement.sampling.halts_between(measurement.first, measurement.first + force.size())) {
-    if (halt + 1 >= force.size() || !(force[halt] > little)) continue;
-    const double sunk = 1 - force[halt + 1] / force[halt];
-    if (sunk > most) most = sunk, behind = halt;
-  }
-  constexpr double worth_saying = 0.03;
-  if (!(most > worth_saying)) return std::nullopt;
-  const std::size_t row = file_row(test, behind);
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence = fmt::format("While the stage rests behind row {} the force sinks by {}: if that is lost for "
-                              "good, it reads as less friction from there on.",
-                              row, format_percent(most)),
-      .short_form = fmt::format("the force sinks by {} at rest", format_percent(most)),
-      .remedy = to_compare_before(test, row),
-      .numbers = {{"sunk", most}, {"row", static_cast<double>(row)}}};
-}
-
-Found lagging_force(T test) {
-  if (!is_bent_enough(test)) return std::nullopt;
-  const RoundedDrops drops = rounded_drops(test.analysis.record);
-  if (!(drops.lag > 0)) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("The force lags behind by about {:.1f} rows: the drops recorded are rounded, "
-                                         "and shallower than the real ones.",
-                                         drops.lag),
-                 .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
-                 .remedy = "Filter the force less, or record rows that are farther apart in time.",
-                 .numbers = {{"lag_in_rows", drops.lag}}};
 }
 
 Found undecided_drops(T test) {
@@ -700,20 +698,13 @@ Found drops_elsewhere(T test) {
 }
 
 Found few_rows(T test) {
-  if (!test.judgement->few_rows) return std::nullopt;
+  constexpr double min_rows = 5;  // at four, waves are missed
+  if (!(test.analysis.statistics.rows_between_drops < min_rows)) return std::nullopt;
   return Finding{
       .severity = Severity::doubt,
       .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.",
       .short_form = "few rows between drops",
       .remedy = "Record more rows."};
-}
-
-Found below_frictionless(T test) {
-  if (!(test.analysis.friction_read.median < min_friction)) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = "The force lies below the frictionless curve.",
-                 .short_form = "below the frictionless curve",
-                 .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
 }
 
 // "1.5 % above"
@@ -758,7 +749,7 @@ Found known_roughly(T test) {
   const Estimate& mu0 = test.analysis.fit.mu0;
   constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
   const double half = 0.5 * (mu0.high - mu0.low);
-  if (test.analysis.fit.mu0_is_bound || !(half > rough) || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (test.analysis.fit.mu0_is_bound || !(half > rough) || test.judgement->lost_stiffness) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
                  .remedy = "Bend farther, or state the bending stiffness more exactly.",
@@ -767,7 +758,7 @@ Found known_roughly(T test) {
 
 // Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
 Found no_reload(T test) {
-  if (!may_have_lost_stiffness(test) || undecided_drops(test) || lost_stiffness(*test.judgement)) return std::nullopt;
+  if (!may_have_lost_stiffness(test) || test.judgement->lost_stiffness) return std::nullopt;
   const auto& [loading, of] = test.measurement.loading;
   const std::string reload =
       of > 1 ? fmt::format("a reload after loading {}, which is evaluated,", loading) : "a reload";
@@ -795,26 +786,9 @@ Finding length_not_stated(T test, StatedQuantity quantity, double length_in_span
   return finding;
 }
 
-// Where nobody stated a modulus, a slip of units or dimensions shows in it alone.
-Found stiff_modulus(T test) {
-  const auto& specimen = test.measurement.test.specimen;
-  const double modulus = modulus_found(test);
-  if (!(modulus > stiff_material) || test.stiffness != StiffnessSource::initial_slope || specimen->material)
-    return std::nullopt;
-  const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
-  return Finding{
-      .severity = Severity::condition,
-      .sentence = fmt::format(
-          "The modulus found, {}, is that of few materials: of carbides and diamond{}.", in_words(modulus),
-          specimen->diameter ? fmt::format(", or {}, if the diameter stated is a radius", in_words(modulus / 16)) : ""),
-      .remedy = fmt::format("Check the section and the units, or state the material ({}).",
-                            keys_in_words(test.measurement.test, "specimen", {"material"})),
-      .numbers = {{"modulus", modulus, kind::pressure}}};
-}
-
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.states_supports() || (lost_stiffness(*test.judgement) && !test.on_rollers)) return std::nullopt;
+  if (rig.states_supports() || (test.judgement->lost_stiffness && !test.on_rollers)) return std::nullopt;
   const std::string taken = "The supports are not stated, and edges are assumed.",
                     remedy = fmt::format("State {}, or {}.",
                                          in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
@@ -840,7 +814,7 @@ Found supports_not_stated(T test) {
 Found thickness_not_stated(T test) {
   const Test& input = test.measurement.test;
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
-      lost_stiffness(*test.judgement))
+      test.judgement->lost_stiffness)
     return std::nullopt;
   constexpr double usual = 0.02;  // [L] of the authors' spicules, and of many a fibre
   return length_not_stated(test, StatedQuantity::thickness, usual, "No section says how thick the specimen is.",
@@ -849,10 +823,20 @@ Found thickness_not_stated(T test) {
 }
 
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
-Found steady_change(T test) {
+Found changing_friction(T test) {
   const FrictionFit& fit = test.analysis.fit;
-  if (!(weight_without_roughness(fit) > 0.5) || lost_stiffness(*test.judgement) || falling_friction(test))
-    return std::nullopt;
+  if (test.judgement->friction_falls)
+    return Finding{.severity = Severity::doubt,
+                   .sentence =
+                       "Friction decreases along the record, as it would if stiffness were lost or if rollers "
+                       "were taken for edges.",
+                   .short_form = "friction decreases",
+                   .remedy = !test.measurement.test.rig->states_supports()
+                                 ? fmt::format("State {} if the supports are not edges; if they are, an image of the "
+                                               "supports tells.",
+                                               rig_keys(test, {"roller_radius"}))
+                                 : std::string(image_of_supports)};
+  if (!(weight_without_roughness(fit) > 0.5) || test.judgement->lost_stiffness) return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence =
@@ -862,11 +846,19 @@ Found steady_change(T test) {
                  .remedy = reload_remedy(test)};
 }
 
-// Where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and friction reads smooth.
+// On a soft load train, or where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and
+// friction reads smooth.
 Found hidden_waves(T test) {
   const FrictionFit& fit = test.analysis.fit;
-  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || lost_stiffness(*test.judgement))
-    return std::nullopt;
+  if (const double hidden = fit.hidden_by_rig; hidden > 0)
+    return Finding{.severity = Severity::condition,
+                   .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest "
+                                           "of its friction unseen: the mean may be off by {:.2f}.",
+                                           hidden),
+                   .short_form = "a load train so soft hides some of it",
+                   .remedy = "A stiffer rig tells friction better.",
+                   .numbers = {{"hidden", hidden, kind::number}}};
+  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || test.judgement->lost_stiffness) return std::nullopt;
   if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
   constexpr double lengths_told_apart = 20;
   const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
@@ -883,136 +875,84 @@ Found hidden_waves(T test) {
       .numbers = {{"shortest_wave", shortest, kind::length}}};
 }
 
-Found soft_rig(T test) {
-  const double hidden = test.analysis.fit.hidden_by_rig;
-  if (!(hidden > 0)) return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest of "
-                                         "its friction unseen: the mean may be off by {:.2f}.",
-                                         hidden),
-                 .short_form = "a load train so soft hides some of it",
-                 .remedy = "A stiffer rig tells friction better.",
-                 .numbers = {{"hidden", hidden, kind::number}}};
-}
-
-Found jumps(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (!std::isfinite(judgement.stiffness_for_all) || lost_stiffness(judgement)) return std::nullopt;
-  const double least = test.analysis.scales.physical_stiffness(judgement.stiffness_for_all);
-  return Finding{.severity = Severity::note,
-                 .sentence = fmt::format("{} of the length that slid passed in slips, where friction is not seen.",
-                                         format_percent(judgement.jumped)),
-                 .remedy = fmt::format(
-                     "A stiffer rig shows more: on {} or more the force falls only smoothly with such a mean friction.",
-                     std::string(format_roughly(least, Print(test).as(kind::stiffness)))),
-                 .numbers = {{"stiffness_for_no_snap", least, kind::stiffness}}};
-}
-
-Found imaged_length(T test) {
-  if (!test.imaged || test.imaged->points.empty()) return std::nullopt;
-  const ImagedLength& imaged = *test.imaged;
-  const double unit = test.analysis.scales.span();
-  const Kind length = Print(test).as(kind::length);
-  return Finding{.severity = Severity::note,
-                 .sentence = fmt::format(
-                     "The imaged length pulled in is {} {} than the force says (median of {}), with a scatter of {}.",
-                     readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
-                     imaged.offset.value > 0 ? "less" : "more", format_count(imaged.points.size(), "point", "points"),
-                     format_roughly(unit * imaged.scatter, length))};
-}
+// Rules that exclude each other: of a group the first that applies is said, and those after it are not.
+enum class Group {
+  alone,      // none: said whatever else is
+  answer,     // why there is none, or none to use
+  damage,     // did the specimen lose stiffness?
+  beginning,  // of the record
+  reload,     // what it, or another loading, would tell
+  certainty,  // of friction
+};
 
 // A rule, under the code of what it finds; does it presume an answer of the analysis?
 struct Rule {
+  Group group;
   std::string_view code;
   Found (*find)(T test);
-  bool presumes_an_answer;
+  bool presumes_an_answer = true;
 };
 
+// Rules of a group stand together. None calls another.
 constexpr std::array rules{
-    Rule{"no_force", no_force, false},
-    Rule{"too_deep", too_deep, false},
-    Rule{"not_bent", not_bent, false},
-    Rule{"gave_way", gave_way, false},
-    Rule{"sinks", sinks, false},
-    Rule{"too_few_points", too_few_points, false},
-    Rule{"deflection_for_stage", deflection_for_stage, false},
-    Rule{"wrong_load_train", wrong_load_train, false},
-    Rule{"wrong_stiffness", wrong_stiffness, false},
-    Rule{"impossible_modulus", impossible_modulus, false},
-    Rule{"not_explained", not_explained, false},
-    Rule{"softer_reload", softer_reload, false},
-    Rule{"cracks", cracks, true},
-    Rule{"most_drops_impossible", most_drops_impossible, true},
-    Rule{"no_sliding", no_sliding, true},
-    Rule{"impossible_drops", impossible_drops, true},
-    Rule{"one_drop_stands_out", one_drop_stands_out, true},
-    Rule{"implausible_friction", implausible_friction, true},
-    Rule{"sloping_baseline", sloping_baseline, true},
-    Rule{"other_contact", other_contact, true},
-    Rule{"begins_under_force", begins_under_force, false},
-    Rule{"misses_force", misses_force, true},
-    Rule{"drops_differ", drops_differ, true},
-    Rule{"coloured_noise", coloured_noise, true},
-    Rule{"simpler_fits_better", simpler_fits_better, true},
-    Rule{"unstable", unstable, true},
-    Rule{"falling_friction", falling_friction, true},
-    Rule{"changed_reload", changed_reload, false},
-    Rule{"loops_differ", loops_differ, true},
-    Rule{"coarse_force", coarse_force, true},
-    Rule{"lagging_force", lagging_force, false},
-    Rule{"smoothed_force", smoothed_force, false},
-    Rule{"gap_in_stage", gap_in_stage, false},
-    Rule{"sank_at_rest", sank_at_rest, false},
-    Rule{"few_rows", few_rows, true},
-    Rule{"below_frictionless", below_frictionless, true},
-    Rule{"unexpected_stiffness", unexpected_stiffness, true},
-    Rule{"drops_elsewhere", drops_elsewhere, true},
-    Rule{"undecided_drops", undecided_drops, true},
-    Rule{"only_a_limit", only_a_limit, true},
-    Rule{"no_reload", no_reload, true},
-    Rule{"known_roughly", known_roughly, true},
-    Rule{"stiff_modulus", stiff_modulus, true},
-    Rule{"supports_not_stated", supports_not_stated, true},
-    Rule{"thickness_not_stated", thickness_not_stated, true},
-    Rule{"steady_change", steady_change, true},
-    Rule{"hidden_waves", hidden_waves, true},
-    Rule{"soft_rig", soft_rig, true},
-    Rule{"jumps", jumps, true},
-    Rule{"imaged_length", imaged_length, true},
+    Rule{Group::answer, "not_bent", not_bent, false},
+    Rule{Group::answer, "deflection_for_stage", deflection_for_stage, false},
+    Rule{Group::answer, "wrong_load_train", wrong_load_train, false},
+    Rule{Group::answer, "wrong_stiffness", wrong_stiffness, false},
+    Rule{Group::answer, "impossible_modulus", impossible_modulus, false},
+    Rule{Group::answer, "most_drops_impossible", most_drops_impossible},
+    Rule{Group::answer, "gave_way", gave_way, false},
+    Rule{Group::answer, "too_few_points", too_few_points, false},
+    Rule{Group::answer, "not_explained", not_explained, false},
+    Rule{Group::damage, "cracks", cracks},
+    Rule{Group::damage, "changed_reload", changed_reload, false},
+    Rule{Group::alone, "impossible_drops", impossible_drops},
+    Rule{Group::alone, "implausible_friction", implausible_friction},
+    Rule{Group::beginning, "begins_under_force", begins_under_force, false},
+    Rule{Group::beginning, "sloping_baseline", sloping_baseline},
+    Rule{Group::beginning, "other_contact", other_contact},
+    Rule{Group::alone, "misses_force", misses_force},
+    Rule{Group::alone, "drops_differ", drops_differ},
+    Rule{Group::alone, "coloured_noise", coloured_noise},
+    Rule{Group::alone, "unstable", unstable},
+    Rule{Group::alone, "loops_differ", loops_differ},
+    Rule{Group::alone, "filtered_force", filtered_force, false},
+    Rule{Group::alone, "gap_in_stage", gap_in_stage, false},
+    Rule{Group::alone, "few_rows", few_rows},
+    Rule{Group::alone, "sinks", sinks, false},
+    Rule{Group::alone, "unexpected_stiffness", unexpected_stiffness},
+    Rule{Group::reload, "drops_elsewhere", drops_elsewhere},
+    Rule{Group::reload, "undecided_drops", undecided_drops},
+    Rule{Group::reload, "no_reload", no_reload},
+    Rule{Group::certainty, "only_a_limit", only_a_limit},
+    Rule{Group::certainty, "known_roughly", known_roughly},
+    Rule{Group::alone, "supports_not_stated", supports_not_stated},
+    Rule{Group::alone, "thickness_not_stated", thickness_not_stated},
+    Rule{Group::alone, "changing_friction", changing_friction},
+    Rule{Group::alone, "hidden_waves", hidden_waves},
 };
 
 }  // namespace
 
 std::vector<Finding> findings_of(T test) {
   std::vector<Finding> findings;
+  Group said = Group::alone;
   for (const Rule& rule : rules) {
+    if (rule.group != Group::alone && rule.group == said) continue;
     if (rule.presumes_an_answer && !is_fitted(test)) continue;
-    if (Found found = rule.find(test)) {
-      found->code = rule.code;
-      findings.push_back(std::move(*found));
-    }
+    Found found = rule.find(test);
+    if (!found) continue;
+    found->code = rule.code;
+    if (found->severity < Severity::passed) said = rule.group;
+    findings.push_back(std::move(*found));
   }
   return findings;
-}
-
-Standing standing_of(const std::vector<Finding>& findings) {
-  Severity worst = Severity::note;
-  for (const Finding& finding : findings) worst = std::min(worst, finding.severity);
-  constexpr std::array standings{Standing::untrusted, Standing::suspect, Standing::doubtful, Standing::conditional,
-                                 Standing::sound};
-  return standings[static_cast<std::size_t>(worst)];
 }
 
 std::vector<std::string_view> finding_codes() {
   std::vector<std::string_view> codes;
   for (const Rule& rule : rules) codes.push_back(rule.code);
   return codes;
-}
-
-const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code) {
-  const auto found =
-      std::find_if(findings.begin(), findings.end(), [&](const Finding& each) { return each.code == code; });
-  return found == findings.end() ? nullptr : &*found;
 }
 
 }  // namespace flexslip

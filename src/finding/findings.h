@@ -9,16 +9,10 @@
 
 namespace flexslip {
 
-// Of a test of any status, the weightiest first: in the order of the rules.
+// Of a test of any status, in the order of the rules; of rules that exclude each other the first that applies.
 std::vector<Finding> findings_of(const FittedTest& test);
 
-// By the weightiest of them.
-Standing standing_of(const std::vector<Finding>& findings);
-
-// The codes that there are, in the order of their weight.
+// The codes that there are, in the order of the rules.
 std::vector<std::string_view> finding_codes();
-
-// That of a code; null where it was not found.
-const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code);
 
 }  // namespace flexslip

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -234,21 +235,53 @@ FrictionRead friction_read_of(const FrictionProfile& profile) {
 }
 
 std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, const AnalysisOptions& options) {
-  std::vector<Check> checks{
-      check_residuals(problem, fit), check_drops(problem, fit, options.drops),
-      check_whiteness(fit),          check_nesting(problem, fit),
-      check_friction(fit),           check_bending_stiffness(fit, problem.errors.bending_stiffness)};
+  std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
+                            check_whiteness(fit), check_friction(fit),
+                            check_bending_stiffness(fit, problem.errors.bending_stiffness)};
   if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
   return checks;
+}
+
+// Would a drop be deeper than any slip if the specimen were so many times as thick?
+bool is_one_beyond(const TestAnalysis& analysis, double times) {
+  Supports supports = analysis.rig.fibre.supports();
+  supports.half_depth *= times;
+  const std::vector<Drop>& drops = analysis.drops.drops;
+  const std::vector<double> most = most_by_slips(analysis.reduced, drops, supports);
+  for (std::size_t i = 0; i < most.size(); ++i)
+    if (is_beyond_slips(analysis.scales.reduced_force(drops[i].force_fall), most[i], analysis.force_noise)) return true;
+  return false;
+}
+
+// The thicker it is, the more a slip can do.
+double turning_thickness(const TestAnalysis& analysis) {
+  constexpr double far = 2;
+  constexpr int halvings = 12;  // to a thousandth
+  const bool is_beyond = is_one_beyond(analysis, 1);
+  double same = 1, other = is_beyond ? far : 1 / far;
+  if (is_one_beyond(analysis, other) == is_beyond) return not_a_number;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = std::midpoint(same, other);
+    (is_one_beyond(analysis, middle) == is_beyond ? same : other) = middle;
+  }
+  return other;
 }
 
 // By what a slip can do, since no friction is told that would say what it did.
 void judge_drops_of_a_bar(TestAnalysis& analysis) {
   const std::vector<Drop>& drops = analysis.drops.drops;
+  if (drops.empty()) return;
   const std::vector<double> most = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
+  SlipsOfABar of_bar{.beyond = 0, .least_like_a_slip = 0, .turning_thickness = turning_thickness(analysis)};
+  double farthest = -infinity;
   for (std::size_t i = 0; i < drops.size(); ++i) {
     const double fall = analysis.scales.reduced_force(drops[i].force_fall);
     const bool is_beyond = is_beyond_slips(fall, most[i], analysis.force_noise);
+    of_bar.beyond += is_beyond;
+    if (fall - most[i] > farthest) {
+      farthest = fall - most[i];
+      of_bar.least_like_a_slip = i;
+    }
     analysis.slips[i] = {.drop = drops[i],
                          .verdict = is_beyond ? SlipVerdict::too_deep : SlipVerdict::possible,
                          .S_before = not_a_number,
@@ -258,6 +291,7 @@ void judge_drops_of_a_bar(TestAnalysis& analysis) {
                          .advance_error = not_a_number,
                          .most = most[i]};
   }
+  analysis.slips_of_bar = of_bar;
   analysis.slip_summary = summarise(analysis.slips);
 }
 
@@ -295,6 +329,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
                         .reduced = to_reduced(record, scales)};
   analysis.force_noise = scales.reduced_force(force_noise(record));
   analysis.drops = find_drops(record, options.drops);
+  analysis.statistics = statistics_of(record, analysis.drops.drops, description.load_train_stiffness);
   const MeasurementErrors errors{
       .force = analysis.force_noise,
       .bending_stiffness = analysis.bending_stiffness_error,

@@ -11,6 +11,7 @@
 #include "bending_test/rig.h"
 #include "data/drops.h"
 #include "data/record.h"
+#include "data/record_statistics.h"
 #include "data/scales.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
@@ -109,6 +110,14 @@ enum class AnalysisStatus {
   not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
 };
 
+// What a slip can do at the drops of a bar, a specimen that is bent too little to tell friction but no fibre (slip_limit.h).
+struct SlipsOfABar {
+  std::size_t beyond;             // drops that are deeper than any slip
+  std::size_t least_like_a_slip;  // of the drops, that which is deepest beside what a slip can do there
+  // [1] Of its thickness, from which on no drop would be beyond slips or, where none is, below which one would; NaN if neither half nor twice of it is.
+  double turning_thickness = not_a_number;
+};
+
 struct TestAnalysis {
   AnalysisStatus status;
   Scales scales;  // nominal
@@ -125,10 +134,12 @@ struct TestAnalysis {
   MeasurementErrors errors{};         // as fitted with
   RigErrors rig_errors{};             // likewise
   Drops drops{};
+  RecordStatistics statistics{};  // of the record and its drops
   FrictionProfile profile{};
   // Judged at the bending stiffness stated, told at that of the fit; those of a bar bent too little by slip_limit.h.
   std::vector<Slip> slips{};
-  double most_friction = infinity;  // [1] as in the options
+  std::optional<SlipsOfABar> slips_of_bar{};  // of such a bar that has drops
+  double most_friction = infinity;            // [1] as in the options
   SlipSummary slip_summary{};
   SlipOrCrack slip_or_crack{};
   SuspectReport suspects{};

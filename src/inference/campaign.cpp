@@ -57,16 +57,6 @@ MeasuredFriction measured_friction(const FrictionFit& fit, const Scales& scales)
   return measured;
 }
 
-// Of a fit that is not to be used, or a specimen that lost stiffness.
-TestSummary without_friction(TestSummary summary) {
-  const Estimate unknown = normal_estimate(not_a_number, not_a_number);
-  summary.mu0 = summary.roughness = summary.correlation_length = unknown;
-  summary.mu0_is_bound = summary.wave_claimed = false;
-  summary.friction_share = summary.spacing = not_a_number;
-  summary.measured = {};
-  return summary;
-}
-
 std::optional<Population> between_specimens(const std::vector<const TestSummary*>& tests,
                                             std::optional<Measured> MeasuredFriction::*parameter) {
   std::vector<Measured> measured;
@@ -85,15 +75,12 @@ std::optional<Population> not_negative(std::optional<Population> population) {
 
 }  // namespace
 
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement,
-                       Standing standing) {
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
   TestSummary summary{.name = name,
                       .category = analysis.category,
-                      .suspect = standing >= Standing::suspect,
-                      .standing = standing,
                       .drops_verdict = judgement.drops,
                       .cracks_alone = judgement.cracks_alone,
                       .model = fit.model,
@@ -114,7 +101,6 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
     summary.mu0_by_gain = (*by)[StatedQuantity::force_gain] * analysis.rig_errors.force_gain;
   }
-  if (!is_trusted(standing) || lost_stiffness(judgement)) return without_friction(std::move(summary));
   const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
   if (!fit.waves.empty() && tells_variation) {
     const WaveEstimate& wave = fit.waves.front();
@@ -122,6 +108,17 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
     summary.wavelength = scaled(wave.wavelength, scales.span());
     summary.phase = wave.phase;
   }
+  return summary;
+}
+
+TestSummary without_friction(TestSummary summary) {
+  const Estimate unknown = normal_estimate(not_a_number, not_a_number);
+  summary.mu0 = summary.roughness = summary.correlation_length = unknown;
+  summary.mu0_is_bound = summary.wave_claimed = false;
+  summary.friction_share = summary.spacing = not_a_number;
+  summary.amplitude = summary.wavelength = summary.phase = std::nullopt;
+  summary.surface_height = summary.surface_slope = std::nullopt;
+  summary.measured = {};
   return summary;
 }
 

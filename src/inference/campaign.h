@@ -19,12 +19,11 @@ struct MeasuredFriction {
   std::optional<Measured> mu0, log_roughness, log_length;
 };
 
-// A test in a line. Units: SI. Of a test that is not to be trusted, or lost stiffness, no friction: NaN, or none.
+// A test in a line. Units: SI.
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
-  bool suspect;  // its standing is suspect or untrusted
-  Standing standing;
+  bool suspect = false;                // it is left out of means: a finding stands against its conclusion
   CrackVerdict drops_verdict;          // on its drops, of which there may be none
   double cracks_alone = not_a_number;  // [1] probability that they alone made them; NaN where nothing tells
   ProfileModel model;                  // that was fitted
@@ -51,8 +50,10 @@ struct TestSummary {
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement,
-                       Standing standing);
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement);
+
+// Of a test whose fit is not to be used, or whose specimen lost stiffness: NaN or none for all that is friction.
+TestSummary without_friction(TestSummary summary);
 
 // Mean (min, max) of a parameter over the tests that tell it, as the paper reports it; those not to be trusted tell nothing.
 struct Spread {

@@ -35,8 +35,8 @@ CheckOutcome passed_if(bool passed) { return passed ? CheckOutcome::passed : Che
 }  // namespace
 
 std::string_view name_of(CheckKind kind) {
-  return name_in_order<CheckKind::stiffness>(
-      kind, {"residuals", "drops", "whiteness", "nesting", "friction", "stability", "stiffness"});
+  return name_in_order<CheckKind::stiffness>(kind,
+                                             {"residuals", "drops", "whiteness", "friction", "stability", "stiffness"});
 }
 
 double number_of(const Check& check, std::string_view name) {
@@ -132,25 +132,6 @@ Check check_whiteness(const FrictionFit& fit) {
   return {CheckKind::whiteness,
           passed_if(p_value > min_p_of_noise),
           {{"ljung_box", statistic, false}, {"lags", static_cast<double>(lags), false}, {"p_value", p_value, false}}};
-}
-
-Check check_nesting(const FitProblem& problem, const FrictionFit& fit) {
-  std::vector<Explanation> others = fit.explanations;
-  if (fit.model == ProfileModel::sinusoids) others = fit_friction(problem, {ProfileModel::sinusoid}).explanations;
-  if (fit.model == ProfileModel::sinusoid) others = fit_friction(problem, {ProfileModel::drift}).explanations;
-  double most_below = -infinity;
-  if (!fit.explanations.empty()) {
-    const Explanation& likeliest = fit.explanations.front();
-    for (const auto& other : others) {
-      const std::size_t waves = likeliest.wavelengths.size(), fewer = other.wavelengths.size();
-      const bool simpler_kernel = other.kernel == Kernel::none && likeliest.kernel != Kernel::none;
-      const bool is_contained = simpler_kernel ? fewer <= waves : other.kernel == likeliest.kernel && fewer < waves;
-      if (is_contained) most_below = std::max(most_below, other.log_likelihood - likeliest.log_likelihood);
-    }
-  }
-  if (!std::isfinite(most_below)) return {CheckKind::nesting, CheckOutcome::not_possible, {}};
-  constexpr double by_priors = 6;  // ln of the prior of roughness from where it is next to none to where it is expected
-  return {CheckKind::nesting, passed_if(most_below < by_priors), {{"most_below", most_below, false}}};
 }
 
 Check check_friction(const FrictionFit& fit) {

@@ -13,7 +13,6 @@ enum class CheckKind {
   residuals,  // the mean profile run forward gives the measured force back
   drops,      // profiles that explain the record as well show about as many drops as it does
   whiteness,  // what the readings add to those before them is noise
-  nesting,    // the likeliest explanation fits no worse than one that it contains
   friction,   // the record tells friction from none
   stability,  // the answer stays when the force changes in its ninth digit
   stiffness,  // the bending stiffness of the fit is that told beforehand
@@ -65,13 +64,6 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
 // Numbers:    ljung_box, lags, p_value.
 // Fails:      not possible for a constant.
 Check check_whiteness(const FrictionFit& fit);
-
-// An explanation contains those with fewer waves, and those without roughness. Passes unless the likeliest one has a likelihood lower than
-// one it contains by more than priors can do: 6 in ln L. The paper's models are held against those with a wave less.
-// Numbers:    most_below: the greatest of ln L by which it lies below what it contains; negative: it does not.
-// Fails:      not possible where it contains no other.
-// Cost:       for the paper's models that of a fit.
-Check check_nesting(const FitProblem& problem, const FrictionFit& fit);
 
 // Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
 Check check_friction(const FrictionFit& fit);

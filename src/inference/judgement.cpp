@@ -4,10 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bending_test/design.h"
 #include "bending_test/equilibrium.h"
 #include "data/loading_stiffness.h"
-#include "data/names.h"
 #include "inference/checks.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -20,20 +18,6 @@ bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible &
 
 constexpr double one_sided_95 = 1.645;
 
-// What a later loading tells of the stiffness lost since one.
-ReloadChange between(const LoadingStiffness& before, const LoadingStiffness& after) {
-  const double ratio = after.ratio.value / before.ratio.value;
-  const double systematic = elementary::length(after.ratio_systematic, ratio * before.ratio_systematic);
-  const double scatter = elementary::length(after.ratio.standard_error, ratio * before.ratio.standard_error);
-  ReloadChange change{.loss = 1 - ratio, .loss_error = elementary::length(scatter, systematic) / before.ratio.value};
-  constexpr double worth_saying = 0.05;
-  if (change.loss - one_sided_95 * change.loss_error > relevant_loss)
-    change.change = StiffnessChange::softer;
-  else if (std::abs(change.loss) > std::max(worth_saying, two_sided_95 * change.loss_error))
-    change.change = change.loss > 0 ? StiffnessChange::slightly_softer : StiffnessChange::stiffer;
-  return change;
-}
-
 std::size_t impossible_drops(const TestAnalysis& analysis) {
   return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(),
                                                 [](const Slip& slip) { return is_no_slip(slip.verdict); }));
@@ -45,25 +29,6 @@ bool friction_falls(const FrictionFit& fit) {
   const double passed = fit.between_contacts(fit.S_end) - fit.between_contacts(fit.S_begin);
   const bool surely = passed > 0 ? fit.drift.high < 0 : fit.drift.low > 0;
   return surely && -fit.drift.value * passed > much * fit.mu0.value;
-}
-
-// Part of the fibre seen that it jumped over.
-double jumped_part(const TestAnalysis& analysis) {
-  double jumped = 0;
-  for (const Slip& slip : analysis.slips)
-    if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_after)) jumped += slip.S_after - slip.S_before;
-  return jumped / (analysis.fit.S_end - analysis.fit.S_begin);
-}
-
-bool has_few_rows(const TestAnalysis& analysis) {
-  const auto& drops = analysis.drops.drops;
-  constexpr std::size_t min_drops = 3;
-  constexpr double min_rows = 5;  // at four, waves are missed
-  if (drops.size() < min_drops) return false;
-  std::vector<double> rows;
-  for (std::size_t i = 1; i < drops.size(); ++i)
-    rows.push_back(static_cast<double>(drops[i].before - drops[i - 1].after + 1));
-  return median_of(rows) < min_rows;
 }
 
 // Has the force at a drop left the window in which loadings are compared? A crack before that is in the reference, too.
@@ -106,9 +71,9 @@ double left_by_cracks(const TestAnalysis& analysis) {
 }
 
 // None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
-double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
+double cracks_alone(const TestAnalysis& analysis, const ReloadChange& reload, const Judgement& judgement) {
   double probability = analysis.slip_or_crack.cracks_alone;
-  if (const ReloadChange& reload = judgement.reload; reload.comes_after)
+  if (reload.comes_after)
     probability = with_reload(probability, {judgement.loss_needed, reload.loss, reload.loss_error});
   const bool outside =
       most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
@@ -118,17 +83,16 @@ double cracks_alone(const TestAnalysis& analysis, const Judgement& judgement) {
 // [1] Of stiffness, at 95 %.
 double most_lost(const ReloadChange& reload) { return reload.loss + one_sided_95 * reload.loss_error; }
 
-CrackVerdict verdict_on(const Judgement& judgement) {
-  if (lost_stiffness(judgement.reload)) return CrackVerdict::cracks;
+CrackVerdict verdict_on(const Judgement& judgement, const ReloadChange& reload) {
+  if (lost_stiffness(reload)) return CrackVerdict::cracks;
   if (std::isfinite(judgement.cracks_alone)) return verdict_of(judgement.cracks_alone);
-  return judgement.impossible == 0 && judgement.loss_needed > most_lost(judgement.reload)
-             ? CrackVerdict::not_by_cracks_alone
-             : CrackVerdict::cannot_be_told;
+  return judgement.impossible == 0 && judgement.loss_needed > most_lost(reload) ? CrackVerdict::not_by_cracks_alone
+                                                                                : CrackVerdict::cannot_be_told;
 }
 
-std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const Judgement& judgement) {
+std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const ReloadChange& reload) {
   std::vector<double> losses{0.1, 0.2};
-  if (judgement.reload.comes_after) losses = {std::clamp(most_lost(judgement.reload), 0.0, losses.back())};
+  if (reload.comes_after) losses = {std::clamp(most_lost(reload), 0.0, losses.back())};
   const Estimate& told = analysis.fit.mu0;
   std::vector<FrictionIfLost> all;
   for (const double loss : losses) {
@@ -140,10 +104,6 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const
 
 }  // namespace
 
-std::string_view name_of(Standing standing) {
-  return name_in_order<Standing::untrusted>(standing, {"sound", "conditional", "doubtful", "suspect", "untrusted"});
-}
-
 bool stiffness_is_off(const TestAnalysis& analysis) {
   const double stated = analysis.bending_stiffness_error;
   return stated > 0 && stiffness_errors(analysis.fit.bending_stiffness, stated) > max_stiffness_errors;
@@ -154,46 +114,18 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
   return drops >= enough && 2 * impossible >= drops;
 }
 
-bool lost_stiffness(const ReloadChange& reload) { return reload.change == StiffnessChange::softer; }
-
-ReloadChange reload_change(const std::vector<LoadingStiffness>& loadings, std::size_t evaluated) {
-  if (evaluated >= loadings.size() || loadings[evaluated].status != LoadingStatus::ok) return {};
-  const LoadingStiffness &own = loadings[evaluated], &first = loadings.front();
-  for (std::size_t i = loadings.size(); i-- > evaluated + 1;)
-    if (loadings[i].status == LoadingStatus::ok) {
-      ReloadChange change = between(own, loadings[i]);
-      change.comes_after = true;
-      return change;
-    }
-  return evaluated > 0 && first.status == LoadingStatus::ok ? between(first, own) : ReloadChange{};
-}
-
-bool lost_stiffness(const Judgement& judgement) {
-  return lost_stiffness(judgement.reload) || judgement.drops_are_cracks;
-}
-
-Judgement judge(const TestAnalysis& analysis, const CyclicAnswer* cycles, std::size_t evaluated) {
+Judgement judge(const TestAnalysis& analysis, const ReloadChange& reload) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  const bool has_drops = !analysis.drops.drops.empty();
-  const FrictionFit& fit = analysis.fit;
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
                       .impossible = impossible_drops(analysis),
-                      .reload = cycles ? reload_change(cycles->stiffness, evaluated) : ReloadChange{},
-                      .friction_falls = friction_falls(fit),
-                      .few_rows = has_few_rows(analysis),
-                      .jumped = has_drops ? jumped_part(analysis) : 0};
-  if (judgement.reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
-  judgement.cracks_alone = cracks_alone(analysis, judgement);
-  judgement.drops = verdict_on(judgement);
+                      .friction_falls = friction_falls(analysis.fit)};
+  if (reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
+  judgement.cracks_alone = cracks_alone(analysis, reload, judgement);
+  judgement.drops = verdict_on(judgement, reload);
   judgement.drops_are_cracks =
-      has_drops && !lost_stiffness(judgement.reload) && judgement.drops == CrackVerdict::cracks;
-  if (!lost_stiffness(judgement)) judgement.if_lost = friction_if_lost(analysis, judgement);
-  constexpr double max_jumped = 0.5;
-  if (judgement.jumped > max_jumped) {
-    const double deflection = *std::max_element(analysis.reduced.deflection.begin(), analysis.reduced.deflection.end());
-    judgement.stiffness_for_all =
-        critical_stiffness(Friction::as_met(fit.mean), deflection, analysis.rig.fibre) * fit.bending_stiffness.value;
-  }
+      !analysis.drops.drops.empty() && !lost_stiffness(reload) && judgement.drops == CrackVerdict::cracks;
+  judgement.lost_stiffness = lost_stiffness(reload) || judgement.drops_are_cracks;
+  if (!judgement.lost_stiffness) judgement.if_lost = friction_if_lost(analysis, reload);
   return judgement;
 }
 

@@ -96,9 +96,8 @@ std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_
 // Without a row in the table.
 bool is_failure(const CampaignTest& test) { return !test.summary && !is_answered(test); }
 // One whose friction is told and still is not counted: a crack, a wrong input and no answer are counted as what they are.
-bool is_suspect(const CampaignTest& test) {
-  return test.summary && test.summary->suspect && is_trusted(test.summary->standing) &&
-         test.verdict != word_of(VerdictCode::crack);
+bool is_left_out(const CampaignTest& test) {
+  return test.summary && test.summary->suspect && std::isfinite(test.summary->mu0.value);
 }
 
 // "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some. What could not be evaluated has no verdict.
@@ -189,7 +188,7 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   const double per_length = units.length.factor;
   PrintedTable table{
-      .head = {"Test", "Verdict", "Sawtooth", "Standing", "Friction", titled("Spacing", units.length), "σ",
+      .head = {"Test", "Verdict", "Sawtooth", "Friction", titled("Spacing", units.length), "σ",
                titled("ℓ", units.length), "A", titled("λ", units.length), titled("EI", units.bending_stiffness),
                titled("Residual", units.force), "Drops", titled("Work", units.energy), "Work (%)",
                titled("E_f", units.modulus), titled("σ_f", units.strength), "Friction in E_f, σ_f (%)", "Doubts"},
@@ -209,7 +208,7 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     const double share = summary.friction_share;
     table.rows.push_back(
-        {test.name, test.verdict, std::string(name_of(summary.category)), std::string(name_of(summary.standing)),
+        {test.name, test.verdict, std::string(name_of(summary.category)),
          !tells                 ? ""
          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
@@ -358,7 +357,7 @@ std::string campaign_in_short(const Campaign& campaign) {
   std::string answer = fmt::format("{}: {}.{}{}", format_count(campaign.tests.size(), "test", "tests"),
                                    verdicts_in_words(campaign), cracks_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
-       {enumerated(campaign, is_suspect, "is suspect", "are suspect"),
+       {enumerated(campaign, is_left_out, "is suspect", "are suspect"),
         enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})
     if (!words.empty()) answer += fmt::format(" {}.", words);
   return answer;

@@ -60,9 +60,9 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
 
 // What a reader of numbers should know that are given all the same; empty where there is nothing.
 std::string caution_of(T test, const Answer& answer) {
-  if (!is_trusted(answer.standing))
+  if (is_refused(answer.findings))
     return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
-  return lost_stiffness(*test.judgement)
+  return test.judgement->lost_stiffness
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
 }
@@ -88,7 +88,7 @@ std::string in_literature(T test) {
 
 Chapter friction_chapter(T test, const Answer& answer) {
   const std::string caution = caution_of(test, answer);
-  if (!is_trusted(answer.standing)) return {"Friction", {caution}};
+  if (is_refused(answer.findings)) return {"Friction", {caution}};
   const TestAnalysis& analysis = test.analysis;
   const Supports& supports = analysis.rig.fibre.supports();
   const Print print(test);
@@ -197,7 +197,7 @@ Chapter checks_chapter(T test, const Answer& answer) {
 // ---- Drops
 
 Chapter drops_chapter(T test, const Answer& answer) {
-  const bool trusted = is_trusted(answer.standing) && test.analysis.slip_summary.count > 0;
+  const bool trusted = !is_refused(answer.findings) && test.analysis.slip_summary.count > 0;
   return {"Drops",
           {trusted ? numbers(test, "slips") : PrintedTable{}, numbers(test, "slip_or_crack"),
            listed(test, "drops",
@@ -315,10 +315,10 @@ std::vector<Chapter> document_of(const FittedTest& test) {
     return {curve, checks_chapter(test, answer), small_deflection_chapter(test), preparation_chapter(test),
             provenance_chapter(test)};
   }
-  const bool trusted = is_trusted(answer.standing);
+  const bool trusted = !is_refused(answer.findings);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
           friction_chapter(test, answer),
-          trusted && !lost_stiffness(*test.judgement) ? hangs_on_chapter(test) : Chapter{},
+          trusted && !test.judgement->lost_stiffness ? hangs_on_chapter(test) : Chapter{},
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),

@@ -263,7 +263,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
 Chapter small_deflection_chapter(const FittedTest& test) {
   const StandardTest standard = standard_test(test);
   Rows rows = number_rows(standard);
-  if (const auto beside = small_deflection_beside_fit(test); beside && is_trusted(answer_of(test).standing))
+  if (const auto beside = small_deflection_beside_fit(test); beside && !is_refused(answer_of(test).findings))
     rows.push_back(
         {"beside the fit",
          fmt::format("{:.3f} times its bending stiffness; their 95 % intervals {}", beside->ratio,

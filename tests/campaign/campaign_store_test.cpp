@@ -24,7 +24,6 @@ CampaignTest some_test() {
       .name = "SS14",
       .category = SawtoothCategory::nominal,
       .suspect = true,
-      .standing = Standing::suspect,
       .drops_verdict = CrackVerdict::not_by_cracks_alone,
       .cracks_alone = 0.02,
       .model = ProfileModel::sinusoid,

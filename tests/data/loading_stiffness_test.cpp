@@ -141,4 +141,41 @@ TEST_CASE("loading stiffness: what cannot be compared says so (limit)") {
   CHECK(result[1].status == LoadingStatus::no_reference);
 }
 
+// Of two loadings, the second so much as stiff as the first.
+std::vector<LoadingStiffness> two_loadings(double ratio, double error) {
+  LoadingStiffness first{};
+  first.status = LoadingStatus::ok;
+  first.ratio.value = 1;
+  LoadingStiffness second = first;
+  second.ratio.value = ratio;
+  second.ratio.standard_error = error;
+  return {first, second};
+}
+
+TEST_CASE("reload: a change counts beyond its error and a twentieth, a loss beyond a tenth for sure (table)") {
+  struct Row {
+    double ratio, error;
+    StiffnessChange change;
+  };
+  for (const auto& [ratio, error, change] :
+       {Row{0.74, 0.02, StiffnessChange::softer}, Row{0.88, 0.02, StiffnessChange::slightly_softer},
+        Row{0.93, 0.01, StiffnessChange::slightly_softer}, Row{0.93, 0.05, StiffnessChange::none},
+        Row{0.96, 0.01, StiffnessChange::none}, Row{1.5, 0.02, StiffnessChange::stiffer}}) {
+    CAPTURE(ratio);
+    const auto reload = reload_change(two_loadings(ratio, error), 0);
+    CHECK(reload.change == change);
+    CHECK(reload.loss == doctest::Approx(1 - ratio));
+    CHECK(reload.loss_error == doctest::Approx(error));
+    CHECK(lost_stiffness(reload) == (change == StiffnessChange::softer));
+  }
+}
+
+TEST_CASE("reload: it comes after the loading evaluated, or else that one is held against the first") {
+  const auto softer = two_loadings(0.74, 0.02);
+  CHECK(reload_change(softer, 0).comes_after);
+  CHECK(!reload_change(softer, 1).comes_after);
+  CHECK(lost_stiffness(reload_change(softer, 1)));
+  CHECK(std::isnan(reload_change({}, 0).loss));
+}
+
 }  // namespace

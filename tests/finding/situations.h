@@ -54,44 +54,41 @@ inline std::vector<Situation> situations() {
   const auto add = [&](std::string_view code, Severity severity, const auto& change) {
     all.push_back({code, severity, changed(change)});
   };
-  add("no_force", Severity::refusal, [](FittedTest& test) {
+  add("not_bent", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::bent_too_little;
     for (double& force : test.analysis.record.force) force = -1;
-  });
-  add("too_deep", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
-    test.analysis.reduced.deflection.back() = 3.9;
   });
   add("not_bent", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::bent_too_little;
     for (double& deflection : test.analysis.reduced.deflection) deflection = -0.1;
   });
-  add("gave_way", Severity::refusal, [](FittedTest& test) {
+  add("not_bent", Severity::refusal, [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::bent_too_little;
-    test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
-    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::too_deep, slip.most = 0.001;
+    test.analysis.reduced.deflection.back() = 3.9;
   });
-  add("sinks", Severity::doubt, [](FittedTest& test) {
+  const auto bar = [](FittedTest& test) {
     test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
+  };
+  add("gave_way", Severity::refusal, [&](FittedTest& test) {
+    bar(test);
+    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::too_deep, slip.most = 0.001;
+    test.analysis.slips_of_bar = SlipsOfABar{.beyond = test.analysis.slips.size(), .least_like_a_slip = 0};
+  });
+  add("sinks", Severity::doubt, [&](FittedTest& test) {
+    bar(test);
     test.analysis.drops = {};
     test.analysis.slips.clear();
-    auto& force = test.analysis.record.force;
-    for (std::size_t i = 0; i < force.size(); ++i)
-      force[i] = 1e-3 * std::min(static_cast<double>(i),
-                                 2.0 * static_cast<double>(force.size()) - 2.0 * static_cast<double>(i));
+    test.analysis.statistics.sinking = {.from = 200, .share = 0.4};
   });
-  add("too_few_points", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
-    test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
+  add("too_few_points", Severity::refusal, [&](FittedTest& test) {
+    bar(test);
     for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::possible, slip.most = 100;
+    test.analysis.slips_of_bar = SlipsOfABar{.beyond = 0, .least_like_a_slip = 0};
   });
   add("deflection_for_stage", Severity::refusal, [](FittedTest& test) {
-    Record& record = test.analysis.record;
-    record.stage = record.deflection;
-    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
-    for (std::size_t i = 0; i < record.force.size(); ++i)
-      record.deflection[i] = record.stage[i] - record.force[i] / train;
+    test.analysis.statistics.train.leap = 0.9;
+    test.analysis.statistics.train.leap_error = 0.01;
   });
   add("wrong_load_train", Severity::refusal, [](FittedTest& test) {
     test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();
@@ -105,40 +102,34 @@ inline std::vector<Situation> situations() {
   add("impossible_modulus", Severity::refusal, [](FittedTest& test) {
     test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 1.3e12;
   });
-  add("stiff_modulus", Severity::condition, [](FittedTest& test) {
-    test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 5e11;
-    test.stiffness = StiffnessSource::initial_slope;
-    test.measurement.test.specimen->material.reset();
-  });
   add("not_explained", Severity::refusal,
       [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
   const auto reloaded = [](double loss, StiffnessChange change) {
-    return [=](FittedTest& test) { test.judgement->reload = {loss, 0.01, true, change}; };
+    return [=](FittedTest& test) {
+      test.reload = {loss, 0.01, true, change};
+      test.judgement->lost_stiffness = lost_stiffness(test.reload);
+    };
   };
-  add("softer_reload", Severity::suspicion, reloaded(0.2, StiffnessChange::softer));
+  add("changed_reload", Severity::suspicion, reloaded(0.2, StiffnessChange::softer));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->drops_are_cracks = true;
+    test.judgement->drops_are_cracks = test.judgement->lost_stiffness = true;
     test.judgement->drops = CrackVerdict::cracks;
     test.judgement->cracks_alone = 0.98;
   });
   add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
-  add("no_sliding", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
+  add("not_explained", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
   add("impossible_drops", Severity::doubt, [](FittedTest& test) { test.judgement->impossible = 2; });
-  add("one_drop_stands_out", Severity::doubt, [](FittedTest& test) {
-    test.analysis.fit.wave_claimed = true;
-    test.analysis.drops.drops.back().force_fall *= 10;
-  });
   add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
   for (const auto& [code, kind] :
        {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
-        std::pair{"simpler_fits_better", CheckKind::nesting}, std::pair{"unexpected_stiffness", CheckKind::stiffness}})
+        std::pair{"unexpected_stiffness", CheckKind::stiffness}})
     add(code, Severity::doubt,
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
   add("unstable", Severity::doubt, [](FittedTest& test) {
     test.analysis.checks.push_back(
         {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
   });
-  add("falling_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
+  add("changing_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
   add("changed_reload", Severity::doubt, reloaded(-0.2, StiffnessChange::stiffer));
   add("changed_reload", Severity::doubt, reloaded(0.07, StiffnessChange::slightly_softer));
   add("drops_elsewhere", Severity::doubt, [](FittedTest& test) {
@@ -151,44 +142,17 @@ inline std::vector<Situation> situations() {
     test.cycles = cyclic.cycles;  // of a friction of 0.5
     test.analysis.fit.mu0 = normal_estimate(0.3, 0.02);
   });
-  add("coarse_force", Severity::doubt,
-      [](FittedTest& test) { test.analysis.drops.smallest_fall = 0.1 * test.analysis.record.force.back(); });
-  add("lagging_force", Severity::doubt, [](FittedTest& test) {
-    Record& record = test.analysis.record;
-    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
-    double follows = 0;
-    for (std::size_t i = 0; i < record.force.size(); ++i) {
-      record.force[i] = follows += 0.5 * (record.force[i] - follows);
-      record.deflection[i] = record.stage[i] - record.force[i] / train;
-    }
-  });
-  add("smoothed_force", Severity::doubt, [](FittedTest& test) {
-    Record& record = test.analysis.record;
-    const double train = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
-    const std::vector<double> force = record.force;
-    for (std::size_t i = 2; i + 2 < force.size(); ++i) {
-      record.force[i] = (force[i - 2] + 2 * force[i - 1] + 3 * force[i] + 2 * force[i + 1] + force[i + 2]) / 9;
-      record.deflection[i] = record.stage[i] - record.force[i] / train;
-    }
-  });
+  add("filtered_force", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rounded.lag = 1.2; });
+  add("filtered_force", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rounded.spread = 4.5; });
   add("gap_in_stage", Severity::doubt, [](FittedTest& test) {
-    std::vector<double>& stage = test.analysis.record.stage;
-    const double gap = 60 * (stage[1] - stage[0]);
-    for (std::size_t i = stage.size() / 2; i < stage.size(); ++i) stage[i] += gap;
-  });
-  add("sank_at_rest", Severity::doubt, [](FittedTest& test) {
-    constexpr std::size_t at = 100;
-    Sampling& sampling = test.measurement.sampling;
-    sampling.halts = {sampling.rows[test.measurement.first + at]};
-    std::vector<double>& force = test.analysis.record.force;
-    for (std::size_t i = at + 1; i < force.size(); ++i) force[i] *= 0.9;
+    test.analysis.statistics.widest_step = {.behind = 100, .length = 1e-4, .usual = 2e-6, .share_of_travel = 0.2};
   });
   add("undecided_drops", Severity::condition, [](FittedTest& test) {
     test.judgement->drops = CrackVerdict::cannot_be_told;
     test.judgement->cracks_alone = 0.35;
   });
-  add("few_rows", Severity::doubt, [](FittedTest& test) { test.judgement->few_rows = true; });
-  add("below_frictionless", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
+  add("few_rows", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rows_between_drops = 4; });
+  add("implausible_friction", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
   add("sloping_baseline", Severity::doubt,
       [](FittedTest& test) { test.measurement.baseline = {.points = 50, .change = 2e-4, .error = 1e-5}; });
   add("other_contact", Severity::doubt, [](FittedTest& test) {
@@ -213,7 +177,7 @@ inline std::vector<Situation> situations() {
     test.analysis.rig.fibre = Fibre();
     test.measurement.test.rig->friction_at = FrictionAt::surface;
   });
-  add("steady_change", Severity::condition, [](FittedTest& test) {
+  add("changing_friction", Severity::condition, [](FittedTest& test) {
     for (auto& each : test.analysis.fit.explanations) each.kernel = Kernel::none;
     test.analysis.fit.drift = normal_estimate(0.5, 0.2);
   });
@@ -222,14 +186,7 @@ inline std::vector<Situation> situations() {
     test.analysis.fit.wave_claimed = false;
     test.analysis.fit.shortest_wave = 0.1;
   });
-  add("soft_rig", Severity::condition, [](FittedTest& test) { test.analysis.fit.hidden_by_rig = 0.1; });
-  add("jumps", Severity::note, [](FittedTest& test) {
-    test.judgement->jumped = 0.6;
-    test.judgement->stiffness_for_all = 300;
-  });
-  add("imaged_length", Severity::note, [](FittedTest& test) {
-    test.imaged = ImagedLength{.points = {{}, {}}, .offset = normal_estimate(0.001, 0.0001), .scatter = 0.002};
-  });
+  add("hidden_waves", Severity::condition, [](FittedTest& test) { test.analysis.fit.hidden_by_rig = 0.1; });
   return all;
 }
 

@@ -32,9 +32,6 @@ TEST_CASE("identity: a fit of what the model says passes every check") {
   CHECK(number_of(drops, "draws_median") <= number_of(drops, "draws_high"));
   CHECK(number_of(drops, "draws_fall") == doctest::Approx(number_of(drops, "record_fall")).scale(0).epsilon(0.5));
   CHECK(check_whiteness(fit).outcome == CheckOutcome::passed);
-  const Check nesting = check_nesting(problem, fit);
-  CHECK(nesting.outcome == CheckOutcome::passed);
-  CHECK(number_of(nesting, "most_below") < -20);  // of the explanations without roughness
   const Check stability = check_stability(problem, fit);
   CHECK(stability.outcome == CheckOutcome::passed);
   CHECK(number_of(stability, "mu0_moved") < 0.01);
@@ -70,9 +67,6 @@ TEST_CASE("identity: a fit that does not belong to its record fails") {
   CHECK(number_of(check_whiteness(sinusoid), "p_value") < 1e-4);
 
   auto fit = fit_friction(problem);
-  auto ill_found = fit;
-  ill_found.explanations.front().log_likelihood -= 1000;
-  CHECK(check_nesting(problem, ill_found).outcome == CheckOutcome::failed);
   fit.residual_rms = 0.2 * *std::max_element(problem.record.force.begin(), problem.record.force.end());
   CHECK(check_residuals(problem, fit).outcome == CheckOutcome::failed);
   fit.mu0.value += 0.1 * fit.mu0.standard_error;
@@ -86,7 +80,6 @@ TEST_CASE("limit: a constant has no draws whose drops could be counted") {
   const auto fit = fit_friction(problem, {.model = ProfileModel::constant});
   CHECK(check_drops(problem, fit).outcome == CheckOutcome::not_possible);
   CHECK(check_whiteness(fit).outcome == CheckOutcome::not_possible);
-  CHECK(check_nesting(problem, fit).outcome == CheckOutcome::not_possible);
   CHECK(message_of([&] { number_of(check_friction(fit), "spam"); }) == "the check 'friction' has no number 'spam'");
 }
 

@@ -70,7 +70,7 @@ class OddButLegal(InFolder):
         self.assertIn(run("fit", CASE, "--set", 'rig.stiffness="40 N/m"').returncode, (0, 1))
         self.fitted(self.record("smooth.csv", self.smooth()), "2960 GPa")
 
-    def test_friction_that_varies_slowly_is_explained_no_better_by_one_that_does_not(self):
+    def test_friction_that_varies_slowly_is_within_its_interval(self):
         case = """[specimen]
 bending_stiffness = "1.5e-9 N m^2"
 [rig]
@@ -83,8 +83,8 @@ supports = "edges"
             made = self.file("made.toml", case + friction + '[stage]\nprogram = ["0 um", "450 um"]\nstep = "0.25 um"\n')
             record = self.file("slow.csv", self.succeeds("simulate", made, "--noise", "8 uN", "--seed", phase))
             fit = self.json("fit", self.file("slow.toml", f'{case}[record]\nfile = "{record}"\nstage = "w_s [m]"\nforce = "F [N]"\n'))
-            nesting = next(each for each in fit["findings"] if each["code"] == "simpler_fits_better")
-            self.assertEqual(nesting["severity"], "passed", nesting)
+            low, high = fit["parameters"]["mu0"]["interval95"]
+            self.assertTrue(low < 0.53 and high > 0.43, (low, high))  # its mean, to what a part of a period leaves of the amplitude
 
     def test_a_span_so_much_too_short_that_tests_drawn_from_the_fit_slip_through(self):
         for span in "180 um", "300 um", "500 um":
@@ -177,7 +177,7 @@ class Json(InFolder):
         self.assertTrue(self.fit["wave"]["claimed"])
         self.assertGreater(self.fit["wave"]["log_evidence"], 3)
         passed = {finding["code"] for finding in self.fit["findings"] if finding["severity"] == "passed"}
-        self.assertEqual(passed, {"misses_force", "drops_differ", "coloured_noise", "simpler_fits_better", "only_a_limit", "unexpected_stiffness"})
+        self.assertEqual(passed, {"misses_force", "drops_differ", "coloured_noise", "only_a_limit", "unexpected_stiffness"})
 
     def test_band_lies_on_the_fibre_seen(self):
         band = self.fit["band"]

@@ -27,15 +27,14 @@ class Verdicts(InFolder):
             with self.subTest(name):
                 text = "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in readings)
                 fit, result = self.answer(self.file(f"{name}.csv", text), *FLAGS)
-                sound = fit is not None and fit["judgement"] is not None and fit["judgement"]["standing"] == "sound"
-                self.assertFalse(sound, result.stdout[:600])
+                self.assertTrue(fit is None or against(fit), result.stdout[:600])
                 if name != "straight":  # of which friction explains three readings in five
                     self.assertEqual(fit["verdict"]["code"], "no_answer", fit["verdict"])
 
     def test_the_cracked_example_is_one_that_cracks(self):
         answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
-        self.assertEqual(answer["judgement"]["drops"], "cracks")
-        self.assertNotIn(answer["judgement"]["standing"], ("sound", "doubtful"))
+        self.assertEqual(answer["verdict"]["code"], "crack")
+        self.assertTrue(answer["suspect"])
 
     def test_the_reload_of_the_cyclic_example_shows_a_loss_where_there_was_one(self):
         folder = SOURCE / "examples/cyclic"
@@ -49,7 +48,7 @@ class Verdicts(InFolder):
             reload = answer["cycles"]["loading_stiffness"][-1]
             self.assertAlmostEqual(reload["ratio"]["value"], 1 - loss, delta=0.015)
             kinds = against(answer)
-            self.assertEqual(bool({"softer_reload", "changed_reload"} & set(kinds)), loss > 0, kinds)
+            self.assertEqual("changed_reload" in kinds, loss > 0, kinds)
 
     @unittest.skipUnless((SHARED / "cracked").is_dir(), "no measured data of cracked specimens")
     def test_none_of_fifteen_cracked_records_is_sound_or_explained_by_slips(self):
@@ -68,12 +67,9 @@ stage = "w_s_m [m]"
 force = "F_N [N]"
 ''')
                 fit, _ = self.answer(case)
-                judgement = fit["judgement"]
-                if judgement is None:
-                    self.assertNotEqual(fit["status"], "ok")
-                    continue
-                self.assertNotEqual(judgement["standing"], "sound")
-                self.assertNotEqual(judgement["drops"], "not_by_cracks_alone")
+                self.assertNotEqual(fit["verdict"]["code"], "slip")
+                if fit["status"] == "ok":
+                    self.assertTrue(fit["suspect"] or {"undecided_drops", "no_reload"} & {found["code"] for found in fit["findings"]}, row)
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_the_published_sawtooths_are_not_cracks(self):
@@ -93,12 +89,11 @@ stage = "w_s_m [m]"
 force = "F_N [N]"
 until = {int(float(row["index_of_failure"]))}
 ''')
-            verdicts[name] = self.answer(case)[0]["judgement"]["drops"]
-        self.assertNotIn("cracks", verdicts.values())
+            verdicts[name] = self.answer(case)[0]["verdict"]["code"]
         for name in ("SS4", "SS14", "SS18", "SS19", "SS20", "SS25", "SS29"):
-            self.assertEqual(verdicts[name], "not_by_cracks_alone", name)
+            self.assertEqual(verdicts[name], "slip", name)
         for name in ("SS5", "SS33"):
-            self.assertEqual(verdicts[name], "cannot_be_told", name)
+            self.assertEqual(verdicts[name], "undecided", name)
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_a_load_train_stated_far_too_stiff_leaves_no_probability(self):

@@ -48,7 +48,7 @@ TEST_CASE("every finding there is: screen, text, page, JSON and campaign print i
       return one.at("code") == each.code && one.at("sentence") == finding.sentence &&
              one.at("remedy") == finding.remedy;
     }));
-    if (on_screen && !(each.test.judgement && lost_stiffness(each.test.judgement->reload)))
+    if (on_screen && !lost_stiffness(each.test.reload))
       CHECK(has(campaign_of_one(each.test),
                 html_escaped(is_fitted(each.test) || each.severity > Severity::refusal ? finding.short_form
                                                                                        : finding.sentence)));
@@ -71,8 +71,10 @@ TEST_CASE("document: every test that has no fit shows its curve, if it has one t
 }
 
 TEST_CASE("document: the rows of an answer and its doubts stand as on the screen") {
-  const Answer answer =
-      answer_of(changed([](FittedTest& test) { test.judgement->friction_falls = test.judgement->few_rows = true; }));
+  const Answer answer = answer_of(changed([](FittedTest& test) {
+    test.judgement->friction_falls = true;
+    test.analysis.statistics.rows_between_drops = 4;
+  }));
   const Rows rows = rows_of(answer);
   REQUIRE(rows.size() == answer.rows.size() + 2);
   CHECK(rows[answer.rows.size()].label == "doubt");

@@ -26,7 +26,6 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                     .summary = TestSummary{.name = name,
                                            .category = category,
                                            .suspect = mu0 > 1,
-                                           .standing = mu0 > 1 ? Standing::suspect : Standing::sound,
                                            .drops_verdict = CrackVerdict::not_by_cracks_alone,
                                            .cracks_alone = 0.02,
                                            .model = ProfileModel::roughness,

@@ -1,0 +1,109 @@
+#include "data/record_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numerics/statistics.h"
+
+namespace flexslip {
+namespace {
+
+double rows_between(const std::vector<Drop>& drops) {
+  constexpr std::size_t min_drops = 3;
+  if (drops.size() < min_drops) return not_a_number;
+  std::vector<double> rows;
+  for (std::size_t i = 1; i < drops.size(); ++i)
+    rows.push_back(static_cast<double>(drops[i].before - drops[i - 1].after + 1));
+  return median_of(rows);
+}
+
+WidestStep widest_step(const std::vector<double>& stage) {
+  if (stage.size() < 2) return {};
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < stage.size(); ++i) steps.push_back(stage[i] - stage[i - 1]);
+  const auto widest = std::max_element(steps.begin(), steps.end());
+  return {.behind = static_cast<std::size_t>(widest - steps.begin()),
+          .length = *widest,
+          .usual = median_of(steps),
+          .share_of_travel = *widest / (stage.back() - stage.front())};
+}
+
+Sinking sinking(const std::vector<double>& force, const std::vector<Drop>& drops) {
+  constexpr std::size_t enough = 20, at_the_end = 5;
+  if (force.size() < enough) return {};
+  const auto greatest = std::max_element(force.begin(), force.end());
+  if (!(*greatest > 0)) return {};
+  const auto from = static_cast<std::size_t>(greatest - force.begin());
+  const double end = median_of(std::vector<double>(force.end() - at_the_end, force.end()));
+  double by_drops = 0;
+  for (const Drop& drop : drops)
+    if (drop.before >= from) by_drops += drop.force_fall;
+  return {.from = from, .share = 1 - (end + by_drops) / *greatest};
+}
+
+// What changes in a drop beyond what changed in the rows before it.
+struct InDrop {
+  double farther;  // [m] the specimen bends
+  double leap;     // [m] the stage moves
+  double way;      // [m] the stage moves as before
+  double relief;   // [N] of the load train
+};
+
+std::vector<InDrop> changes_in_drops(const Record& record, const std::vector<Drop>& drops) {
+  constexpr std::size_t max_rows = 5;
+  std::vector<InDrop> all;
+  for (std::size_t i = 0; i < drops.size(); ++i) {
+    const std::size_t before = drops[i].before, after = drops[i].after;
+    const std::size_t rows = std::min(before - (i == 0 ? 0 : std::min(drops[i - 1].after, before)), max_rows);
+    if (rows == 0) continue;
+    const double times = static_cast<double>(after - before) / static_cast<double>(rows);
+    const auto usual = [&](const std::vector<double>& column) {
+      return times * (column[before] - column[before - rows]);
+    };
+    const auto beyond = [&](const std::vector<double>& column) {
+      return column[after] - column[before] - usual(column);
+    };
+    if (!(beyond(record.force) < 0)) continue;
+    all.push_back({.farther = beyond(record.deflection),
+                   .leap = beyond(record.stage),
+                   .way = usual(record.stage),
+                   .relief = -beyond(record.force)});
+  }
+  return all;
+}
+
+TrainInDrops train_in_drops(const Record& record, const std::vector<Drop>& drops, double load_train_stiffness) {
+  const std::vector<InDrop> changes = changes_in_drops(record, drops);
+  if (changes.empty()) return {};
+  const double stated = 1 / load_train_stiffness;
+  TrainInDrops train{.drops = changes.size()};
+  std::vector<double> compliances;  // [m/N]
+  double leaps = 0, reliefs = 0, squares = 0;
+  for (const InDrop& drop : changes) {
+    compliances.push_back(drop.farther / drop.relief);
+    train.misfits += std::abs(drop.farther - stated * drop.relief) > 0.5 * stated * drop.relief + drop.way;
+    leaps += drop.leap * drop.relief;
+    reliefs += drop.relief * drop.relief;
+  }
+  for (const InDrop& drop : changes) {
+    const double rest = drop.leap - leaps / reliefs * drop.relief;
+    squares += rest * rest;
+  }
+  train.compliance = median_of(compliances);
+  train.leap = leaps / reliefs / stated;
+  if (changes.size() > 1)
+    train.leap_error = std::sqrt(squares / (static_cast<double>(changes.size() - 1) * reliefs)) / stated;
+  return train;
+}
+
+}  // namespace
+
+RecordStatistics statistics_of(const Record& record, const std::vector<Drop>& drops, double load_train_stiffness) {
+  return {.rounded = rounded_drops(record),
+          .rows_between_drops = rows_between(drops),
+          .widest_step = widest_step(record.stage),
+          .sinking = sinking(record.force, drops),
+          .train = train_in_drops(record, drops, load_train_stiffness)};
+}
+
+}  // namespace flexslip
