@@ -13,6 +13,7 @@
 #include "case/readings.h"
 #include "data/contact.h"
 #include "data/record.h"
+#include "data/sampling.h"
 #include "data/small_deflection.h"
 #include "inference/beginning.h"
 #include "io/quantity.h"

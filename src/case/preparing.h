@@ -9,6 +9,7 @@
 #include "case/preparation.h"
 #include "case/readings.h"
 #include "data/record.h"
+#include "data/sampling.h"
 
 namespace flexslip {
 

@@ -11,6 +11,7 @@
 
 #include "case/preparing.h"
 #include "data/no_readings.h"
+#include "data/sampling.h"
 #include "io/input_error.h"
 
 // Which rows of a record are points of it: its readings, once each, as many as a test has use for, up to the end of the load cell.

@@ -1,3 +1,5 @@
+#include "data/sampling.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +12,6 @@
 
 #include <doctest/doctest.h>
 
-#include "data/record.h"
 #include "tests/uniform.h"
 
 namespace flexslip {
