@@ -255,6 +255,18 @@ std::string if_lost_in_words(T test) {
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
 }
 
+// How the length seen in images of the supports differs from the length that the force shows.
+std::string imaged_length_in_words(T test) {
+  if (!test.imaged || test.imaged->points.empty()) return "";
+  const ImagedLength& imaged = *test.imaged;
+  const double unit = test.analysis.scales.span();
+  const Kind length = Print(test).as(kind::length);
+  return fmt::format("; the imaged length is {} {} than the force shows (median of {}, scatter {})",
+                     readable(std::abs(unit * imaged.offset.value), unit * imaged.offset.standard_error, length),
+                     imaged.offset.value > 0 ? "less" : "more", format_count(imaged.points.size(), "point", "points"),
+                     format_roughly(unit * imaged.scatter, length));
+}
+
 std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   const FrictionFit& fit = test.analysis.fit;
   if (test.judgement->lost_stiffness) return "none can be read off a specimen that loses stiffness";
@@ -274,6 +286,7 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
                          : below ? "where the specimen was read, less than beside it"
                                  : "along it");
   }
+  words += imaged_length_in_words(test);
   const bool has_wave = fit.wave_claimed && !fit.waves.empty();
   if (has_wave)
     words += fmt::format("; it repeats every {}",

@@ -117,7 +117,6 @@ TestSummary without_friction(TestSummary summary) {
   summary.mu0_is_bound = summary.wave_claimed = false;
   summary.friction_share = summary.spacing = not_a_number;
   summary.amplitude = summary.wavelength = summary.phase = std::nullopt;
-  summary.surface_height = summary.surface_slope = std::nullopt;
   summary.measured = {};
   return summary;
 }

@@ -55,13 +55,13 @@ struct LoopLegs {
 constexpr double min_noise = 1e-9;  // [1] of q: keeps the filter regular for records without noise
 
 // Sorted by S: one loop's points that slide.
-struct Row {
+struct SlidingRow {
   double side;                 // +1 in, -1 out
   double S, variance_of_unit;  // of y, for force noise 1
   std::array<double, 3> y;     // side q, and its regressors: ln EI, contact
 };
 struct Block {
-  std::vector<Row> rows;
+  std::vector<SlidingRow> rows;
   std::size_t column;
   double roughness;  // [1/L] variance of μ per length
   double range;      // [L]
@@ -263,7 +263,8 @@ std::vector<Block> make_blocks(std::span<const Point> points, std::span<const Lo
     };
     if (loop.loading) add(*loop.loading, 1);
     if (loop.unloading) add(*loop.unloading, -1);
-    std::stable_sort(block.rows.begin(), block.rows.end(), [](const Row& a, const Row& b) { return a.S < b.S; });
+    std::stable_sort(block.rows.begin(), block.rows.end(),
+                     [](const SlidingRow& a, const SlidingRow& b) { return a.S < b.S; });
     if (!block.rows.empty()) block.range = block.rows.back().S - block.rows.front().S;
     // Rather too rough, which only widens the band of μ, than too smooth, which would bend μ.
     if (length > 0) block.roughness = std::max({variation - noise, 0.1 * variation, min_noise * min_noise}) / length;
@@ -274,7 +275,7 @@ std::vector<Block> make_blocks(std::span<const Point> points, std::span<const Lo
 
 // Points sliding out, paired with the points sliding in around them where these leave no gap, averaged over places.
 Pairs pair_directions(const Block& block) {
-  std::vector<const Row*> in, out;
+  std::vector<const SlidingRow*> in, out;
   for (const auto& row : block.rows) (row.side > 0 ? in : out).push_back(&row);
   Pairs places;
   if (in.size() < 2 || out.size() < 2) return places;
@@ -293,7 +294,7 @@ Pairs pair_directions(const Block& block) {
   double brackets = 0;     // of points sliding in
   double in_variance = 0;  // sums over the members
   double out_variance = 0;
-  const Row* bracket = nullptr;
+  const SlidingRow* bracket = nullptr;
   const auto close = [&] {
     if (place == nowhere) return;
     const auto scale = [&](double& sum) { sum /= members; };
@@ -304,12 +305,13 @@ Pairs pair_directions(const Block& block) {
     for (double& sum : places.out_slopes.back()) scale(sum);
     places.noise_of_unit.push_back((in_variance / brackets + out_variance / members) / members);
   };
-  for (const Row* row : out) {
+  for (const SlidingRow* row : out) {
     if (row->S < low || row->S > high) continue;
-    const auto after = std::lower_bound(in.begin(), in.end(), row->S, [](const Row* a, double S) { return a->S < S; });
+    const auto after =
+        std::lower_bound(in.begin(), in.end(), row->S, [](const SlidingRow* a, double S) { return a->S < S; });
     if (after == in.begin() || after == in.end()) continue;
-    const Row& b = **after;
-    const Row& a = **(after - 1);
+    const SlidingRow& b = **after;
+    const SlidingRow& a = **(after - 1);
     if (b.S - a.S > widest || !(b.S > a.S)) continue;
     const double t = (row->S - a.S) / (b.S - a.S);
     const auto between = [&](std::size_t j) { return (1 - t) * a.y[j] + t * b.y[j]; };
@@ -351,7 +353,7 @@ std::vector<Eigen::Vector2d> smooth(const Block& block, const Noise& noise) {
   std::vector<FilterStep<2, 1>> passed;
   passed.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const Row& row = block.rows[i];
+    const SlidingRow& row = block.rows[i];
     FilterStep<2, 1> here;
     if (i == 0) {
       here.from_before.matrix.setIdentity();

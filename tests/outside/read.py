@@ -134,6 +134,8 @@ class Measured(InFolder):
             with self.subTest(file=path.name):
                 if path.parent.name == "mts_testsuite_empty":
                     self.refused("read", path, says=["an empty file"])
+                elif path.parent.name == "bluehill_decimal_comma":
+                    self.refused("read", path, says=[":5998:", "numbers with one decimal comma", "without opening it in a spreadsheet"])
                 elif path.parent.name == "mts_testsuite_femur":
                     self.refused("read", path, says=["'Aux Input 5' in V", "--calibration"])
                     self.succeeds("read", "-o", "-", path, "--force", 4, "--calibration", "73.1 N/V", "--quiet")

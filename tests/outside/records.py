@@ -200,11 +200,11 @@ force = "F_N [N]"
         for loose, known in {'"force"': '"force"\nlength = "dS [m]"', "1278 um": "1278 um ± 0.1 um", "90.65 N/m": "90.65 N/m ± 0.01 %"}.items():
             case = case.replace(loose, known)
         fit = self.json("fit", self.file("case.toml", case))
-        (sentence,) = (finding["sentence"] for finding in fit["findings"] if finding["code"] == "imaged_length")
-        offset, scatter = re.search(r"is ([\d.]+) ± [\d.]+ µm less than .*scatter of (\d+) nm", sentence).groups()
+        friction = next(row["words"] for row in fit["answer"] if row["label"] == "friction")
+        offset, scatter = re.search(r"imaged length is ([\d.]+) ± [\d.]+ µm less than .*scatter (\d+) nm", friction).groups()
         self.assertAlmostEqual(float(offset), 2, delta=0.2)
         self.assertLess(int(scatter), 1500)
-        self.assertNotIn("imaged_length", [finding["code"] for finding in self.fitted(READINGS)["findings"]])
+        self.assertNotIn("imaged", json.dumps(self.fitted(READINGS)["answer"]))
 
     def case(self, name, readings, more):
         self.file(name, "stage [um],force [mN]\n" + "".join(f"{stage!r},{force!r}\n" for stage, force in readings))
