@@ -77,7 +77,7 @@ TEST_CASE("identity: a test that fails is listed with its reason, and the others
   const auto& broken = campaign.tests.back();
   CHECK(broken.name == "broken");
   CHECK(broken.status == "failed");
-  CHECK(broken.reason.find("broken.csv: column 'force': expected a column of numbers") != std::string::npos);
+  CHECK(broken.reason.find("broken.csv: column 'force [N]': expected a column of numbers") != std::string::npos);
   CHECK(!broken.summary);
   for (std::size_t i = 0; i + 1 < campaign.tests.size(); ++i) CHECK(campaign.tests[i].status == "ok");
 }
