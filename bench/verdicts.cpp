@@ -116,7 +116,6 @@ SimulatedTest rough(Random& random, Kernel kernel) {
 }
 SimulatedTest rough_1_2(Random& random) { return rough(random, Kernel::exponential); }
 SimulatedTest rough_3_2(Random& random) { return rough(random, Kernel::matern_3_2); }
-SimulatedTest rough_5_2(Random& random) { return rough(random, Kernel::matern_5_2); }
 SimulatedTest rough_smooth(Random& random) {
   SimulatedTest test = sliding(random);
   test.friction.bumps = smooth_bumps(random.between(0.03, 0.18), log_between(random, 3, 20), random);
@@ -261,7 +260,6 @@ constexpr std::array kinds{TestKind{"wave", wave},
                            TestKind{"two_waves", two_waves},
                            TestKind{"rough_1_2", rough_1_2},
                            TestKind{"rough_3_2", rough_3_2},
-                           TestKind{"rough_5_2", rough_5_2},
                            TestKind{"rough_smooth", rough_smooth},
                            TestKind{"rough_wave", rough_wave},
                            TestKind{"rough_slow", rough_slow},

@@ -156,7 +156,7 @@ constexpr double log_two_pi = 1.8378770664093454836;
 }  // namespace
 
 std::string_view name_of(Kernel kernel) {
-  return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "matern_3_2", "matern_5_2", "matern_9_2"});
+  return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "matern_3_2", "matern_9_2"});
 }
 
 void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at) {

@@ -138,7 +138,7 @@ class Chain {
   const Observations& observations_;
   Kernel kernel_;
   Hyperparameters at_;
-  std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<4>, chain::Steps<6>> steps_;
+  std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<6>> steps_;
   KeptArray<double> white_;          // at each observation C^(-1/2) of y and of each column, by pairs
   KeptArray<double> predicted_;      // at each observation, for each pair of these the numbers of their states
   Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull

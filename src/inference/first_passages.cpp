@@ -351,15 +351,15 @@ void complete(Linearisation& at, const Passages& passages) {
                         .stage_mu = states.w_q[i] + states.F_q[i] * compliance});
   const auto slopes = inverse_slopes(states);
   const double softer = elementary::exp(-at.eta), stiffer = elementary::exp(at.eta);
-  for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.fold, &at.y}) column->resize(n);
+  for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.y}) column->resize(n);
   elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
     constexpr double min_q_force = 0.02, min_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
     const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, min_q_force);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
-    at.fold[i] = 1 - at.slope[i] * at.S_force[i] / q_force;
-    at.noise_gain[i] = q_force * std::max(at.fold[i], min_fold);
+    const double fold = 1 - at.slope[i] * at.S_force[i] / q_force;  // G'/G_S: 0 at a fold
+    at.noise_gain[i] = q_force * std::max(fold, min_fold);
     const double error = slopes.F[i] > 0 ? at.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;

@@ -87,7 +87,6 @@ struct Linearisation {
   std::vector<double> S_seen;          // [L] where the force read would put it
   std::vector<double> S_force, S_eta;  // dS/de at fixed stage, dS/dη at fixed force
   std::vector<double> noise_gain;      // D, its factor G'/G_S not below 0.05
-  std::vector<double> fold;            // [1] κ = G'/G_S: 0 at a fold
   std::vector<double> y;
   double log_jacobian;  // Σ ln |dy/dF|
 };

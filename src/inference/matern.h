@@ -15,12 +15,10 @@
 
 namespace flexslip {
 
-// How smooth the roughness is: a path of `exponential` (Matérn 1/2) has no slope, one of `matern_3_2` one, of `matern_5_2` two derivatives, of
-// `matern_9_2` four.
-enum class Kernel { none, exponential, matern_3_2, matern_5_2, matern_9_2 };
+// How smooth the roughness is: a path of `exponential` (Matérn 1/2) has no slope, one of `matern_3_2` one derivative, one of `matern_9_2` four.
+enum class Kernel { none, exponential, matern_3_2, matern_9_2 };
 
-inline constexpr std::array all_kernels{Kernel::none, Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2,
-                                        Kernel::matern_9_2};
+inline constexpr std::array all_kernels{Kernel::none, Kernel::exponential, Kernel::matern_3_2, Kernel::matern_9_2};
 
 std::string_view name_of(Kernel kernel);
 
@@ -45,8 +43,6 @@ constexpr int order_of(Kernel kernel) {
       return 1;
     case Kernel::matern_3_2:
       return 2;
-    case Kernel::matern_5_2:
-      return 3;
     case Kernel::matern_9_2:
       break;
   }
@@ -63,8 +59,6 @@ void with_order_of(Kernel kernel, Function function) {
       return function(std::integral_constant<int, 1>());
     case Kernel::matern_3_2:
       return function(std::integral_constant<int, 2>());
-    case Kernel::matern_5_2:
-      return function(std::integral_constant<int, 3>());
     case Kernel::matern_9_2:
       break;
   }

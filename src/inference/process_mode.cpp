@@ -641,7 +641,6 @@ class Search {
     const bool with_plain = !options_.waves || waves.empty();
     stages.enter("friction without a wave", 0.12);
     if (with_plain && !waves.empty()) improve(plain, waves.front());
-    mend(plain);
     process_.polish(plain, 6, 10, 0.3);
     auto& components = result.components;
     for (const Mode& wave : waves) components.push_back(component_of(process_, wave));
@@ -650,7 +649,6 @@ class Search {
     stages.enter("a second wave", 0.03);
     if (!options_.waves && !waves.empty() && gain > claiming_gain) add_second_wave(waves, components);
     stages.enter("how rough friction is", 0.29);
-    const std::size_t with_first = components.size();
     // Where a wave is out of the question with its kernel, it is not asked for with the others; nor are waves far below the best, or any beside it
     // that gains nothing.
     constexpr double out_of_question = -2, far_below = 3;
@@ -661,20 +659,12 @@ class Search {
         if (gain > out_of_question && kernel != wave.kernel && wave.merit >= waves.front().merit - beside)
           components.push_back(component_of(process_, continued(wave, kernel)));
     }
-    double best = components.front().log_evidence;
-    for (const auto& component : components) best = std::max(best, component.log_evidence);
-    for (std::size_t i = with_first; i < components.size(); ++i) {
-      Mode mode = components[i].mode;
-      if (mode.theta.waves > 0 || components[i].log_evidence < best - far_below) continue;
-      if (mend(mode)) components[i] = component_of(process_, mode);
-    }
-    go_on_from_likeliest(components);
     const auto rank = [&] {
       std::stable_sort(components.begin(), components.end(),
                        [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
     };
     rank();
-    best = components.front().log_evidence;
+    const double best = components.front().log_evidence;
     for (Component& component : components)
       if (component.log_evidence > best - far_below) converge(component);
     rank();
@@ -700,51 +690,6 @@ class Search {
     for (const Kernel kernel : options_.kernels)
       if (kernel == Kernel::matern_3_2) return kernel;
     return options_.kernels.front();
-  }
-
-  // The mode from readings past a fold moved back, and from where its own mean runs: kept where that is better. Is it?
-  bool mend(Mode& mode) const {
-    if (!std::isfinite(mode.merit)) return false;
-    // Where noise blurs the places of readings, a polish makes up for more.
-    const double hopeless = mode.theta.waves > 0 && is_blurred(mode) ? 3 : 0;
-    const auto better_from = [&](Mode other) {
-      process_.burst(other, 8, 0.3);
-      if (other.merit < mode.merit - hopeless) return false;
-      process_.polish(other, 2, 6, 0.2);
-      if (!(other.merit > mode.merit + 0.1)) return false;
-      mode = std::move(other);
-      return true;
-    };
-    bool is_better = false;
-    for (int attempt = 0; attempt < 2; ++attempt) {
-      const bool past_folds = is_past_a_fold(mode);
-      if (!(past_folds && better_from(projected(process_, run_, mode))) &&
-          !better_from(run_forward(process_, run_, mode)))
-        break;
-      is_better = true;
-    }
-    return is_better;
-  }
-
-  // One kernel may have been led astray where the likeliest was not: it goes on from there as well.
-  void go_on_from_likeliest(std::vector<Component>& components) const {
-    constexpr double far_below = 5;
-    const auto is_rough = [](const Component& each) {
-      return each.mode.theta.waves == 0 && each.mode.kernel != Kernel::none;
-    };
-    const Component* likeliest = nullptr;
-    for (const Component& each : components)
-      if (is_rough(each) && (!likeliest || each.log_evidence > likeliest->log_evidence)) likeliest = &each;
-    if (!likeliest) return;
-    const Component from = *likeliest;
-    for (Component& each : components) {
-      if (!is_rough(each) || each.mode.kernel == from.mode.kernel || each.log_evidence < from.log_evidence - far_below)
-        continue;
-      const Mode mode = continued(from.mode, each.mode.kernel);
-      if (!better(mode, each.mode)) continue;
-      const Component other = component_of(process_, mode);
-      if (other.log_evidence > each.log_evidence) each = other;
-    }
   }
 
   // Until it is linearised at what it says itself of the rig, too: merits of others say little.
@@ -936,7 +881,6 @@ class Search {
       const Mode before = mode;
       process_.polish(mode, polished.empty() ? 4 : 2, 8, 0.2);
       if (before.merit > mode.merit) mode = before;
-      mend(mode);
       if (is_resolved(elementary::exp(mode.theta.log_wavelength(last)), mode.theta, last)) polished.push_back(mode);
     }
     std::stable_sort(polished.begin(), polished.end(), better);

@@ -24,38 +24,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double at_a_fold = 0.15;  // G'/G_S: at 0 the fibre snaps
-
-// The mean of μ of a mode at many lengths, and the shift of EI.
-struct MeanPath {
-  std::vector<double> mu;
-  double eta;
-};
-
-MeanPath mean_path(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
-  std::vector<double> places;
-  for (const double S : run.lengths()) places.push_back(process.passages().place(S));
-  const Observations seen = process.observations_of(mode);
-  const auto p = hyperparameters_of(mode.theta);
-  const Coefficients beta = Chain(seen, mode.kernel, p).mean();
-  // Where β is taken for known, g alone is left to be found between the readings.
-  auto [observations, at] = process.profile_of(mode, places);
-  std::vector<double> by_columns(observations.all.size());
-  for (std::size_t k = 0; k < by_columns.size(); ++k) {
-    by_columns[k] = observations.columns[k].dot(beta);
-    observations.values[k] -= by_columns[k];
-    observations.columns[k].resize(0);
-  }
-  observations.prior.clear();
-  observations.pull.resize(0);
-  const auto g = Chain(observations, mode.kernel, p).means_of(observations.values).f;
-  MeanPath path;
-  for (const std::size_t i : at) path.mu.push_back(FrictionProcess::mean_friction + by_columns[i] + g[i]);
-  const Index stiffness = process.columns().stiffness;
-  path.eta = stiffness >= 0 ? std::clamp(beta[stiffness], -0.2, 0.2) : 0;
-  return path;
-}
-
 Mode linearised_at(const FrictionProcess& process, const Mode& mode, ForwardStates states, double eta) {
   Mode other = mode;
   other.at.eta = eta;
@@ -106,31 +74,6 @@ ForwardStates ForwardRun::states(std::span<const double> mu, double eta, std::sp
     states.force.push_back(stiffer * (curve.F[i] + part * (curve.F[i + 1] - curve.F[i])));
   }
   return states;
-}
-
-Mode run_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
-  const auto path = mean_path(process, run, mode);
-  return linearised_at(process, mode, run.states(path.mu, path.eta, mode.at.stage), path.eta);
-}
-
-bool is_past_a_fold(const Mode& mode) {
-  return std::any_of(mode.at.fold.begin(), mode.at.fold.end(), [](double value) { return value < at_a_fold; });
-}
-
-Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {
-  const auto& fold = mode.at.fold;
-  const auto path = mean_path(process, run, mode);
-  const auto visited = run.states(path.mu, path.eta, mode.at.stage);
-  Mode other = mode;
-  for (std::size_t i = 0; i < fold.size(); ++i)
-    if (fold[i] < at_a_fold) {
-      other.at.S[i] = visited.S[i];
-      other.at.mu[i] = visited.mu[i];
-      other.at.slope[i] = visited.slope[i];
-    }
-  other.at.found.clear();
-  complete(other.at, process.passages());
-  return other;
 }
 
 Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode) {

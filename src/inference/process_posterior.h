@@ -34,15 +34,6 @@ class ForwardRun {
   std::vector<double> S_;
 };
 
-// The mode linearised anew where its own mean of friction, run forward, makes the readings pass.
-Mode run_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode);
-
-// Have readings got to a fold, or past it, where no fibre rests?
-bool is_past_a_fold(const Mode& mode);
-
-// Only those readings, moved back to where the fibre last was.
-Mode projected(const FrictionProcess& process, const ForwardRun& run, const Mode& mode);
-
 // A mode with waves linearised where its mean and waves alone make the readings pass, their size, phase and level changed so that the run
 // comes closest to the record: a wave read off noisy states is too small, because its crests are folds.
 Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode);

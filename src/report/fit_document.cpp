@@ -138,7 +138,7 @@ Chapter hangs_on_chapter(T test) {
 // ---- Whether friction repeats
 
 std::string_view in_words(Kernel kernel) {
-  return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "Matérn 3/2", "Matérn 5/2", "Matérn 9/2"});
+  return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "Matérn 3/2", "Matérn 9/2"});
 }
 
 // What the answer averages over, the likeliest first.

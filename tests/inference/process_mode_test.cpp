@@ -61,7 +61,7 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
   Passages of_known_rig = some_passages(0);
   of_known_rig.rig_errors.clear();
   const FrictionProcess process(of_known_rig);
-  for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2, Kernel::matern_9_2}) {
+  for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_9_2}) {
     CAPTURE(name_of(kernel));
     Mode mode = some_mode(process, kernel, true);
     process.polish(mode, 2, 6, 0.3);
@@ -106,7 +106,7 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
     bumps.mu.push_back(0.6 + 0.03 * std::cos(x / 9.1) + 0.025 * std::cos(x / 14.3 + 1) + 0.03 * std::cos(x / 25.7 + 2));
   }
   const auto rough = Friction::table(bumps);
-  for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_5_2, Kernel::matern_9_2})
+  for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_9_2})
     for (const bool with_wave : {true, false}) {
       CAPTURE(name_of(kernel));
       CAPTURE(with_wave);
