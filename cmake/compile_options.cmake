@@ -2,10 +2,6 @@
 
 add_library(flexslip_warnings INTERFACE)
 target_compile_options(flexslip_warnings INTERFACE -Wall -Wextra -Wpedantic -Wconversion -Wshadow)
-# g++ 12 sees overlaps and overflows where strings are joined that cannot be (its bug 105651; in precompiled headers it does not know that
-# these are the system's), and values not set in Eigen's products of vectors without vectors of the processor: no error where warnings are errors.
-target_compile_options(flexslip_warnings INTERFACE
-  "$<$<CXX_COMPILER_ID:GNU>:-Wno-error=restrict;-Wno-error=stringop-overflow;-Wno-error=maybe-uninitialized>")
 
 # The same input must give the same bits from every compiler and on every processor. Contraction would let a compiler
 # fuse a*b + c into one rounding wherever the processor can, and the error bounds in our headers are proved and
