@@ -236,7 +236,7 @@ class Words(unittest.TestCase):
         fit = fitted("simulated")
         self.assertRegex(str(fit.params.wavelength), r"^10\.9\d\d ± 0\.0\d\d µm$")
         self.assertRegex(repr(fit.params.bending_stiffness), r"^<bending_stiffness: 2\.1\d\d ± 0\.0\d\d mN mm²>$")
-        self.assertRegex(repr(fit), r"\n  mu0 +0\.50\d ± 0\.017\n")
+        self.assertRegex(repr(fit), r"\n  mu0 +0\.50\d ± 0\.016\n")
         self.assertRegex(repr(fit.energy), r"work_of_fracture +7\.02\d µJ")
         self.assertRegex(repr(fit.drops), r"^<\d+ rows: row_before, .*force_before \[N\]")
         self.assertRegex(repr(flexslip.simulate("examples/cyclic/truth.toml").energy), "µJ")
