@@ -479,8 +479,9 @@ Fields<FittedTest> every_fit_field() {
             parameter_correlation_fields(), correlations_of)
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
-      .group("judgement", "the probability that the drops are cracks only, and the loss of stiffness that a reload shows", judgement_fields(),
-             [](T test) { return test.judgement ? &test : nullptr; })
+      .group("judgement",
+             "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
+             judgement_fields(), [](T test) { return test.judgement ? &test : nullptr; })
       .group("slip_or_crack", "what the rises between the drops say about slips and cracks; null if there are too few",
              slip_or_crack_fields(),
              [](T test) { return test.analysis.slip_or_crack.judged ? &test.analysis.slip_or_crack : nullptr; })
