@@ -20,7 +20,7 @@ const ANSWERS = [
   ["a load train that would have given way", csv(sample), { ...RIG, "load train": "0.001 N/m" }, null, ""],
   ["no initial slope", csv(sample.map(([w]) => [w, 3])), RIG, null, ""],
   ["few rows", csv(sample.slice(0, 8)), RIG, null, ""],
-  ["a force of zero", csv(sample.map(([w]) => [w, 0])), soft, "too_few_points", "no_answer"],
+  ["a force of zero", csv(sample.map(([w]) => [w, 0])), soft, "too_few_points", "check_input"],
   ["a force that friction does not explain", csv(sample.map(([w, F]) => [1.9 * w, F])), RIG, "not_explained", "no_answer"],
   ["an untrusted fit", csv(sample.map(([w]) => [w, 3])), soft, "ok", "no_answer"],
   ["a suspect fit", csv(sample.map(([w]) => [w, 12 * (w / 800) ** 3])), RIG, "ok", "no_drops"],
