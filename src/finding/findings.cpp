@@ -931,6 +931,17 @@ constexpr std::array rules{
     Rule{Group::alone, "changing_friction", changing_friction},
     Rule{Group::alone, "hidden_waves", hidden_waves},
 };
+static_assert(rules.size() <= 35);  // A new rule replaces one.
+
+// True if the rules of each group are adjacent in the table, as findings_of presumes.
+constexpr bool groups_stand_together() {
+  for (std::size_t i = 0; i < rules.size(); ++i)
+    for (std::size_t j = i + 1; j < rules.size(); ++j)
+      if (rules[i].group != Group::alone && rules[j].group == rules[i].group && rules[j - 1].group != rules[i].group)
+        return false;
+  return true;
+}
+static_assert(groups_stand_together());
 
 }  // namespace
 
