@@ -1,157 +1,181 @@
 #include "inference/chain.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <memory>
 #include <numbers>
-#include <span>
 #include <stdexcept>
 #include <string>
-#include <tuple>
-#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include <Eigen/Cholesky>
 
 #include "data/names.h"
 #include "inference/matern.h"
 #include "numerics/effort.h"
-#include "numerics/elementary.h"
 #include "numerics/require.h"
 
 namespace flexslip {
-
-// The Kalman filter whose state is a Matérn process, its derivatives and an AR(1) process.
-
 namespace {
 
+using chain::States;
+using chain::Transition;
 using Eigen::Index;
+using AllSeries = chain::Series<chain::most_series>;
+using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, chain::most_series, chain::most_series>;
 
-struct Parameters {
-  double noise, correlation, roughness, rate;
-};
-
-Parameters parameters_of(Kernel kernel, const Hyperparameters& at) {
-  return {at.noise, at.correlation, kernel == Kernel::none ? 0 : at.roughness,
-          kernel == Kernel::none ? 0 : matern::rate_of(kernel) / at.length};
+template <std::size_t N>
+void add(double factor, const std::array<double, N>& x, std::array<double, N>& sum) {
+  for (std::size_t i = 0; i < N; ++i) sum[i] += factor * x[i];
 }
 
-// What is known of a state of which nothing is seen. G numbers of g, then e.
-template <int M>
-StateMatrix<M> limit_of(const Parameters& p) {
-  constexpr std::size_t G = M - 1;
-  StateMatrix<M> limit{};
-  if constexpr (G > 0) {
-    constexpr auto P = matern::stationary<M - 1>();
-    for (std::size_t i = 0; i < G; ++i)
-      for (std::size_t j = 0; j < G; ++j) limit[j / 2][i][j % 2] = p.roughness * p.roughness * P.at_[i * G + j];
+// The states of N series after a transition; of the columns of a covariance likewise.
+template <int M, std::size_t N, std::size_t Size>
+void carry(const Transition<M>& A, const std::array<std::array<double, N>, Size>& states,
+           std::array<std::array<double, N>, Size>& next) {
+  constexpr int G = M - 1;
+  for (int i = 0; i < G; ++i) {
+    std::array<double, N> sum{};
+    for (int j = 0; j < G; ++j) add(A.of_g(i, j), states[j], sum);
+    next[i] = sum;
   }
-  limit[G / 2][G][G % 2] = p.noise * p.noise;
-  return limit;
+  for (std::size_t s = 0; s < N; ++s) next[G][s] = A.of_e * states[G][s];
 }
-
-// What an observation sees of the state: g and D e.
-template <int M>
-Few<M> seen_of_state(double D) {
-  Few<M> H{};
-  if (M > 1) H[0] = 1;
-  H[M - 1] = D;  // of e, which is all there is without a kernel
-  return H;
-}
-
-// How the state goes on from each observation to the next.
-template <int M>
-void find_transitions(const Observations& observations, const Parameters& p, chain::Steps<M>& steps) {
-  const auto power = [&](double rows) {
-    return p.correlation > 0 ? elementary::exp(rows * elementary::log(p.correlation)) : 0;
-  };
-  const std::size_t n = observations.all.size();
-  KeptArray<double> decay(M > 1 ? n : 0);
-  if constexpr (M > 1) {
-    for (std::size_t k = 0; k < n; ++k)
-      decay[k] = k == 0 ? 0 : -p.rate * (observations.all[k].place - observations.all[k - 1].place);
-    const std::span all(decay.data(), n);
-    elementary::exp(all, all);
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    auto& step = steps.steps[k];
-    const Observation& observation = observations.all[k];
-    step.of_g = {};
-    step.of_e = 0;
-    if (k == 0) continue;
-    if constexpr (M > 1) {
-      const double distance = observation.place - observations.all[k - 1].place;
-      step.of_g = matern::transition_over<M - 1>(p.rate * distance, decay[k]);
-    }
-    step.of_e = observation.rows == 0 ? 1 : observation.rows == 1 ? p.correlation : power(observation.rows);
-  }
-}
-
-// The filter's covariances: what is known of the state before each observation, and what that tells of it.
-template <int M>
-class Covariances {
- public:
-  explicit Covariances(const Parameters& p) : limit_(limit_of<M>(p)) {}
-
-  void meet(const Observation& observation, chain::Step<M>& step) {
-    constexpr std::size_t G = M - 1;
-    const TransitionInPairs<M> A(step.of_g, step.of_e);
-    away_ = A * transposed<M>(A * away_);
-    double* predicted = step.predicted.data();
-    for (std::size_t b = 0; b < pairs_of(M); ++b)
-      for (std::size_t i = 0; i < M; ++i, predicted += 2) put(away_[b][i] + limit_[b][i], predicted);
-    step.gain = {};
-    step.deviation = step.scale = 0;
-    if (!is_seen(observation)) return;
-    const double D = observation.noise_gain;
-    Row<M> with_seen;  // P H'
-    for (std::size_t b = 0; b < pairs_of(M); ++b) {
-      with_seen[b] = D * (away_[b][G] + limit_[b][G]);
-      if (G > 0) with_seen[b] += away_[b][0] + limit_[b][0];
-    }
-    const Few<M> PH = numbers_of<M>(with_seen);
-    const double innovation = (G > 0 ? PH[0] + D * PH[G] : D * PH[G]) + observation.variance;
-    step.deviation = std::sqrt(innovation);
-    step.scale = 1 / step.deviation;
-    const double precision = 1 / innovation;
-    for (std::size_t i = 0; i < M; ++i) step.gain[i] = PH[i] * precision;
-    for (std::size_t b = 0; b < pairs_of(M); ++b)
-      for (std::size_t i = 0; i < M; ++i) away_[b][i] -= step.gain[i] * with_seen[b];
-  }
-
- private:
-  StateMatrix<M> limit_, away_{};  // what is known where nothing is seen, and of it what is known away from that
-};
-
-template <int M>
-StateMatrix<M> predicted_at(const chain::Step<M>& step) {
-  StateMatrix<M> P;
-  const double* from = step.predicted.data();
-  for (PairOfStates<M>& columns : P)
-    for (Pair& pair : columns) pair = pair_at(from), from += 2;
-  return P;
-}
-
-// A state times a transition.
-template <int M>
-Few<M> carried(const Square<M - 1>& of_g, double of_e, const Few<M>& state) {
-  constexpr std::size_t G = M - 1;
-  Few<M> next{};
-  for (std::size_t i = 0; i < G; ++i)
-    for (std::size_t j = 0; j < G; ++j) next[i] += of_g.at_[i * G + j] * state[j];
-  next[G] = of_e * state[G];
+template <int M, std::size_t N, std::size_t Size>
+std::array<std::array<double, N>, Size> operator*(const Transition<M>& A,
+                                                  const std::array<std::array<double, N>, Size>& states) {
+  std::array<std::array<double, N>, Size> next;
+  carry(A, states, next);
   return next;
 }
 
-// Series: the columns, then y, by pairs; an odd one goes with zeros.
-constexpr std::size_t most_series = max_columns + 1;
-constexpr std::size_t most_pairs = pairs_of(most_series);
-using PairsOfSeries = std::array<Pair, most_pairs>;
+template <int M>
+States<M, M> transposed(const States<M, M>& matrix) {
+  States<M, M> out;
+  for (int i = 0; i < M; ++i)
+    for (int j = 0; j < M; ++j) out[i][j] = matrix[j][i];
+  return out;
+}
 
-constexpr double log_two_pi = 1.8378770664093454836;
+template <int M>
+Transition<M> transposed(const Transition<M>& A) {
+  return {transposed(A.of_g), A.of_e};
+}
+
+// A P A' of a symmetric P.
+template <int M>
+States<M, M> carried(const Transition<M>& A, const States<M, M>& P) {
+  return A * transposed<M>(A * P);
+}
+
+// Even and odd terms are summed apart, as a processor adds two at a time.
+template <std::size_t N>
+double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
+  if constexpr (N % 2 == 1) {
+    double sum = 0;
+    for (std::size_t i = 0; i < N; ++i) sum += a[i] * b[i];
+    return sum;
+  } else {
+    std::array<double, 2> sums{};
+    for (std::size_t i = 0; i < N; i += 2)
+      for (std::size_t odd = 0; odd < 2; ++odd) sums[odd] += a[i + odd] * b[i + odd];
+    return sums[0] + sums[1];
+  }
+}
+
+template <int M>
+Few<M> product(const States<M, M>& matrix, const Few<M>& v) {  // of a symmetric matrix
+  Few<M> out{};
+  for (int i = 0; i < M; ++i) add(v[i], matrix[i], out);
+  return out;
+}
+
+// The covariance of a state of which nothing is observed.
+template <int M>
+States<M, M> stationary(const Hyperparameters& at) {
+  States<M, M> limit{};
+  if constexpr (M > 1) {
+    const auto P = matern::stationary<M - 1>();
+    for (int i = 0; i < M - 1; ++i)
+      for (int j = 0; j < M - 1; ++j) limit[i][j] = at.roughness * at.roughness * P(i, j);
+  }
+  limit[M - 1][M - 1] = at.noise * at.noise;
+  return limit;
+}
+
+// The transitions from each observation to the next; of none to the first.
+template <int M>
+void find_transitions(const Observations& observations, const Hyperparameters& at, chain::Steps<M>& steps) {
+  const auto& all = observations.all;
+  KeptArray<double> away(all.size()), decay(all.size());
+  for (std::size_t k = 0; k < all.size(); ++k) away[k] = k == 0 ? 0 : steps.rate * (all[k].place - all[k - 1].place);
+  for (std::size_t k = 0; k < all.size(); ++k) decay[k] = -away[k];
+  elementary::exp({decay.data(), all.size()}, {decay.data(), all.size()});
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    Transition<M>& A = steps.steps[k].transition;
+    if constexpr (M > 1) A.of_g = matern::transition_over<M - 1>(away[k], decay[k]);
+    A.of_e = at.correlation;
+    if (all[k].rows == 0) A.of_e = 1;
+    if (all[k].rows > 1) A.of_e = A.of_e > 0 ? elementary::exp(all[k].rows * elementary::log(A.of_e)) : 0;
+  }
+}
+
+// H, of which H'X is what an observation sees of the state: g + D e.
+template <int M>
+Few<M> seen_by(const Observation& observation) {
+  Few<M> H{};
+  H[0] = 1;
+  H[M - 1] = observation.noise_gain;  // without a kernel e is the whole state
+  return H;
+}
+
+// What an observation sees of the states of all series.
+template <int M, int N>
+chain::Series<N> seen(const Observation& observation, const States<M, N>& states) {
+  chain::Series<N> sum;
+  for (int s = 0; s < N; ++s) sum[s] = observation.noise_gain * states[M - 1][s];
+  if constexpr (M > 1)
+    for (int s = 0; s < N; ++s) sum[s] += states[0][s];
+  return sum;
+}
+
+// Passes further series through the filter: their innovations over the standard deviation, and the predictions of g of the first.
+template <int M, int N, class Series>
+void filter(const Observations& observations, const chain::Steps<M>& steps, std::span<const Series> series,
+            std::span<Series> white, std::span<double> predictions = {}) {
+  States<M, N> states{};
+  for (std::size_t k = 0; k < series.size(); ++k) {
+    const auto& step = steps.steps[k];
+    states = step.transition * states;
+    if (!predictions.empty()) predictions[k] = M > 1 ? states[0][0] : 0;
+    const auto expected = seen<M, N>(observations.all[k], states);
+    for (int s = 0; s < N; ++s) {
+      const double v = reinterpret_cast<const double*>(&series[k])[s] - expected[s];
+      for (int i = 0; i < M; ++i) states[i][s] += step.gain[i] * v;
+      reinterpret_cast<double*>(&white[k])[s] = step.scale * v;
+    }
+  }
+}
+
+// The sums over all observations of the products of two series; four observations at once, as the sums are kept in memory.
+SeriesMatrix products_of(std::span<const AllSeries> white, std::size_t series) {
+  std::array<AllSeries, chain::most_series> sums{};  // of each with those before it and itself
+  constexpr std::size_t at_once = 4;
+  constexpr AllSeries none{};
+  for (std::size_t k = 0; k < white.size(); k += at_once) {
+    const auto at = [&](std::size_t j) -> const AllSeries& { return k + j < white.size() ? white[k + j] : none; };
+    const AllSeries &a = at(0), &b = at(1), &c = at(2), &d = at(3);
+    for (std::size_t s = 0; s < series; ++s)
+      for (std::size_t other = 0; other <= s; ++other)
+        sums[s][other] += (a[s] * a[other] + b[s] * b[other]) + (c[s] * c[other] + d[s] * d[other]);
+  }
+  const auto count = static_cast<Index>(series);
+  SeriesMatrix products(count, count);
+  for (std::size_t s = 0; s < series; ++s)
+    for (std::size_t other = 0; other <= s; ++other)
+      products(static_cast<Index>(s), static_cast<Index>(other)) =
+          products(static_cast<Index>(other), static_cast<Index>(s)) = sums[s][other];
+  return products;
+}
 
 }  // namespace
 
@@ -171,220 +195,112 @@ void require_domain(const Observations& observations, Kernel kernel, const Hyper
     throw std::invalid_argument("the columns of the observations differ in length");
 }
 
-namespace {
-
-// The regression on the whitened columns: what is left of y, and of β.
-struct Regression {
-  CoefficientMatrix covariance;  // [1] of β: (B'B + 1/prior)^-1
-  Coefficients beta;
-  double log_likelihood;
-};
-
-Regression regression_of(const CoefficientMatrix& products, const Coefficients& with_y, double y_squared,
-                         double log_variances, double seen, const std::vector<double>& prior) {
-  CoefficientMatrix information = products;
-  double log_prior = 0;
-  for (std::size_t j = 0; j < prior.size(); ++j) {
-    information(static_cast<Index>(j), static_cast<Index>(j)) += 1 / prior[j];
-    log_prior += elementary::log(prior[j]);
-  }
-  const Eigen::LLT<CoefficientMatrix> factor(information);
-  Regression r{.covariance = factor.solve(CoefficientMatrix::Identity(with_y.size(), with_y.size())),
-               .beta = factor.solve(with_y),
-               .log_likelihood = 0};
-  double log_determinant = log_variances + log_prior;  // of the covariance of y
-  for (Index j = 0; j < with_y.size(); ++j) log_determinant += 2 * elementary::log(factor.matrixLLT()(j, j));
-  r.log_likelihood = -0.5 * (seen * log_two_pi + y_squared - r.beta.dot(with_y) + log_determinant);
-  return r;
-}
-
-using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_series, most_series>;
-
-// Of each two series, over all observations; four of these at once, as the sums are kept in memory.
-SeriesMatrix products_of(const double* white, std::size_t observations, std::size_t series) {
-  const std::size_t row = 2 * pairs_of(series);
-  std::array<PairsOfSeries, most_series> sums{};  // of each with those before it and itself
-  constexpr std::size_t at_once = 4;
-  std::size_t k = 0;
-  for (; k + at_once <= observations; k += at_once) {
-    const double *const a = white + k * row, *const b = a + row, *const c = b + row, *const d = c + row;
-    for (std::size_t j = 0; j < series; ++j)
-      for (std::size_t i = 0; i <= j; i += 2)
-        sums[j][i / 2] +=
-            (a[j] * pair_at(a + i) + b[j] * pair_at(b + i)) + (c[j] * pair_at(c + i) + d[j] * pair_at(d + i));
-  }
-  for (; k < observations; ++k) {
-    const double* const a = white + k * row;
-    for (std::size_t j = 0; j < series; ++j)
-      for (std::size_t i = 0; i <= j; i += 2) sums[j][i / 2] += a[j] * pair_at(a + i);
-  }
-  const auto count = static_cast<Index>(series);
-  SeriesMatrix products(count, count);
-  for (Index j = 0; j < count; ++j)
-    for (Index i = 0; i <= j; ++i)
-      products(i, j) = products(j, i) = sums[static_cast<std::size_t>(j)][static_cast<std::size_t>(i / 2)][i % 2];
-  return products;
-}
-
-// y and the columns in the filter.
-template <int M>
-class SeriesFilter {
- public:
-  // What they add at each observation, over its deviation, and what is expected of their states there, are put to these places.
-  SeriesFilter(std::size_t columns, double* white, double* predicted)
-      : columns_(columns), white_(white), predicted_(predicted) {}
-
-  void meet(const double* h, double y, double noise_gain, const chain::Step<M>& step) {
-    constexpr std::size_t G = M - 1;
-    const TransitionInPairs<M> A(step.of_g, step.of_e);
-    const PairOfStates<M> gain = spread<M>(step.gain);
-    const Pair D = both(noise_gain), scale = both(step.scale);
-    double *white = white_, *predicted = predicted_;
-    const auto filter = [&](PairOfStates<M>& state, Pair v) {
-      state = A * state;
-      for (std::size_t i = 0; i < M; ++i, predicted += 2) put(state[i], predicted);
-      if constexpr (G > 0) v -= state[0];
-      v -= D * state[G];
-      for (std::size_t i = 0; i < M; ++i) state[i] += gain[i] * v;
-      put(scale * v, white);
-      white += 2;
-    };
-    for (std::size_t b = 0; b < columns_ / 2; ++b) filter(states_[b], pair_at(h + 2 * b));
-    filter(states_[columns_ / 2], columns_ % 2 == 1 ? Pair{h[columns_ - 1], y} : Pair{y, 0});
-    white_ = white;
-    predicted_ = predicted;
-  }
-
- private:
-  std::array<PairOfStates<M>, most_pairs> states_{};
-  std::size_t columns_;
-  double *white_, *predicted_;
-};
-
-}  // namespace
-
 Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparameters& at)
     : observations_(observations), kernel_(kernel), at_(at) {
   require_domain(observations, kernel, at);
-  const std::size_t n = observations.all.size();
-  const std::size_t columns = observations.prior.size(), series = 1 + columns, pairs = pairs_of(series);
-  effort_spent += n * series;
-  white_ = KeptArray<double>(2 * pairs * n);
+  const std::size_t n = observations.all.size(), columns = observations.prior.size();
+  const auto p = static_cast<Index>(columns);
+  effort_spent += n * (columns + 1);
+  white_ = KeptArray<AllSeries>(n);
   elementary::LogProduct deviations;
-  double seen = 0;
+  double count = 0;
   matern::with_order_of(kernel, [&](auto order) {
     constexpr int M = decltype(order)::value + 1;
-    const auto p = parameters_of(kernel, at);
-    chain::Steps<M> steps{.steps = KeptArray<chain::Step<M>>(n), .rate = p.rate};
-    find_transitions<M>(observations, p, steps);
-    predicted_ = KeptArray<double>(n * M * 2 * pairs);
-    Covariances<M> covariances(p);
-    SeriesFilter<M> filter(columns, white_.data(), predicted_.data());
+    chain::Steps<M> steps{.steps = KeptArray<chain::Step<M>>(n),
+                          .rate = M > 1 ? matern::rate_of(kernel) / at.length : 0};
+    find_transitions<M>(observations, at, steps);
+    const States<M, M> limit = stationary<M>(at);
+    States<M, M> away{};  // covariance less the limit
+    States<M, chain::most_series> states{};
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
-      covariances.meet(observation, step);
-      filter.meet(observations.columns[k].data(), is_seen(observation) ? observations.values[k] : 0,
-                  observation.noise_gain, step);
-      if (is_seen(observation)) {
-        deviations.multiply(step.deviation);
-        seen += 1;
+      away = carried<M>(step.transition, away);
+      step.predicted = limit;
+      for (int i = 0; i < M; ++i) add(1, away[i], step.predicted[i]);
+      carry(step.transition, states, step.series);
+      AllSeries& white = white_[k];
+      if (!is_seen(observation)) {
+        step.gain = {};
+        step.scale = 0;
+        white = {};
+        states = step.series;
+        continue;
       }
+      const Few<M> H = seen_by<M>(observation), PH = product<M>(step.predicted, H);
+      const double variance = dot(H, PH) + observation.variance, deviation = std::sqrt(variance);
+      step.scale = 1 / deviation;
+      for (int i = 0; i < M; ++i) step.gain[i] = PH[i] / variance;
+      for (int i = 0; i < M; ++i) add(-step.gain[i], PH, away[i]);
+      AllSeries v;  // the innovations
+      const double* const h = observations.columns[k].data();
+      for (std::size_t s = 0; s < max_columns; ++s) v[s] = s < columns ? h[s] : 0;
+      v[max_columns] = v[max_columns + 1] = 0;
+      v[columns] = observations.values[k];
+      const AllSeries expected = seen<M, chain::most_series>(observation, step.series);
+      for (std::size_t s = 0; s < chain::most_series; ++s) v[s] -= expected[s];
+      for (std::size_t s = 0; s < chain::most_series; ++s) white[s] = step.scale * v[s];
+      for (int i = 0; i < M; ++i)
+        for (std::size_t s = 0; s < chain::most_series; ++s) states[i][s] = step.series[i][s] + step.gain[i] * v[s];
+      deviations.multiply(deviation);
+      count += 1;
     }
     steps_ = std::move(steps);
   });
-  const auto p = static_cast<Index>(columns);
-  const SeriesMatrix products = products_of(white_.data(), n, series);
-  const auto r = regression_of(products.topLeftCorner(p, p), products.col(p).head(p), products(p, p),
-                               2 * deviations.value(), seen, observations.prior);
-  log_likelihood_ = r.log_likelihood;
-  beta_ = by_readings_ = r.beta;
-  covariance_ = r.covariance;
+  // The regression on the whitened columns.
+  const SeriesMatrix products = products_of({white_.data(), n}, columns + 1);
+  CoefficientMatrix information = products.topLeftCorner(p, p);
+  double log_determinant = 2 * deviations.value();
+  for (Index j = 0; j < p; ++j) {
+    information(j, j) += 1 / observations.prior[static_cast<std::size_t>(j)];
+    log_determinant += elementary::log(observations.prior[static_cast<std::size_t>(j)]);
+  }
+  const Eigen::LLT<CoefficientMatrix> factor(information);
+  const Coefficients with_y = products.col(p).head(p);
+  covariance_ = factor.solve(CoefficientMatrix::Identity(p, p));
+  beta_ = by_readings_ = factor.solve(with_y);
+  for (Index j = 0; j < p; ++j) log_determinant += 2 * elementary::log(factor.matrixLLT()(j, j));
+  log_likelihood_ =
+      -0.5 * (count * elementary::log(2 * std::numbers::pi) + products(p, p) - beta_.dot(with_y) + log_determinant);
   if (observations.pull.size() > 0) beta_ += covariance_ * observations.pull;
 }
 
-namespace {
-
-// A further series in the filter: what it adds at each observation, over its deviation, and what was expected of g there.
-template <int M>
-void filter_one(const Observations& observations, const chain::Steps<M>& steps, std::span<const double> series,
-                std::span<double> white, std::span<double> expected) {
-  constexpr std::size_t G = M - 1;
-  Few<M> m{};
-  for (std::size_t k = 0; k < series.size(); ++k) {
-    const auto& step = steps.steps[k];
-    m = carried<M>(step.of_g, step.of_e, m);
-    const double g = G > 0 ? m[0] : 0;
-    if (!expected.empty()) expected[k] = g;
-    const double v = series[k] - g - observations.all[k].noise_gain * m[G];
-    for (std::size_t i = 0; i < M; ++i) m[i] += step.gain[i] * v;
-    white[k] = step.scale * v;
-  }
-}
-
-}  // namespace
-
 void Chain::whiten(std::span<const double> series, std::span<double> out) const {
   effort_spent += series.size();
-  std::visit([&](const auto& steps) { filter_one(observations_, steps, series, out, {}); }, steps_);
+  std::visit([&]<int M>(const chain::Steps<M>& steps) { filter<M, 1>(observations_, steps, series, out); }, steps_);
 }
 
 void Chain::whiten(std::span<const Eight> series, std::span<Eight> out) const {
-  constexpr std::size_t lanes = std::tuple_size_v<Eight>;
-  effort_spent += lanes * series.size();
-  std::visit(
-      [&]<int M>(const chain::Steps<M>& steps) {
-        constexpr std::size_t G = M - 1;
-        std::array<Eight, M> m{}, next;
-        for (std::size_t k = 0; k < series.size(); ++k) {
-          const auto& step = steps.steps[k];
-          next = {};
-          for (std::size_t i = 0; i < G; ++i)
-            for (std::size_t j = 0; j < G; ++j)
-              for (std::size_t l = 0; l < lanes; ++l) next[i][l] += step.of_g.at_[i * G + j] * m[j][l];
-          for (std::size_t l = 0; l < lanes; ++l) next[G][l] = step.of_e * m[G][l];
-          m = next;
-          const double gain_of_noise = observations_.all[k].noise_gain, scale = step.scale;
-          Eight v = series[k];
-          for (std::size_t l = 0; l < lanes; ++l) v[l] -= (G > 0 ? m[0][l] : 0) + gain_of_noise * m[G][l];
-          for (std::size_t i = 0; i < M; ++i)
-            for (std::size_t l = 0; l < lanes; ++l) m[i][l] += step.gain[i] * v[l];
-          for (std::size_t l = 0; l < lanes; ++l) out[k][l] = v[l] * scale;
-        }
-      },
-      steps_);
+  effort_spent += 8 * series.size();
+  std::visit([&]<int M>(const chain::Steps<M>& steps) { filter<M, 8>(observations_, steps, series, out); }, steps_);
 }
 
 Chain::Means Chain::means_of(std::span<const double> values) const {
   const std::size_t n = values.size();
   effort_spent += 3 * n;
   Means means{.f = std::vector<double>(n), .beta = {}};
-  std::vector<double> rest(values.begin(), values.end()), white(n), expected(n);
+  std::vector<double> rest(values.begin(), values.end()), white(n), predictions(n);
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
-        constexpr std::size_t G = M - 1;
-        filter_one(observations_, steps, rest, white, {});
+        filter<M, 1, double>(observations_, steps, rest, white);
         const Eigen::Map<const Eigen::VectorXd> whitened(white.data(), static_cast<Index>(n));
-        Coefficients told = (whitened_columns() * whitened).head(static_cast<Index>(observations_.prior.size()));
-        if (observations_.pull.size() > 0) told += observations_.pull;
-        means.beta = covariance_ * told;
-        for (std::size_t k = 0; k < n; ++k) {
-          means.f[k] = observations_.columns[k].dot(means.beta);
-          rest[k] -= means.f[k];
-        }
-        if constexpr (G == 0) return;
-        filter_one(observations_, steps, rest, white, expected);
-        Few<M> r{};  // as in smoothed()
-        for (std::size_t k = n; k-- > 0;) {
+        Coefficients by_values = whitened_columns().topRows(static_cast<Index>(observations_.prior.size())) * whitened;
+        if (observations_.pull.size() > 0) by_values += observations_.pull;
+        means.beta = covariance_ * by_values;
+        for (std::size_t k = 0; k < n; ++k) rest[k] -= means.f[k] = observations_.columns[k].dot(means.beta);
+        filter<M, 1, double>(observations_, steps, rest, white, predictions);
+        States<M, 1> r{};  // as in smoothed()
+        for (std::size_t k = n; M > 1 && k-- > 0;) {
           const auto& step = steps.steps[k];
+          double mean = predictions[k], later = step.scale * white[k];
+          for (int i = 0; i < M; ++i) later -= step.gain[i] * r[i][0];
           if (is_seen(observations_.all[k])) {
-            double sum = step.scale * white[k];
-            for (std::size_t i = 0; i < M; ++i) sum -= step.gain[i] * r[i];
-            r[0] += sum;
-            r[G] += observations_.all[k].noise_gain * sum;
+            const Few<M> H = seen_by<M>(observations_.all[k]);
+            for (int i = 0; i < M; ++i) r[i][0] += later * H[i];
           }
-          means.f[k] += expected[k] + numbers_of<M>(product<M>(r, predicted_at(step)))[0];
-          r = carried<M>(transposed(step.of_g), step.of_e, r);
+          for (int i = 0; i < M; ++i) mean += step.predicted[0][i] * r[i][0];
+          means.f[k] += mean;
+          r = transposed(step.transition) * r;
         }
       },
       steps_);
@@ -405,99 +321,68 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
 }
 
 std::vector<SmoothedObservation> Chain::smoothed() const {
-  const std::size_t n = observations_.all.size();
-  const std::size_t series = 1 + observations_.prior.size();
+  const std::size_t n = observations_.all.size(), columns = observations_.prior.size();
   std::vector<SmoothedObservation> result(n);
   std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
   while (first_place < n && observations_.all[first_place].is_reading()) ++first_place;
-  const std::size_t columns = series - 1, pairs = pairs_of(series);
-  PairsOfSeries together{};  // y less what the columns explain
-  std::array<PairsOfSeries, max_columns> covariance{};
-  together[columns / 2][columns % 2] = 1;
-  for (std::size_t c = 0; c < columns; ++c) {
-    together[c / 2][c % 2] = -beta_[static_cast<Index>(c)];
-    for (std::size_t d = 0; d < columns; ++d)
-      covariance[c][d / 2][d % 2] = covariance_(static_cast<Index>(c), static_cast<Index>(d));
-  }
+  AllSeries rest{};  // y less what the columns explain
+  for (std::size_t c = 0; c < columns; ++c) rest[c] = -beta_[static_cast<Index>(c)];
+  rest[columns] = 1;
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
-        constexpr std::size_t G = M - 1;
-        // What the observations from here on say of the state: together, column by column, and how precisely.
-        Few<M> r{};
-        std::array<PairOfStates<M>, most_pairs> of_columns{};
-        StateMatrix<M> N{};
+        // The score of the state by the observations from here on, of the rest and of each column, and its information N.
+        States<M, 1> r{};
+        States<M, chain::most_series> of_columns{};
+        States<M, M> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
           const Observation& observation = observations_.all[k];
-          const bool variances = k >= first_place;
-          const double* const white = white_.data() + k * 2 * pairs;
-          const double* const predicted = predicted_.data() + k * M * 2 * pairs;
-          Pair white_together{};
-          PairOfStates<M> expected{};
-          for (std::size_t b = 0; b < pairs; ++b) {
-            white_together += pair_at(white + 2 * b) * together[b];
-            for (std::size_t i = 0; i < M; ++i) expected[i] += pair_at(predicted + 2 * (b * M + i)) * together[b];
-          }
-          // r <- H v/s + (1 - K H)' r, and so for N
+          const bool with_variances = k >= first_place;
           if (is_seen(observation)) {
-            const double D = observation.noise_gain;
-            const double sum = step.scale * sum_of(white_together) - dot<M>(step.gain, r);
-            if (G > 0) r[0] += sum;
-            r[G] += D * sum;
-            if (variances) {
-              const PairOfStates<M> gain = spread<M>(step.gain);
-              for (std::size_t b = 0; b < pairs; ++b) {
-                PairOfStates<M>& state = of_columns[b];
-                Pair u = both(step.scale) * pair_at(white + 2 * b);
-                for (std::size_t i = 0; i < M; ++i) u -= gain[i] * state[i];
-                if (G > 0) state[0] += u;
-                state[G] += both(D) * u;
-              }
-              const Row<M> N_gain = product<M>(step.gain, N);
-              const Few<M> H = seen_of_state<M>(D), Ng = numbers_of<M>(N_gain);
-              const Row<M> H_row = row_of<M>(H);
-              const double g = dot<M>(step.gain, Ng) + step.scale * step.scale;
-              for (std::size_t b = 0; b < pairs_of(M); ++b)
-                for (std::size_t i = 0; i < M; ++i) N[b][i] += (g * H[i] - Ng[i]) * H_row[b] - H[i] * N_gain[b];
+            const Few<M> H = seen_by<M>(observation);
+            double sum = step.scale * dot(rest, white_[k]);
+            for (int i = 0; i < M; ++i) sum -= step.gain[i] * r[i][0];
+            for (int i = 0; i < M; ++i) r[i][0] += sum * H[i];
+            if (with_variances) {
+              AllSeries v;
+              for (std::size_t s = 0; s < chain::most_series; ++s) v[s] = step.scale * white_[k][s];
+              for (int i = 0; i < M; ++i) add(-step.gain[i], of_columns[i], v);
+              for (int i = 0; i < M; ++i) add(H[i], v, of_columns[i]);
+              const Few<M> with_gain = product<M>(N, step.gain);
+              const double information = dot(step.gain, with_gain) + step.scale * step.scale;
+              for (int i = 0; i < M; ++i)
+                for (int j = 0; j < M; ++j)
+                  N[i][j] += information * H[i] * H[j] - H[i] * with_gain[j] - with_gain[i] * H[j];
             }
           }
-          const StateMatrix<M> P = predicted_at(step);
-          const Few<M> by_later = numbers_of<M>(product<M>(r, P));
-          const auto mean_of = [&](std::size_t i) { return sum_of(expected[i]) + by_later[i]; };
+          const auto mean = [&](int i) {
+            double sum = dot(step.series[i], rest);
+            for (int j = 0; j < M; ++j) sum += step.predicted[i][j] * r[j][0];
+            return sum;
+          };
           const Coefficients& h = observations_.columns[k];
-          result[k].e = mean_of(G);
-          result[k].f = h.dot(beta_) + (G > 0 ? mean_of(0) : 0);
-          if constexpr (G > 1) result[k].slope = steps.rate * mean_of(1);
-          result[k].variance = not_a_number;
+          result[k] = {.f = h.dot(beta_), .variance = not_a_number, .slope = 0, .e = mean(M - 1)};
+          if constexpr (M > 1) result[k].f += mean(0);
+          if constexpr (M > 2) result[k].slope = steps.rate * mean(1);
           if (!observation.is_reading()) {
             double own = 0;  // variance at given β
-            PairsOfSeries left{};
-            for (std::size_t c = 0; c < columns; ++c) left[c / 2][c % 2] = h[static_cast<Index>(c)];
-            if constexpr (G > 0) {
-              Row<M> of_g;
-              for (std::size_t b = 0; b < pairs_of(M); ++b) of_g[b] = P[b][0];
-              const Few<M> Pg = numbers_of<M>(of_g);
-              own = Pg[0] - dot<M>(Pg, numbers_of<M>(product<M>(Pg, N)));
-              const PairOfStates<M> known = spread<M>(Pg);
-              for (std::size_t b = 0; b < pairs; ++b) {
-                left[b] -= pair_at(predicted + 2 * b * M);
-                for (std::size_t j = 0; j < M; ++j) left[b] -= known[j] * of_columns[b][j];
+            Coefficients left = h;
+            if constexpr (M > 1) {
+              const auto& with_g = step.predicted[0];
+              own = with_g[0] - dot(with_g, product<M>(N, with_g));
+              for (std::size_t c = 0; c < columns; ++c) {
+                double& of = left[static_cast<Index>(c)];
+                of -= step.series[0][c];
+                for (int i = 0; i < M; ++i) of -= with_g[i] * of_columns[i][c];
               }
             }
-            Pair of_beta{};
-            for (std::size_t c = 0; c < columns; ++c) {
-              Pair sum{};
-              for (std::size_t b = 0; b < pairs; ++b) sum += covariance[c][b] * left[b];
-              of_beta += left[c / 2][c % 2] * sum;
-            }
-            result[k].variance = own + sum_of(of_beta);
+            result[k].variance = own + left.dot(covariance_ * left);
           }
-          if (k == 0) break;
-          const TransitionInPairs<M> back = TransitionInPairs<M>(step.of_g, step.of_e).transposed();
-          r = carried<M>(transposed(step.of_g), step.of_e, r);
+          const Transition<M> back = transposed(step.transition);
+          r = back * r;
           if (k <= first_place) continue;
-          for (std::size_t b = 0; b < pairs; ++b) of_columns[b] = back * of_columns[b];
-          N = back * transposed<M>(back * N);
+          of_columns = back * of_columns;
+          N = carried<M>(back, N);
         }
       },
       steps_);
@@ -529,139 +414,104 @@ LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
   return std::visit([&](const auto& steps) { return gradient_of(steps, wavelengths); }, steps_);
 }
 
-namespace {
-
-// The slope of a transition to the distance, in units of 1/rate; of e none.
-template <int M>
-TransitionInPairs<M> by_distance(const chain::Step<M>& step) {
-  if constexpr (M == 1)
-    return {};
-  else
-    return {product(matern::companion<M - 1>(), step.of_g), 0};
-}
-
-}  // namespace
-
+// The adjoint of the filter. -2 ln p(y) = Σ ln s + v Q v'/s + ..., v being the innovations of the series and s their variance. A bar marks the
+// derivative of this to a quantity.
 template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
-  constexpr std::size_t G = M - 1;
-  const std::size_t n = observations_.all.size();
-  const std::size_t columns = observations_.prior.size(), series = 1 + columns, pairs = pairs_of(series);
-  effort_spent += n * 2 * series;
-  const Parameters parameters = parameters_of(kernel_, at_);
-  const StateMatrix<M> limit = limit_of<M>(parameters);
-  // -2 ln p(y) = Σ ln s + v' Q v/s + ..., s being the variance of what an observation adds to the series and v what it adds: derivatives by the
-  // adjoints of their states, of the covariance of these, and of what is known where nothing is seen.
-  std::array<PairsOfSeries, 2 * most_pairs> Q{};
-  Q[columns][columns / 2][columns % 2] = 1;
+  constexpr int G = M - 1, N = chain::most_series;
+  const std::size_t n = observations_.all.size(), columns = observations_.prior.size();
+  effort_spent += n * 2 * (columns + 1);
+  const States<M, M> limit = stationary<M>(at_);
+  std::array<AllSeries, N> Q{};
   for (std::size_t c = 0; c < columns; ++c) {
     const auto i = static_cast<Index>(c);
-    Q[columns][c / 2][c % 2] = Q[c][columns / 2][columns % 2] = -by_readings_[i];
     for (std::size_t d = 0; d < columns; ++d) {
       const auto j = static_cast<Index>(d);
-      Q[c][d / 2][d % 2] = by_readings_[i] * by_readings_[j] + covariance_(i, j);
+      Q[c][d] = by_readings_[i] * by_readings_[j] + covariance_(i, j);
     }
+    Q[c][columns] = Q[columns][c] = -by_readings_[i];
   }
-  std::array<PairOfStates<M>, most_pairs> by_states{};
-  StateMatrix<M> by_covariance{}, by_limit{};
+  Q[columns][columns] = 1;
+  [[maybe_unused]] const auto companion = matern::companion<(G > 0 ? G : 1)>();
+  States<M, N> states_bar{};
+  States<M, M> P_bar{}, limit_bar{};
   double by_correlation = 0, by_log_length = 0;
   LikelihoodGradient result{.value = log_likelihood_, .hyperparameters = {}, .log_wavelengths = {}};
   for (std::size_t k = n; k-- > 0;) {
     const Observation& observation = observations_.all[k];
     const auto& step = steps.steps[k];
-    const std::size_t one_before = k > 0 ? k - 1 : 0;
-    const auto& before = steps.steps[one_before];
-    const double* const white = white_.data() + k * 2 * pairs;
-    const double* const white_before = white_.data() + one_before * 2 * pairs;
-    const double* predicted = predicted_.data() + one_before * M * 2 * pairs;
-    const TransitionInPairs<M> back = TransitionInPairs<M>(step.of_g, step.of_e).transposed();
-    const TransitionInPairs<M> stretched = by_distance(step);  // F A, the slope of A
-    const Few<M> H = seen_of_state<M>(observation.noise_gain);
-    const PairOfStates<M> gain = spread<M>(step.gain), gain_before = spread<M>(before.gain);
-    const Pair deviation = both(step.deviation), twice_scale = both(2 * step.scale), D = both(H[G]);
-    const Pair deviation_before = both(before.deviation);
-    PairsOfSeries by_series;
-    std::array<Pair, 2 * most_pairs> own;
-    for (std::size_t c = 0; c < 2 * pairs; ++c) own[c] = both(white[c]);
-    Pair by_form{}, by_stretch{}, by_e{};  // of v' Q v/s, and of the states' transition
-    PairOfStates<M> by_gains{};
-    for (std::size_t b = 0; b < pairs; ++b) {
-      PairOfStates<M> by_state = by_states[b];
-      Pair weighted{};
-      for (std::size_t c = 0; c < 2 * pairs; c += 2) weighted += own[c] * Q[c][b] + own[c + 1] * Q[c + 1][b];
-      const Pair white_v = pair_at(white + 2 * b), v = deviation * white_v;
-      by_form += white_v * weighted;
-      Pair by_v = twice_scale * weighted;
-      for (std::size_t i = 0; i < M; ++i) {
-        by_gains[i] += v * by_state[i];
-        by_v += gain[i] * by_state[i];
-      }
-      by_series[b] = by_v;
-      if (G > 0) by_state[0] -= by_v;
-      by_state[G] -= D * by_v;
-      // What was known of the states after the observation before.
-      const Pair learnt = deviation_before * pair_at(white_before + 2 * b);
-      PairOfStates<M> known;
-      for (std::size_t i = 0; i < M; ++i, predicted += 2) known[i] = pair_at(predicted) + gain_before[i] * learnt;
-      by_e += by_state[G] * known[G];
-      known = stretched * known;
-      for (std::size_t i = 0; i < G; ++i) by_stretch += by_state[i] * known[i];
-      by_states[b] = back * by_state;
-    }
     if (is_seen(observation)) {
+      const Few<M> H = seen_by<M>(observation);
+      const AllSeries& white = white_[k];
+      AllSeries weighted{};
+      for (std::size_t c = 0; c <= columns; ++c) add(white[c], Q[c], weighted);
+      const double precision = step.scale * step.scale;
+      AllSeries v_bar;
+      for (int s = 0; s < N; ++s) v_bar[s] = 2 * step.scale * weighted[s];
+      Few<M> gain_bar;
+      for (int i = 0; i < M; ++i) {
+        gain_bar[i] = dot(states_bar[i], white) / step.scale;
+        add(step.gain[i], states_bar[i], v_bar);
+      }
+      for (int i = 0; i < M; ++i) add(-H[i], v_bar, states_bar[i]);
+      // K = P H/s, P - K s K', s = H'P H + variance
+      const Few<M> with_gain = product<M>(P_bar, step.gain);
+      const double s_bar =
+          (1 - dot(weighted, white) - dot(gain_bar, step.gain)) * precision + dot(step.gain, with_gain);
+      Few<M> across;
+      for (int i = 0; i < M; ++i) across[i] = 0.5 * (gain_bar[i] * precision + s_bar * H[i]) - with_gain[i];
+      for (int i = 0; i < M; ++i) {
+        add(across[i], H, P_bar[i]);
+        add(H[i], across, P_bar[i]);
+      }
       // d cos(2πx/λ)/d ln λ = (2πx/λ) sin, and of sin minus that of cos
       for (std::size_t wave = 0; wave < wavelengths.size(); ++wave) {
         const std::size_t cosine = columns - 2 * (wavelengths.size() - wave), sine = cosine + 1;
-        const double phase = 2 * std::numbers::pi * observation.place / wavelengths[wave];
         const double* const h = observations_.columns[k].data();
-        result.log_wavelengths[wave] -=
-            0.5 * phase * (by_series[cosine / 2][cosine % 2] * h[sine] - by_series[sine / 2][sine % 2] * h[cosine]);
+        result.log_wavelengths[wave] -= std::numbers::pi * observation.place / wavelengths[wave] *
+                                        (v_bar[cosine] * h[sine] - v_bar[sine] * h[cosine]);
       }
-      // P - K s K', K = P H'/s, s = H P H' + variance
-      Few<M> by_gain;
-      for (std::size_t i = 0; i < M; ++i) by_gain[i] = sum_of(by_gains[i]);
-      const double precision = step.scale * step.scale;
-      const Few<M> with_gain = numbers_of<M>(product<M>(step.gain, by_covariance));
-      const double by_variance =
-          (1 - sum_of(by_form) - dot<M>(by_gain, step.gain)) * precision + dot<M>(step.gain, with_gain);
-      Few<M> across;
-      for (std::size_t i = 0; i < M; ++i)
-        across[i] = 0.5 * (by_gain[i] * precision + by_variance * H[i]) - with_gain[i];
-      const Row<M> H_row = row_of<M>(H), across_row = row_of<M>(across);
-      for (std::size_t b = 0; b < pairs_of(M); ++b)
-        for (std::size_t i = 0; i < M; ++i) by_covariance[b][i] += across[i] * H_row[b] + H[i] * across_row[b];
     }
     if (k == 0) break;
-    StateMatrix<M> away = predicted_at(before);  // from what is known where nothing is seen
-    Few<M> learnt;                               // of it by the observation before
-    for (std::size_t i = 0; i < M; ++i) learnt[i] = before.deviation * before.gain[i];
-    const Row<M> learnt_row = row_of<M>(learnt);
-    for (std::size_t b = 0; b < pairs_of(M); ++b)
-      for (std::size_t i = 0; i < M; ++i) away[b][i] -= limit[b][i] + learnt[i] * learnt_row[b];
-    // limit + A (P - limit) A', and A of the states
-    const StateMatrix<M> half = transposed<M>(back * by_covariance), through = back * half;
-    const StateMatrix<M> moved = stretched * away;
-    Pair by_A{};
-    for (std::size_t b = 0; b < pairs_of(M); ++b)
-      for (std::size_t i = 0; i < M; ++i) {
-        by_limit[b][i] += by_covariance[b][i] - through[b][i];
-        by_A += half[b][i] * moved[b][i];
+    const auto& before = steps.steps[k - 1];
+    const Transition<M>& A = step.transition;
+    States<M, M> away = before.predicted;  // covariance less the limit, after the observation before
+    States<M, N> states = before.series;
+    for (int i = 0; i < M; ++i) add(-1, limit[i], away[i]);
+    if (before.scale > 0) {
+      const double deviation = 1 / before.scale;
+      for (int i = 0; i < M; ++i) {
+        add(-before.gain[i] * deviation * deviation, before.gain, away[i]);
+        add(before.gain[i] * deviation, white_[k - 1], states[i]);
       }
-    by_covariance = through;
-    const double distance = observation.place - observations_.all[k - 1].place;
-    by_log_length -= parameters.rate * distance * (2 * sum_of(by_A) + sum_of(by_stretch));
-    if (observation.rows == 1 || (observation.rows > 1 && parameters.correlation > 0)) {
-      double by_power = sum_of(by_e);
-      for (std::size_t i = 0; i < M; ++i) by_power += 2 * half[i / 2][G][i % 2] * away[G / 2][i][G % 2];
-      const double slope = observation.rows == 1 ? 1 : observation.rows * step.of_e / parameters.correlation;
-      by_correlation += by_power * slope;
     }
+    // A_bar = states_bar states' + 2 P_bar A away
+    const Transition<M> back = transposed(A);
+    const States<M, M> half = transposed<M>(back * P_bar), through = back * half;
+    if constexpr (G > 0) {
+      const Transition<M> stretched{product(companion, A.of_g), 0};  // the slope of A
+      const States<M, N> moved = stretched * states;
+      const States<M, M> moved_away = stretched * away;
+      double sum = 0;
+      for (int i = 0; i < G; ++i) sum += dot(states_bar[i], moved[i]) + 2 * dot(half[i], moved_away[i]);
+      by_log_length -= steps.rate * (observation.place - observations_.all[k - 1].place) * sum;
+    }
+    if (observation.rows == 1 || (observation.rows > 1 && at_.correlation > 0)) {
+      double by_power = dot(states_bar[G], states[G]);
+      for (int i = 0; i < M; ++i) by_power += 2 * half[G][i] * away[i][G];
+      by_correlation += by_power * (observation.rows == 1 ? 1 : observation.rows * A.of_e / at_.correlation);
+    }
+    for (int i = 0; i < M; ++i) {
+      add(1, P_bar[i], limit_bar[i]);
+      add(-1, through[i], limit_bar[i]);
+    }
+    P_bar = through;
+    states_bar = back * states_bar;
   }
-  double by_log_roughness = 0;
-  for (std::size_t i = 0; i < G; ++i)
-    for (std::size_t j = 0; j < G; ++j)
-      by_log_roughness += 2 * limit[j / 2][i][j % 2] * (by_limit[j / 2][i] + by_covariance[j / 2][i])[j % 2];
-  const double by_log_noise = 2 * limit[G / 2][G][G % 2] * (by_limit[G / 2][G] + by_covariance[G / 2][G])[G % 2];
+  double by_log_roughness = 0;  // the limit scales with the squares of σ and σ_g
+  for (int i = 0; i < G; ++i)
+    for (int j = 0; j < G; ++j) by_log_roughness += 2 * limit[i][j] * (limit_bar[i][j] + P_bar[i][j]);
+  const double by_log_noise = 2 * limit[G][G] * (limit_bar[G][G] + P_bar[G][G]);
   result.hyperparameters = {-0.5 * by_log_noise, -0.5 * by_correlation, -0.5 * by_log_roughness, -0.5 * by_log_length};
   return result;
 }

@@ -1,26 +1,27 @@
-// A Gaussian process along the fibre as seen at many places (Observations): what they say of it, in time proportional to their number;
-// its likelihood with gradient.
+// A Gaussian process along the fibre, observed at many places through autocorrelated noise: its likelihood with gradient and its posterior, in
+// time proportional to the number of observations.
+//
+// A place x on the fibre is its distance from the middle of the fibre seen, in spans: x = (S - S_middle)/2, so that λ is the period in x.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <variant>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "inference/matern.h"
-#include "inference/state_pairs.h"
+#include "inference/kernel.h"
 #include "numerics/elementary.h"
+#include "numerics/few.h"
 #include "numerics/kept_array.h"
 
 namespace flexslip {
 
-// A Gaussian process along the fibre, seen at many places through autocorrelated noise.
+// Observations of a process.
 //
-// At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is seen: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
+// At place x_i the value y_i = h_i'β + g(x_i) + D_i e_i + ε_i is observed: h_i known, β ~ N(0, diag(prior)), g of a Matérn kernel, e an AR(1)
 // process over the rows of the record with variance σ², ε_i ~ N(0, variance_i).
 
 inline constexpr int max_columns = 16;
@@ -28,7 +29,7 @@ inline constexpr int max_columns = 16;
 using Coefficients = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_columns, 1>;
 using CoefficientMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_columns, max_columns>;
 
-// One place where the process is seen.
+// One place where the process is observed.
 struct Observation {
   double place;       // [L] x
   double rows;        // rows of the record since the last observation; 0 where this one is no reading
@@ -43,31 +44,47 @@ struct Observations {
   std::vector<double> values;         // [1] y
   std::vector<Coefficients> columns;  // h
   std::vector<double> prior;          // [1] variances of β
-  Coefficients pull = {};             // what else is known of β: the slope of its logarithm; of no size: nothing
+  Coefficients pull = {};             // slope of the logarithm of a further likelihood of β; of no size: none
 };
 
 inline bool is_seen(const Observation& observation) { return observation.variance < infinity; }
 
-// Domain of all that is given them: noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, at most
-// max_columns columns, all of one length: std::invalid_argument otherwise.
+// Throws std::invalid_argument unless noise >= 0, 0 <= correlation < 1, roughness > 0 and length > 0 where there is a kernel, and there are at most
+// max_columns columns, all of one length.
 void require_domain(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
-// What all observations together say of one.
+// The posterior of one observation given all of them.
 struct SmoothedObservation {
   double f;         // [1] mean of h'β + g
-  double variance;  // [1] of it, where it is no reading; NaN of readings
+  double variance;  // [1] of f, where it is no reading; NaN of readings
   double slope;     // [1/L] dg/dx of the mean of g; of an exponential kernel, which has none, the mean of both sides
   double e;         // [EI/L^2] mean of e
 };
 
-namespace chain {  // One step of the filter with a state of M numbers: g and its derivatives, each in units of the rate of the kernel, then e.
+namespace chain {
+// N series of numbers that pass the filter side by side.
+template <int N>
+using Series = std::array<double, static_cast<std::size_t>(N)>;
+// Their states of M numbers each: g and its derivatives, each in units of the rate of the kernel, then e.
+template <int M, int N>
+using States = std::array<Series<N>, static_cast<std::size_t>(M)>;
+inline constexpr int most_series = max_columns + 2;  // the columns and y; even, so that a processor adds two at a time
+
+// How a state goes on from one observation to the next: g with its derivatives, and e by itself.
+template <int M>
+struct Transition {
+  Square<M - 1> of_g;
+  double of_e;
+};
+
+// One step of the filter.
 template <int M>
 struct Step {
-  std::array<double, 2 * M * pairs_of(M)> predicted;  // covariance before the observation, a StateMatrix
-  Square<M - 1> of_g;                                 // transition to it from the observation before
-  double of_e;
+  Transition<M> transition;       // from the observation before
+  States<M, M> predicted;         // covariance of the state before the observation
+  States<M, most_series> series;  // predicted states of the columns and of y
   Few<M> gain;
-  double deviation, scale;  // of what the observation adds, and one over it; both 0 where nothing is seen
+  double scale;  // one over the standard deviation of the innovation; 0 where nothing is seen
 };
 template <int M>
 struct Steps {
@@ -76,7 +93,7 @@ struct Steps {
 };
 }  // namespace chain
 
-// The likelihood of what is seen of a Gaussian process, with its gradient.
+// The likelihood of the observations, with its gradient.
 struct LikelihoodGradient {
   double value;                           // ln p(y)
   std::array<double, 4> hyperparameters;  // its derivatives to ln σ, ρ, ln σ_g and ln ℓ
@@ -95,40 +112,39 @@ class Chain {
   const Coefficients& mean() const { return beta_; }                   // of β
   const CoefficientMatrix& covariance() const { return covariance_; }  // of β
 
-  // Of each observation, given all of them.
+  // The posterior of each observation.
   // Method:     Bryson and Frazier's backward pass, of y less what the columns explain; the columns pass along for the variances.
   std::vector<SmoothedObservation> smoothed() const;
 
-  // What a further series becomes in the filter: C^(-1/2) of it, C being the covariance of y at given β. 0 where nothing is seen.
+  // C^(-1/2) of a further series, C being the covariance of y at given β; 0 where nothing is seen.
   void whiten(std::span<const double> series, std::span<double> out) const;
 
-  // The same of eight series, a row of numbers for each observation, in a fraction of the time.
+  // C^(-1/2) of eight series, a row of numbers for each observation, in a fraction of the time.
   using Eight = std::array<double, 8>;
   void whiten(std::span<const Eight> series, std::span<Eight> out) const;
 
-  // The means of f at each observation, and of β, were these values seen there.
+  // The means of f at each observation, and of β, if these values were observed instead of y.
   struct Means {
     std::vector<double> f;  // [1]
     Coefficients beta;
   };
   Means means_of(std::span<const double> values) const;
 
-  // A linear functional a'β + b(g) given all observations, b being known by its covariance with g at each of them and its variance.
+  // The posterior of a linear functional a'β + b(g). b is given by its covariance with g at each observation and its variance.
   struct Functional {
     double mean, variance;
     Coefficients with_beta;  // covariance with β
   };
   Functional functional(const Coefficients& a, std::span<const double> covariance, double variance) const;
 
-  // Of ln p(y). Domain: wavelengths: at most two [L], > 0.
+  // Domain:     at most two wavelengths [L], > 0.
   // Method:     the adjoint of the filter; exact up to rounding.
   LikelihoodGradient gradient(std::span<const double> wavelengths) const;
 
-  // What y and the columns became in the filter, for scans over more columns: first the columns, then y.
+  // The innovations of the columns and of y, in this order, over their standard deviation: for scans over more columns.
   Eigen::Map<const Eigen::MatrixXd, 0, Eigen::OuterStride<>> whitened_columns() const {
-    const auto series = 1 + static_cast<Eigen::Index>(observations_.prior.size());
-    return {white_.data(), series, static_cast<Eigen::Index>(observations_.all.size()),
-            Eigen::OuterStride<>(series + series % 2)};
+    return {white_.data()->data(), static_cast<Eigen::Index>(observations_.prior.size() + 1),
+            static_cast<Eigen::Index>(observations_.all.size()), Eigen::OuterStride<>(chain::most_series)};
   }
 
  private:
@@ -139,9 +155,8 @@ class Chain {
   Kernel kernel_;
   Hyperparameters at_;
   std::variant<chain::Steps<1>, chain::Steps<2>, chain::Steps<3>, chain::Steps<6>> steps_;
-  KeptArray<double> white_;          // at each observation C^(-1/2) of y and of each column, by pairs
-  KeptArray<double> predicted_;      // at each observation, for each pair of these the numbers of their states
-  Coefficients beta_, by_readings_;  // of them: the mean, and that without the pull
+  KeptArray<chain::Series<chain::most_series>> white_;  // the innovations of all series
+  Coefficients beta_, by_readings_;                     // mean of β with and without the pull
   CoefficientMatrix covariance_;
   double log_likelihood_ = 0;
 };

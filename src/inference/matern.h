@@ -7,30 +7,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
 #include <type_traits>
 
+#include "inference/kernel.h"
 #include "numerics/elementary.h"
 #include "numerics/few.h"
-
-namespace flexslip {
-
-// How smooth the roughness is: a path of `exponential` (Matérn 1/2) has no slope, one of `matern_3_2` one derivative, one of `matern_9_2` four.
-enum class Kernel { none, exponential, matern_3_2, matern_9_2 };
-
-inline constexpr std::array all_kernels{Kernel::none, Kernel::exponential, Kernel::matern_3_2, Kernel::matern_9_2};
-
-std::string_view name_of(Kernel kernel);
-
-// What the process and the noise of a record are like.
-struct Hyperparameters {
-  double noise;        // [EI/L^2] standard deviation σ of one force reading
-  double correlation;  // [1] ρ of the errors of readings one row apart, in [0, 0.95)
-  double roughness;    // [1] standard deviation σ_g of μ about its mean; without a kernel not used
-  double length;       // [L] correlation length ℓ along the fibre; likewise
-};
-
-}  // namespace flexslip
 
 namespace flexslip::matern {
 
