@@ -13,7 +13,7 @@
 #include "case/fitted.h"
 #include "inference/chain.h"
 #include "inference/prior_draws.h"
-#include "inference/process_mode.h"
+#include "inference/process_search.h"
 
 namespace flexslip {
 namespace {
@@ -29,7 +29,7 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
   for (std::size_t i = 0; i < 4; ++i) theta.values[i] = prior.mean[i] + prior.deviation[i] * normal();
   prior.bound(theta);
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
-  process.polish(mode, 20, 10, 0.3);
+  process.polish(mode, {20, 10, 0.3});
   const Observations observations = process.observations_of(mode);
   return {mode.merit,
           FrictionProcess::mean_friction +

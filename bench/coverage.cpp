@@ -1,5 +1,5 @@
 // How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
-// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured.
+// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured, smooth.
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -26,7 +26,7 @@ int run(int count, char** arguments) {
   const std::string kind = arguments[1];
   constexpr std::array kinds{"independent", "correlated", "exponential", "squared_exponential",
                              "roughness",   "two_waves",  "constant",    "soft",
-                             "quiet",       "measured"};
+                             "quiet",       "measured",   "smooth"};
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
     std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
     return 2;

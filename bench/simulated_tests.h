@@ -106,6 +106,27 @@ inline std::vector<double> bumps_of(bool smooth, double rms, Random& random) {
   return bumps;
 }
 
+// So smooth that hardly anything of it is shorter than its length [µm], as exp(-(x/length)^2/2), each quarter of a µm.
+inline std::vector<double> smooth_bumps(double rms, double length, Random& random) {
+  constexpr double spacing = 0.25;
+  const auto reach = static_cast<int>(std::ceil(2.2 * length / spacing));
+  std::vector<double> kernel, white, bumps;
+  double power = 0;
+  for (int j = -reach; j <= reach; ++j) {
+    const double x = j * spacing / length;
+    kernel.push_back(std::exp(-x * x));
+    power += kernel.back() * kernel.back();
+  }
+  constexpr int count = 1680;
+  for (int i = 0; i < count + 2 * reach; ++i) white.push_back(random.normal());
+  for (int i = 0; i < count; ++i) {
+    double sum = 0;
+    for (std::size_t j = 0; j < kernel.size(); ++j) sum += kernel[j] * white[static_cast<std::size_t>(i) + j];
+    bumps.push_back(rms * sum / std::sqrt(power));
+  }
+  return bumps;
+}
+
 inline Truth truth_of(const std::string& kind, Random& random) {
   Truth t;
   t.mu0 = random.between(0.3, 0.9);
@@ -119,13 +140,14 @@ inline Truth truth_of(const std::string& kind, Random& random) {
   if (kind == "soft") {
     t.correlation = 0;
     t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
-  } else if (kind == "measured") {  // as rough and as quiet as the authors' specimens
+  } else if (kind == "measured" || kind == "smooth") {  // as rough and as quiet as the authors' specimens
     t.noise = random.between(0.005, 0.015);
     t.k = random.between(18, 35);
     t.correlation = 0.3;
     t.roughness = random.between(0.04, 0.2);
     t.length = random.between(4, 15);
-    t.bumps = matern_bumps(t.roughness, t.length, random);
+    t.bumps =
+        kind == "smooth" ? smooth_bumps(t.roughness, t.length, random) : matern_bumps(t.roughness, t.length, random);
     t.spacing = 0.25;
   } else if (kind != "roughness" && kind != "constant") {
     t.waves = {{t.mu0 * A, lambda, phase}};

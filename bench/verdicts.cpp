@@ -46,27 +46,6 @@ void add(std::vector<double>& bumps, const std::vector<double>& more) {
   for (std::size_t i = 0; i < bumps.size(); ++i) bumps[i] += more[i];
 }
 
-// So smooth that hardly anything of it is shorter than its length [µm], as exp(-(x/length)^2/2), each quarter of a µm.
-std::vector<double> smooth_bumps(double rms, double length, Random& random) {
-  constexpr double spacing = 0.25;
-  const auto reach = static_cast<int>(std::ceil(2.2 * length / spacing));
-  std::vector<double> kernel, white, bumps;
-  double power = 0;
-  for (int j = -reach; j <= reach; ++j) {
-    const double x = j * spacing / length;
-    kernel.push_back(std::exp(-x * x));
-    power += kernel.back() * kernel.back();
-  }
-  constexpr int count = 1680;
-  for (int i = 0; i < count + 2 * reach; ++i) white.push_back(random.normal());
-  for (int i = 0; i < count; ++i) {
-    double sum = 0;
-    for (std::size_t j = 0; j < kernel.size(); ++j) sum += kernel[j] * white[static_cast<std::size_t>(i) + j];
-    bumps.push_back(rms * sum / std::sqrt(power));
-  }
-  return bumps;
-}
-
 struct Loss {
   double w, share;  // at which deflection [L], of the bending stiffness left
 };

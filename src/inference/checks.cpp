@@ -9,7 +9,7 @@
 #include "data/names.h"
 #include "inference/chain.h"
 #include "inference/prior_draws.h"
-#include "inference/process_posterior.h"
+#include "inference/process_forward.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 

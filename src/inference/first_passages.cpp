@@ -78,7 +78,7 @@ double steepness_of(const Passages& passages, const Eigen::VectorXd& noise_place
 // What a bending stiffness and a rig that are off do to the readings; of the rig combined so that the first tells most, by friction or by place, without
 // what no noise would let show.
 void add_errors(Passages& passages, const FitProblem& problem, double from) {
-  constexpr int points = 100;
+  const int points = static_cast<int>(passages.options.rig_places);
   const double friction = std::clamp(median_of(passages.q), 0.0, 1.5);
   const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
   std::vector<double> stage, w, S, F;
@@ -148,12 +148,11 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     over_noise.row(noise_gain.size() + i) /= noise;
   }
   const auto [values, vectors] = eigen_of(product(MatrixXd(over_noise.transpose()), over_noise));
-  constexpr double tells_nothing = 1;  // squares of standard deviations, of the readings together
-  constexpr auto at_most =
-      static_cast<Index>(most_rig_errors);  // what the others tell is far below the errors of these
+  const auto at_most =
+      std::min(static_cast<Index>(passages.options.max_rig_errors), static_cast<Index>(most_rig_errors));
   const Index count = values.size();
   Index kept = 0;
-  while (kept < std::min(count, at_most) && values[count - 1 - kept] > tells_nothing) ++kept;
+  while (kept < std::min(count, at_most) && values[count - 1 - kept] > passages.options.min_rig_signal) ++kept;
   MatrixXd combine = MatrixXd::Zero(alone + count, 1 + kept);
   combine(0, 0) = 1;
   combine.bottomRightCorner(count, kept) = vectors.rightCols(kept).rowwise().reverse();
@@ -209,9 +208,10 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
   return rows;
 }
 
-Passages passages_of(const FitProblem& problem) {
+Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   const auto& record = problem.record;
   Passages p{};
+  p.options = options;
   p.fibre = problem.rig.fibre;
   p.noise = noise_of_second_differences(second_differences(record.force));
   p.compliance = 1 / problem.rig.stiffness;
@@ -332,7 +332,8 @@ void complete(Linearisation& at, const Passages& passages) {
     }
   // A fitted state lies within what was seen, or little beyond.
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
-  const double beyond = 0.4 * (0.5 * (*greatest - *least));
+  const auto& options = passages.options;
+  const double beyond = options.beyond_seen * (*greatest - *least);
   const double low = std::max(*least - beyond, min_S), high = std::min(*greatest + beyond, max_S);
   for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
@@ -354,12 +355,12 @@ void complete(Linearisation& at, const Passages& passages) {
   for (auto* column : {&at.S_seen, &at.S_force, &at.S_eta, &at.noise_gain, &at.y}) column->resize(n);
   elementary::LogProduct gains;
   for (std::size_t i = 0; i < n; ++i) {
-    constexpr double min_q_force = 0.02, min_fold = 0.05;
     at.S_force[i] = slopes.S_F[i] * softer - slopes.S_w[i] * passages.compliance;
-    const double q_force = std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, min_q_force);
+    const double q_force =
+        std::max(slopes.q_F[i] * softer - slopes.q_w[i] * passages.compliance, options.min_force_slope);
     at.S_eta[i] = -slopes.F[i] * slopes.S_F[i];
     const double fold = 1 - at.slope[i] * at.S_force[i] / q_force;  // G'/G_S: 0 at a fold
-    at.noise_gain[i] = q_force * std::max(fold, min_fold);
+    at.noise_gain[i] = q_force * std::max(fold, options.min_fold);
     const double error = slopes.F[i] > 0 ? at.force[i] - stiffer * slopes.F[i] : 0;
     at.S_seen[i] = at.S[i] + at.S_force[i] * error;
     at.y[i] = at.mu[i] + at.noise_gain[i] * error;
@@ -375,17 +376,16 @@ std::vector<double> levels_of(std::span<const double> S, std::span<const double>
 }
 
 Linearisation rises_of(const Passages& passages) {
+  const auto& options = passages.options;
   const std::size_t n = passages.size();
   Linearisation at;
   at.mu = passages.q;
   at.S = non_falling(passages.S);
   at.slope.assign(n, 0);
   complete(at, passages);
+  if (!options.parts.rises) return at;
 
-  const double noise = std::max(noise_of_second_differences(second_differences(passages.force)), 0.002);
-  std::vector<double> deviation(n);
-  for (std::size_t i = 0; i < n; ++i) deviation[i] = std::max(std::abs(at.S_force[i]) * noise, 3e-5);
-  const double cap = 4 * median_of(deviation);
+  const double noise = std::max(noise_of_second_differences(second_differences(passages.force)), options.rises_noise);
   // Sums from the beginning: of the weights, and of their moments with the stage x and the length y.
   struct Sums {
     double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
@@ -394,7 +394,7 @@ Linearisation rises_of(const Passages& passages) {
   const double S_middle = 0.5 * (passages.S.front() + passages.S.back());
   const double begin = passages.stage.front(), travel = passages.stage.back() - begin;
   for (std::size_t i = 0; i < n; ++i) {
-    const double s = std::min(deviation[i], cap);
+    const double s = std::max(std::abs(at.S_force[i]) * noise, options.rises_deviation);
     const double w = 1 / (s * s), x = (passages.stage[i] - begin) / travel, y = passages.S[i] - S_middle;
     const Sums& b = sums[i];
     sums[i + 1] = {b.w + w, b.x + w * x, b.xx + w * x * x, b.y + w * y, b.xy + w * x * y, b.yy + w * y * y};
@@ -410,7 +410,7 @@ Linearisation rises_of(const Passages& passages) {
     const double slope = xx > 1e-12 * (b.xx - a.xx) ? std::max(xy, 0.0) / xx : 0;
     return Piece{w, x / w, y / w, slope, 0.5 * (yy - 2 * slope * xy + slope * slope * xx)};
   };
-  const double penalty = 1.5 * elementary::log(static_cast<double>(n));
+  const double penalty = options.rise_cost * elementary::log(static_cast<double>(n));
   constexpr std::size_t longest = 200;
   std::vector<double> best(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
@@ -434,17 +434,21 @@ Linearisation rises_of(const Passages& passages) {
 
 std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at, double noise,
                               const std::vector<GapSite>& before) {
+  const auto& options = passages.options;
   const auto& S = at.S;
   std::vector<GapSite> sites;
+  if (!options.parts.gaps) return sites;
   auto kept = before.begin();
   for (std::size_t i = 1; i < S.size(); ++i) {
     const double jump = S[i] - S[i - 1];
     const double blur = std::abs(at.S_force[i]) * noise;
-    if (!(jump > 2.5 * passages.advance[i] + 3 * blur)) continue;
-    const double spacing = passages.range / 40;  // [L] in S: a few nodes tell what a jump passed over
-    const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), 3.0, 8.0));
+    if (!(jump > options.gap_advances * passages.advance[i] + options.gap_noise * blur)) continue;
+    const double spacing = passages.range / options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
+    const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), options.min_gap_places,
+                                                           std::max(options.min_gap_places, options.max_gap_places)));
     for (std::size_t node = 1; node <= count; ++node) {
-      if (jump * static_cast<double>(count + 1 - node) < 1.5 * blur * static_cast<double>(count + 1)) break;
+      if (jump * static_cast<double>(count + 1 - node) < options.gap_margin * blur * static_cast<double>(count + 1))
+        break;
       GapSite site{.reading = i, .node = node, .nodes = count};
       while (kept != before.end() && (kept->reading < i || (kept->reading == i && kept->node < node))) ++kept;
       if (kept != before.end() && kept->reading == i && kept->node == node && kept->nodes == count) site = *kept;

@@ -13,6 +13,7 @@
 #include "fibre/fibre.h"
 #include "inference/fit.h"
 #include "inference/rig_shifts.h"
+#include "inference/search_options.h"
 
 namespace flexslip {
 
@@ -26,11 +27,11 @@ struct RigError {
   std::vector<double> place;     // [L] of S
 };
 
-inline constexpr std::size_t most_rig_errors =
-    9;  // independent ones that a fit finds; of the other combinations readings tell next to nothing
+inline constexpr std::size_t most_rig_errors = 9;  // which the columns of a chain have room for
 
 // The readings of a record that tell of friction, in its order.
 struct Passages {
+  SearchOptions options{};           // by which they were chosen and are searched
   std::size_t judged = 0;            // readings deep enough to tell of friction, whether any friction gives them or not
   std::vector<std::size_t> row;      // in the record
   std::vector<double> stage, force;  // [L], [EI/L^2]
@@ -63,7 +64,7 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
 inline constexpr std::size_t min_readings = 20;
 
 // Method:     Of the readings judged those that some friction in [-1.5, 2.2] explains.
-Passages passages_of(const FitProblem& problem);
+Passages passages_of(const FitProblem& problem, const SearchOptions& options = {});
 
 inline constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
 

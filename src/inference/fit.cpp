@@ -12,8 +12,9 @@
 
 #include "bending_test/sliding_table.h"
 #include "data/names.h"
-#include "inference/process_mode.h"
+#include "inference/process_forward.h"
 #include "inference/process_posterior.h"
+#include "inference/process_search.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/progress.h"
@@ -231,12 +232,12 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
           correlations_of(as_estimated(std::move(joint), hidden_by_rig, rolls_back))};
 }
 
-SearchOptions search_options(const FitOptions& options) {
-  SearchOptions search;
-  if (options.model == ProfileModel::roughness) return search;
-  search.kernels = {Kernel::none};
-  search.waves = options.model == ProfileModel::sinusoid ? 1 : options.model == ProfileModel::sinusoids ? 2 : 0;
-  return search;
+Hypotheses asked_by(ProfileModel model) {
+  Hypotheses asked;
+  if (model == ProfileModel::roughness) return asked;
+  asked.kernels = {Kernel::none};
+  asked.waves = model == ProfileModel::sinusoid ? 1 : model == ProfileModel::sinusoids ? 2 : 0;
+  return asked;
 }
 
 // The force at stage positions that the mean profile lets this rig read.
@@ -322,7 +323,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FitProblem problem = thinned(usable);
   FrictionFit fit{};
   fit.model = options.model;
-  const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem);
+  const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem, options.search);
   fit.readings = passages.size();
   if (passages.judged < min_readings) {
     fit.status = FrictionFitStatus::too_few_points;
@@ -341,7 +342,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   Stages stages;
   stages.enter("", 0.79);
   const FrictionProcess process(passages);
-  const SearchOptions asked = search_options(options);
+  const Hypotheses asked = asked_by(options.model);
   const ProcessSearch found = search(process, asked);
   if (found.components.empty() || !has_slid(found.components.front().mode.at)) {  // whatever is read is no sliding
     fit.status = FrictionFitStatus::not_explained;
@@ -355,7 +356,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.S_end = posterior.S_end;
   fit.along = passages.along;
   fit.S_middle = fit.along.length_at(passages.S_middle);
-  fit.hidden_by_rig = hidden_by_soft_rig(problem.rig.stiffness);
+  if (options.search.parts.hidden_by_rig) fit.hidden_by_rig = hidden_by_soft_rig(problem.rig.stiffness);
   const NormalMixture of_mean = widened(posterior.mean, fit.hidden_by_rig);
   const auto mean = mean_friction(of_mean);
   fit.mu0 = mean.estimate;

@@ -16,9 +16,10 @@
 #include "data/record.h"
 #include "fibre/fibre.h"
 #include "inference/correlations.h"
-#include "inference/matern.h"
+#include "inference/kernel.h"
 #include "inference/profile.h"
 #include "inference/rig_correction.h"
+#include "inference/search_options.h"
 #include "inference/stated_quantity.h"
 #include "numerics/statistics.h"
 
@@ -124,6 +125,7 @@ std::string_view name_of(ProfileModel model);
 
 struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
+  SearchOptions search{};
 };
 
 // By how much what is told would be larger, were a quantity stated larger by the whole of it [1], or by one span [1/L] (changes_in_spans). To first

@@ -1,5 +1,4 @@
-// One mode of the posterior of friction along a fibre: hyperparameters and linearisation that agree with each other;
-// and the search for all of them.
+// One mode of the posterior of friction along a fibre: hyperparameters and a linearisation that agree with each other.
 //
 // The posterior is approached by turns: at given hyperparameters the readings are linearised at the state fitted (Gauss-Newton) and the
 // bounds of the gaps, over which the fibre jumped, are taken as Gaussians (expectation propagation); at a given linearisation the
@@ -48,19 +47,21 @@ class FrictionProcess {
   FrictionProcess with_pull(const Coefficients& pull) const;
 
   const Passages& passages() const { return passages_; }
+  const SearchOptions& options() const { return passages_.options; }
   const ColumnPlaces& columns() const { return columns_; }
   const ThetaPrior& prior_of_theta() const { return prior_of_theta_; }
   // [L] Four advances of a reading, at least range/readings, and 2π of what noise moves the place of a reading by.
   double min_wavelength() const { return min_wavelength_; }
-  double max_wavelength() const { return passages_.range / 2.2; }  // [L]
+  double max_wavelength() const { return passages_.range / options().max_wave_share; }  // [L]
 
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
 
   // Gauss-Newton steps by a fraction of their length, the sites along; the merit is that of the end.
   void burst(Mode& mode, int steps, double fraction) const;
+  void burst(Mode& mode, const Schedule& schedule) const { burst(mode, schedule.steps, schedule.fraction); }
 
   // Rounds of moving the hyperparameters uphill and a burst.
-  void polish(Mode& mode, int rounds, int steps, double fraction) const;
+  void polish(Mode& mode, const Schedule& schedule) const;
 
   // The observations of a mode, and what they say.
   Observations observations_of(const Mode& mode) const;
@@ -126,43 +127,5 @@ class FrictionProcess {
   double min_wavelength_;
   ThetaPrior prior_of_theta_{};
 };
-
-// The posterior of friction along a fibre: which kernels and which waves explain a record, and how well.
-//
-// Every mode found is a component of a mixture, weighed by its evidence (Laplace). Nothing is chosen but what the weights say.
-
-struct SearchOptions {
-  std::vector<Kernel> kernels{all_kernels.begin(), all_kernels.end()};
-  std::optional<std::size_t>
-      waves;  // modes with so many, or fewer where no further one is told from those that are there; not given: with none, with one, and with two where both are claimed
-};
-
-struct Component {
-  Mode mode;
-  double log_evidence;
-  Eigen::MatrixXd spread;  // covariance of θ, by the curvature of the merit as it is linearised
-  // [1] Of ln λ of each wave, by how the merit falls where it is linearised anew: wavelengths and the errors of the rig make up for each other.
-  std::array<double, max_waves> wavelength_deviation{};
-  // [rad] By how much the angle of each wave at the middle turns with ln of the lengths, along that valley.
-  std::array<double, max_waves> turn{};
-};
-
-struct ScannedWavelength {
-  double wavelength;  // [L]
-  double gain;        // of the logarithm of the evidence, hyperparameters unchanged
-};
-
-struct ProcessSearch {
-  std::vector<Component> components;    // likeliest first; none where the readings are too far from any friction
-  std::vector<ScannedWavelength> scan;  // of the mode without a wave, λ rising
-};
-
-// Domain:     options.kernels not empty.
-// Method:     From the rises of the record, the mode without a wave; a scan over wavelengths, and where noise blurs the places of readings two
-//             more at other settings of the hyperparameters; from the best two peaks of each, modes with a wave. The best three within 12 of the first
-//             are polished, if the first gains anything, and those within 3 continued to the other kernels: the best alone where it gains nothing,
-//             none where it loses 2. A second wave likewise. What weighs anything is linearised until it agrees with itself, and the likeliest waves
-//             are moved along the valley that their length shares with the rig.
-ProcessSearch search(const FrictionProcess& process, const SearchOptions& options);
 
 }  // namespace flexslip

@@ -35,14 +35,13 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   Mode middle = mode;
   middle.at.rig.clear();
   complete(middle.at, known.passages());
-  constexpr int burst_steps = 12, polish_rounds = 3, polish_steps = 6;
-  constexpr double fraction = 0.5;  // of a Gauss-Newton step
+  const SearchOptions& o = process.options();
   const auto merit_beside = [&](double eta) {
     Mode beside = middle;
     beside.at.eta += eta;
     complete(beside.at, known.passages());
-    known.burst(beside, burst_steps, fraction);  // its readings first, as they are at this bending stiffness
-    known.polish(beside, polish_rounds, polish_steps, fraction);
+    known.burst(beside, o.settle);  // its readings first, as they are at this bending stiffness
+    known.polish(beside, o.pull);
     return beside.merit;
   };
   known.settle(middle);
@@ -59,10 +58,10 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   // Within what the readings resolve of it, were nothing else unknown.
   const Eigen::VectorXd with_columns = white.topRows(white.rows() - 1) * column;
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
-  const double step = std::clamp(1 / std::sqrt(information), 0.002, 0.02);
+  const double step = std::min(1 / std::sqrt(information), o.pull_most_step);
   const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);
   if (!std::isfinite(slope)) return pull;
-  const double most = 3 / process.passages().stiffness_error;  // moves ln EI by three of its errors at most
+  const double most = o.pull_most / process.passages().stiffness_error;  // moves ln EI by three of its errors at most
   const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
 
   pull[columns.stiffness] = besides;

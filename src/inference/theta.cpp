@@ -20,10 +20,8 @@ Hyperparameters hyperparameters_of(const Theta& theta) {
           .length = elementary::exp(theta.values[Theta::log_length])};
 }
 
-ThetaPrior ThetaPrior::of(double range, double noise) {
-  // Roughness that explained what is noise would leave none: second differences say how much there is, to a factor.
-  constexpr double min_of_seen = 0.2;
-  const double min_noise = std::max(0.0005, min_of_seen * noise);
+ThetaPrior ThetaPrior::of(double range, double noise, const SearchOptions& options) {
+  const double min_noise = std::max(options.min_noise, options.min_noise_seen * noise);
   const double log_noise = elementary::log(min_noise), log_range = elementary::log(range);
   return {.mean = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)},
           .deviation = {1, 1.5, 1, 1.2},

@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <span>
 
-#include "inference/matern.h"
+#include "inference/kernel.h"
+#include "inference/search_options.h"
 
 namespace flexslip {
 
@@ -32,7 +33,7 @@ struct ThetaPrior {
   std::array<double, Theta::first_wave> mean, deviation, least, greatest;
 
   // Of readings over a range [L] of lengths, whose noise [EI/L^2] of the force is about that.
-  static ThetaPrior of(double range, double noise);
+  static ThetaPrior of(double range, double noise, const SearchOptions& options = {});
 
   Theta usual(std::span<const double> log_wavelengths = {}) const;
   void bound(Theta& theta) const;

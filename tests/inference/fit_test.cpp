@@ -9,7 +9,7 @@
 
 #include "inference/chain.h"
 #include "inference/prior_draws.h"
-#include "inference/process_posterior.h"
+#include "inference/process_forward.h"
 #include "inference/rig_shifts.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"

@@ -1,3 +1,5 @@
+#include "inference/process_forward.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -5,7 +7,6 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
-#include "inference/process_posterior.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {

@@ -64,7 +64,7 @@ TEST_CASE("oracle: the evidence of the gaps is that of many draws") {
   for (const Kernel kernel : {Kernel::exponential, Kernel::matern_3_2, Kernel::matern_9_2}) {
     CAPTURE(name_of(kernel));
     Mode mode = some_mode(process, kernel, true);
-    process.polish(mode, 2, 6, 0.3);
+    process.polish(mode, {2, 6, 0.3});
     process.settle(mode);
     REQUIRE(mode.sites.size() > 5);
     Mode without = mode;
@@ -120,8 +120,8 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
       };
       const FrictionProcess process(passages_of(problem_at(0, 0.03)));
       Mode mode = some_mode(process, kernel, with_wave);
-      process.polish(mode, 6, 12, 0.3);
-      process.polish(mode, 6, 12, 0.3);
+      process.polish(mode, {6, 12, 0.3});
+      process.polish(mode, {6, 12, 0.3});
       const Observations observations = process.observations_of(mode);
       const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
       const auto column = process.columns().stiffness;

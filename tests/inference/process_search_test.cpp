@@ -1,8 +1,10 @@
+#include "inference/process_search.h"
+
+#include <algorithm>
 #include <cmath>
 
 #include <doctest/doctest.h>
 
-#include "inference/process_mode.h"
 #include "tests/inference/simulated_test.h"
 
 namespace flexslip {
@@ -39,6 +41,26 @@ TEST_CASE("limit: modes have as many waves as are asked for, and kernels that ar
       CHECK(component.mode.theta.waves == waves);
       CHECK((component.mode.kernel == Kernel::none || component.mode.kernel == Kernel::matern_9_2));
     }
+}
+
+TEST_CASE("identity: a part of the search that is switched off is not used") {
+  SearchOptions options;
+  options.parts.exponential_kernel = options.parts.smooth_kernel = options.parts.no_kernel = options.parts.gaps = false;
+  const FitProblem problem{
+      .record = simulated_record({.friction = Friction::sinusoid(0.6, 0.25, 20.0 / 1278, 0.4), .noise = 0.02}),
+      .rig = {90},
+      .errors = {.force = 0.02, .bending_stiffness = 0.03, .contact = 0}};
+  const auto modes_of = [&](const SearchOptions& by) {
+    return search(FrictionProcess(passages_of(problem, by)), {}).components;
+  };
+  const auto is_rough_without_gaps = [](const Component& each) {
+    return each.mode.kernel == Kernel::matern_3_2 && each.mode.sites.empty();
+  };
+  const auto with_all = modes_of({}), without = modes_of(options);
+  CHECK(!with_all.empty());
+  CHECK(std::none_of(with_all.begin(), with_all.end(), is_rough_without_gaps));
+  CHECK(!without.empty());
+  CHECK(std::all_of(without.begin(), without.end(), is_rough_without_gaps));
 }
 
 TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of noise and correlation") {

@@ -1,0 +1,463 @@
+#include "inference/process_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "inference/chain.h"
+#include "inference/process_forward.h"
+#include "numerics/dense.h"
+#include "numerics/elementary.h"
+#include "numerics/progress.h"
+#include "numerics/statistics.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+// The gain of a wave at many wavelengths, its amplitude integrated out, everything else as in a mode.
+std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mode& mode) {
+  const Observations observations = process.observations_of(mode);
+  const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
+  const std::size_t n = observations.all.size();
+  const auto white = chain.whitened_columns();
+  const auto p = white.rows() - 1;
+  const double range = process.passages().range;
+  const double least = 1 / process.max_wavelength(), most = 1 / process.min_wavelength();
+  const double step = 1 / (process.options().scan_steps * range);
+  const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
+  // cos and sin of 2π f x for four f at once, then for the next four by turning.
+  constexpr std::size_t at_once = 4;
+  std::vector<Chain::Eight> waves(n), whitened(n);
+  std::vector<elementary::SineAndCosine> turn(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double x = 2 * std::numbers::pi * observations.all[k].place;
+    turn[k] = elementary::sine_and_cosine(at_once * step * x);
+    for (std::size_t l = 0; l < at_once; ++l) {
+      const auto begin = elementary::sine_and_cosine((least + static_cast<double>(l) * step) * x);
+      waves[k][l] = begin.cosine;
+      waves[k][at_once + l] = begin.sine;
+    }
+  }
+  std::vector<ScannedWavelength> scan;
+  constexpr double prior = 1 / (FrictionProcess::wave_deviation * FrictionProcess::wave_deviation);
+  for (std::size_t i = 0; i < count; i += at_once) {
+    chain.whiten(waves, whitened);
+    std::array<Chain::Eight, max_columns + 1> with{};  // the columns and y
+    Chain::Eight squares{};
+    std::array<double, at_once> products{};
+    for (std::size_t k = 0; k < n; ++k) {
+      const double* const series = white.col(static_cast<Index>(k)).data();
+      const Chain::Eight& w = whitened[k];
+      for (std::size_t c = 0; c <= static_cast<std::size_t>(p); ++c)
+        for (std::size_t l = 0; l < 2 * at_once; ++l) with[c][l] += series[c] * w[l];
+      for (std::size_t l = 0; l < 2 * at_once; ++l) squares[l] += w[l] * w[l];
+      for (std::size_t l = 0; l < at_once; ++l) products[l] += w[l] * w[at_once + l];
+    }
+    for (std::size_t l = 0; l < at_once && i + l < count; ++l) {
+      // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
+      Coefficients c(p), s(p);
+      for (Index j = 0; j < p; ++j) {
+        c[j] = with[static_cast<std::size_t>(j)][l];
+        s[j] = with[static_cast<std::size_t>(j)][at_once + l];
+      }
+      const Coefficients cc = chain.covariance() * c, cs = chain.covariance() * s;
+      const double a = squares[l] - c.dot(cc) + prior, b = squares[at_once + l] - s.dot(cs) + prior;
+      const double ab = products[l] - c.dot(cs);
+      const auto last = static_cast<std::size_t>(p);
+      const double y = with[last][l] - c.dot(chain.mean()), z = with[last][at_once + l] - s.dot(chain.mean());
+      const double determinant = a * b - ab * ab;
+      const double gain = 0.5 * (b * y * y - 2 * ab * y * z + a * z * z) / determinant -
+                          0.5 * elementary::log(determinant / (prior * prior));
+      scan.push_back({1 / (least + static_cast<double>(i + l) * step), gain});
+    }
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t l = 0; l < at_once; ++l) {
+        const double cosine = waves[k][l], sine = waves[k][at_once + l];
+        waves[k][l] = cosine * turn[k].cosine - sine * turn[k].sine;
+        waves[k][at_once + l] = sine * turn[k].cosine + cosine * turn[k].sine;
+      }
+  }
+  std::reverse(scan.begin(), scan.end());
+  return scan;
+}
+
+std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& scan, std::size_t most) {
+  std::vector<ScannedWavelength> peaks;
+  for (std::size_t i = 1; i + 1 < scan.size(); ++i)
+    if (scan[i].gain >= scan[i - 1].gain && scan[i].gain > scan[i + 1].gain) peaks.push_back(scan[i]);
+  std::stable_sort(peaks.begin(), peaks.end(), [](const auto& a, const auto& b) { return a.gain > b.gain; });
+  if (peaks.size() > most) peaks.resize(most);
+  return peaks;
+}
+
+// Minus the second difference of the merit in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
+double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Observations& observations,
+                         std::size_t hyperparameter) {
+  const auto at = [&](double step) {
+    Theta theta = mode.theta;
+    theta.values[hyperparameter] += step;
+    return process.objective_alone(mode, observations, theta);
+  };
+  const double top = at(0);
+  constexpr double first = 2e-4;
+  const double last = process.options().last_fall;
+  for (double step = first; step < last; step *= 2) {
+    const double fall = top - 0.5 * (at(step) + at(-step));
+    if (fall >= 1) return 2 * fall / (step * step);
+  }
+  return 2 / (last * last);
+}
+
+// ln p(readings, gaps), θ integrated out by the curvature of the merit at the mode.
+Component component_of(const FrictionProcess& process, const Mode& mode) {
+  const auto& o = process.options();
+  const auto n = static_cast<Index>(mode.theta.size());
+  MatrixXd H = MatrixXd::Identity(n, n);
+  Observations observations = process.observations_of(mode);
+  const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
+  for (Index i = 0; i < n; ++i) {
+    if (!free(i)) continue;
+    // The merit may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
+    const double curvature = i < 4 || !o.parts.fall_curvature
+                                 ? 0
+                                 : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
+    const double h = i < 4 ? o.difference_step : curvature == 0 ? 2e-4 : 1 / std::sqrt(curvature);
+    Theta up = mode.theta, down = mode.theta;
+    up.values[static_cast<std::size_t>(i)] += h;
+    down.values[static_cast<std::size_t>(i)] -= h;
+    const auto a = process.objective(mode, observations, up), b = process.objective(mode, observations, down);
+    for (Index j = 0; j < n; ++j)
+      if (free(j))
+        H(i, j) = -(a.gradient[static_cast<std::size_t>(j)] - b.gradient[static_cast<std::size_t>(j)]) / (2 * h);
+    H(i, i) = std::max(H(i, i), 0.5 * curvature);
+  }
+  H = (0.5 * (H + H.transpose())).eval();
+  // In units of the deviations that each has by itself, since those of ln λ are far smaller.
+  constexpr double min_curvature = 0.3;  // priors tell a hyperparameter to 1.8 in its logarithm at least
+  const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
+  const auto [curvatures, vectors] = eigen_of(MatrixXd(unit.asDiagonal() * H * unit.asDiagonal()));
+  const Eigen::VectorXd values = curvatures.cwiseMax(o.min_eigenvalue);
+  double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
+  for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
+  const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
+  log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
+  // Of waves, each ln λ is uniform, and which is called the first says nothing.
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
+    log_evidence += elementary::log(static_cast<double>(wave + 1)) -
+                    elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
+  const MatrixXd root = unit.asDiagonal() * vectors * values.cwiseSqrt().cwiseInverse().asDiagonal();
+  Component component{.mode = mode, .log_evidence = log_evidence, .spread = product(root, MatrixXd(root.transpose()))};
+  for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+    const auto at = static_cast<Index>(Theta::first_wave + wave);
+    component.wavelength_deviation[wave] = std::sqrt(component.spread(at, at));
+  }
+  return component;
+}
+
+bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
+
+class Search {
+ public:
+  Search(const FrictionProcess& process, const Hypotheses& asked)
+      : process_(process),
+        asked_(asked),
+        o_(process.options()),
+        rises_(rises_of(process.passages())),
+        run_(process.passages()) {}
+
+  ProcessSearch run() {
+    ProcessSearch result;
+    Stages stages;
+    stages.enter("friction without a wave", 0.08);
+    Mode plain = without_wave(first_kernel());
+    if (!std::isfinite(plain.merit)) return result;
+    result.scan = scan_of(process_, plain);
+    const std::size_t asked = asked_.waves.value_or(1);
+    stages.enter("friction with a wave", 0.48);
+    std::optional<Mode> wave;
+    for (std::size_t count = 1; count <= asked; ++count) {
+      auto more =
+          count == 1 ? with_one_more_wave(plain, result.scan) : with_one_more_wave(*wave, scan_of(process_, *wave));
+      if (!more) break;
+      wave = std::move(more);
+    }
+    const bool with_plain = !asked_.waves || !wave;
+    stages.enter("friction without a wave", 0.12);
+    if (o_.parts.improve && with_plain && wave) improve(plain, *wave);
+    if (o_.parts.polish_plain) process_.polish(plain, o_.plain);
+    auto& components = result.components;
+    if (wave) components.push_back(component_of(process_, *wave));
+    if (with_plain) components.push_back(component_of(process_, plain));
+    const double gain = with_plain ? components.front().log_evidence - components.back().log_evidence : claiming_gain;
+    stages.enter("a second wave", 0.03);
+    if (o_.parts.second_wave && !asked_.waves && gain > claiming_gain) add_second_wave(*wave, components);
+    stages.enter("how rough friction is", 0.29);
+    for (const Kernel kernel : asked_.kernels) {
+      if (kernel == Kernel::none && plain.kernel != kernel && !o_.parts.no_kernel) continue;
+      if (kernel == Kernel::exponential && !o_.parts.exponential_kernel) continue;
+      if (kernel == Kernel::matern_9_2 && !o_.parts.smooth_kernel) continue;
+      if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, continued(plain, kernel)));
+      // A wave that is out of the question with its kernel is not asked for with the others.
+      if (o_.parts.waves_of_kernels && wave && gain > o_.out_of_question && kernel != wave->kernel)
+        components.push_back(component_of(process_, continued(*wave, kernel)));
+    }
+    const auto rank = [&] {
+      std::stable_sort(components.begin(), components.end(),
+                       [](const auto& a, const auto& b) { return a.log_evidence > b.log_evidence; });
+    };
+    rank();
+    const double best = components.front().log_evidence;
+    for (Component& component : components)
+      if (o_.parts.converge && component.log_evidence > best - o_.far_below) converge(component);
+    rank();
+    move_along_valley(components);
+    rank();
+    return result;
+  }
+
+ private:
+  // A second wave, where it is claimed as well: it takes the place of the mode with one.
+  void add_second_wave(Mode& wave, std::vector<Component>& components) const {
+    auto two = with_one_more_wave(wave, scan_of(process_, wave));
+    if (!two) return;
+    const Component with_two = component_of(process_, *two);
+    if (with_two.log_evidence < components.front().log_evidence + claiming_gain) return;
+    components.front() = with_two;
+    wave = std::move(*two);
+  }
+
+  // Until it is linearised at what it says itself of the rig, too: merits of others say little.
+  void converge(Component& component) const {
+    Mode mode = component.mode;
+    process_.burst(mode, o_.settle);
+    if (!(mode.merit > component.mode.merit - o_.ran_away)) return;
+    component.log_evidence += mode.merit - component.mode.merit;
+    component.mode = std::move(mode);
+  }
+
+  // [rad] φ of each wave, R cos(2πx/λ − φ).
+  std::array<double, max_waves> angles_of(const Mode& mode) const {
+    const Observations observations = process_.observations_of(mode);
+    const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
+    std::array<double, max_waves> angles{};
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) {
+      const Index at = process_.columns().waves + 2 * static_cast<Index>(wave);
+      angles[wave] = elementary::angle(beta[at + 1], beta[at]);
+    }
+    return angles;
+  }
+
+  // The likeliest waves to where their lengths and the errors of the rig are likeliest together, which no polish of one at a time gets to soon: a rig that
+  // is off stretches all waves alike. How far the lengths may be off is taken for that of all other modes with so many waves.
+  void move_along_valley(std::vector<Component>& components) const {
+    Component& component = components.front();
+    const std::size_t waves = component.mode.theta.waves;
+    if (waves == 0) return;
+    const auto stretched = [&](double by) {
+      Mode mode = component.mode;
+      for (std::size_t wave = 0; wave < waves; ++wave) mode.theta.values[Theta::first_wave + wave] += by;
+      process_.burst(mode, o_.settle);
+      return mode;
+    };
+    const auto begin = component.wavelength_deviation.begin(), end = begin + static_cast<std::ptrdiff_t>(waves);
+    const double linearised = *std::min_element(begin, end), step = o_.valley_step * linearised,
+                 top = component.mode.merit;
+    const Mode longer = stretched(step), shorter = stretched(-step);
+    const double curvature = (2 * top - longer.merit - shorter.merit) / (step * step);
+    if (!std::isfinite(curvature)) return;
+    const auto angles = angles_of(component.mode), of_longer = angles_of(longer), of_shorter = angles_of(shorter);
+    std::array<double, max_waves> turn{};
+    for (std::size_t wave = 0; wave < waves; ++wave)
+      turn[wave] = (elementary::wrapped_angle(of_longer[wave] - angles[wave]) +
+                    elementary::wrapped_angle(angles[wave] - of_shorter[wave])) /
+                   (2 * step);
+    const double told = std::max(curvature, 1 / (o_.widest_valley * o_.widest_valley * linearised * linearised));
+    for (Component& each : components) {
+      if (each.mode.theta.waves != waves || !o_.parts.valley_width) continue;
+      each.turn = turn;
+      for (std::size_t wave = 0; wave < waves; ++wave)
+        each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
+    }
+    if (!o_.parts.valley_move) return;
+    Mode moved = stretched(std::clamp((longer.merit - shorter.merit) / (2 * step * told), -2 * step, 2 * step));
+    if (!(moved.merit > top)) return;
+    component.log_evidence += moved.merit - top;
+    component.mode = std::move(moved);
+  }
+
+  // matern_3_2, if it is asked for: it follows roughness best that is rougher or smoother.
+  Kernel first_kernel() const {
+    const auto& kernels = asked_.kernels;
+    const bool asked = std::find(kernels.begin(), kernels.end(), Kernel::matern_3_2) != kernels.end();
+    return asked ? Kernel::matern_3_2 : kernels.front();
+  }
+
+  // A mode settled, and moved by a burst where that is much better.
+  Mode settled(Mode mode, const Schedule& schedule) const {
+    process_.settle(mode);
+    Mode moved = mode;
+    process_.burst(moved, 2 * schedule.steps, schedule.fraction);
+    return moved.merit > mode.merit + o_.much_better ? moved : mode;
+  }
+
+  Mode without_wave(Kernel kernel) const {
+    Mode mode = settled(process_.start(kernel, process_.prior_of_theta().usual(), rises_), o_.from_rises);
+    process_.polish(mode, o_.from_rises);
+    process_.burst(mode, o_.from_rises);
+    return mode;
+  }
+
+  std::vector<double> candidates(const Mode& plain, Mode raw, const std::vector<ScannedWavelength>& scan) const {
+    std::vector<double> found;
+    const auto add = [&](const std::vector<ScannedWavelength>& in) {
+      for (const auto& peak : peaks_of(in, static_cast<std::size_t>(o_.scan_peaks))) {
+        if (!is_resolved(peak.wavelength, plain.theta, plain.theta.waves)) continue;
+        const bool known = std::any_of(found.begin(), found.end(), [&](double other) {
+          return std::abs(elementary::log(peak.wavelength / other)) <
+                 o_.peak_apart * peak.wavelength / process_.passages().range;
+        });
+        if (!known) found.push_back(peak.wavelength);
+      }
+    };
+    add(scan);
+    if (!is_blurred(plain)) return found;
+    Mode smooth = plain;
+    smooth.theta.values[Theta::log_roughness] = elementary::log(o_.smooth_roughness);
+    smooth.theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.scan_length);
+    if (o_.parts.smooth_scan) add(scan_of(process_, smooth));
+    raw.theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.scan_length);
+    if (o_.parts.raw_scan) add(scan_of(process_, raw));
+    return found;
+  }
+
+  // Does the fibre seen tell a wavelength from those that are there? Two that differ by less than a period over it are one whose height varies.
+  bool is_resolved(double wavelength, const Theta& theta, std::size_t waves) const {
+    for (std::size_t wave = 0; wave < waves; ++wave)
+      if (std::abs(1 / wavelength - elementary::exp(-theta.log_wavelength(wave))) * process_.passages().range < 1)
+        return false;
+    return true;
+  }
+
+  // A mode with one more wave than `theta` has, quickly.
+  Mode tried(const Mode& from, Theta theta, double log_wavelength) const {
+    theta.values[Theta::log_roughness] = elementary::log(o_.smooth_roughness);
+    theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.trial_length);
+    theta.add_wave(log_wavelength);
+    Mode mode = process_.start(from.kernel, theta, from.at);
+    mode.sites = from.sites;
+    mode = settled(std::move(mode), o_.trial);
+    process_.polish(mode, o_.trial);
+    return mode;
+  }
+
+  std::optional<Mode> with_one_more_wave(const Mode& plain, const std::vector<ScannedWavelength>& scan) const {
+    const Theta usual =
+        process_.prior_of_theta().usual(std::span(plain.theta.values).subspan(Theta::first_wave, plain.theta.waves));
+    const Mode raw = process_.start(plain.kernel, usual, rises_);
+    const std::size_t last = plain.theta.waves;  // the wave that is sought
+    std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
+    const auto rank = [&] {
+      std::stable_sort(found.begin(), found.end(),
+                       [](const auto& a, const auto& b) { return better(a.first, b.first); });
+    };
+    const auto try_from = [&](const Mode& from, double wavelength) {
+      found.emplace_back(tried(from, from.theta, elementary::log(wavelength)), wavelength);
+      return found.back().first.merit;
+    };
+    const std::vector<double> wavelengths = candidates(plain, raw, scan);
+    double best = -infinity;
+    for (const double wavelength : wavelengths) best = std::max(best, try_from(plain, wavelength));
+    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin: from the rises as well the first
+    // peak, and where any wave gains, all.
+    const bool blurred = is_blurred(plain);
+    for (std::size_t i = 0; o_.parts.trials_from_rises && blurred && i < wavelengths.size(); ++i)
+      if (i == 0 || best > plain.merit) best = std::max(best, try_from(raw, wavelengths[i]));
+    rank();
+    // Where none comes up to what friction without it is worth, none nearby does.
+    const bool promising = !found.empty() && better(found.front().first, plain);
+    const auto for_the_best_two = [&](auto&& add_to) {
+      std::vector<double> done;
+      const std::size_t so_far = blurred && promising ? found.size() : 0;
+      for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
+        const double wavelength = found[i].second;
+        if (std::find(done.begin(), done.end(), wavelength) != done.end()) continue;
+        done.push_back(wavelength);
+        add_to(i, wavelength);
+      }
+      rank();
+    };
+    const double range = process_.passages().range;
+    if (o_.parts.trials_beside)
+      for_the_best_two([&](std::size_t, double wavelength) {
+        for (const double beside : {0.25, -0.25})
+          found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))),
+                             wavelength);
+      });
+    if (o_.parts.trials_forward)
+      for_the_best_two([&](std::size_t i, double wavelength) {
+        Mode mode = fitted_forward(process_, run_, found[i].first);
+        process_.settle(mode);
+        process_.burst(mode, o_.trial_forward);
+        process_.polish(mode, o_.trial_forward);
+        found.emplace_back(std::move(mode), wavelength);
+      });
+    for (const auto& [trial, wavelength] : found) {
+      if (!std::isfinite(trial.merit)) break;
+      Mode mode = trial;
+      process_.polish(mode, o_.wave);
+      if (trial.merit > mode.merit) mode = trial;
+      if (is_resolved(elementary::exp(mode.theta.log_wavelength(last)), mode.theta, last)) return mode;
+    }
+    return std::nullopt;
+  }
+
+  // Whether noise moves the place of a reading by as much as tells waves apart.
+  bool is_blurred(const Mode& mode) const {
+    std::vector<double> blur;
+    const double noise = elementary::exp(mode.theta.values[Theta::log_noise]);
+    for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
+    return median_of(std::move(blur)) > process_.passages().range / o_.blur;
+  }
+
+  // The mode without a wave also from where the best with one ended.
+  void improve(Mode& plain, const Mode& wave) const {
+    Mode other = process_.start(plain.kernel, plain.theta, wave.at);
+    other.sites = wave.sites;
+    process_.polish(other, o_.follow);
+    if (other.merit > plain.merit) plain = std::move(other);
+  }
+
+  Mode continued(const Mode& mode, Kernel kernel) const {
+    if (kernel == mode.kernel) return mode;
+    Mode other = mode;
+    other.kernel = kernel;
+    process_.polish(other, o_.follow);
+    // Friction without roughness has nothing that makes up for a wave that is too small.
+    if (o_.parts.smooth_forward && kernel == Kernel::none && mode.theta.waves > 0) {
+      Mode forward = fitted_forward(process_, run_, other);
+      process_.burst(forward, o_.smooth_forward);
+      process_.polish(forward, o_.smooth_forward);
+      if (forward.merit > other.merit) other = std::move(forward);
+    }
+    return other;
+  }
+
+  const FrictionProcess& process_;
+  const Hypotheses& asked_;
+  const SearchOptions& o_;
+  Linearisation rises_;
+  ForwardRun run_;
+};
+
+}  // namespace
+
+ProcessSearch search(const FrictionProcess& process, const Hypotheses& asked) { return Search(process, asked).run(); }
+
+}  // namespace flexslip
