@@ -42,13 +42,10 @@ struct Part {
 constexpr std::array parts{
     Part{"rises", &SearchParts::rises},
     Part{"gaps", &SearchParts::gaps},
-    Part{"smooth_scan", &SearchParts::smooth_scan},
-    Part{"trials_beside", &SearchParts::trials_beside},
     Part{"raw_scan", &SearchParts::raw_scan},
     Part{"trials_from_rises", &SearchParts::trials_from_rises},
     Part{"trials_forward", &SearchParts::trials_forward},
     Part{"smooth_forward", &SearchParts::smooth_forward},
-    Part{"improve", &SearchParts::improve},
     Part{"polish_plain", &SearchParts::polish_plain},
     Part{"exponential_kernel", &SearchParts::exponential_kernel},
     Part{"smooth_kernel", &SearchParts::smooth_kernel},

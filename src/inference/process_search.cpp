@@ -190,7 +190,6 @@ class Search {
     }
     const bool with_plain = !asked_.waves || !wave;
     stages.enter("friction without a wave", 0.12);
-    if (o_.parts.improve && with_plain && wave) improve(plain, *wave);
     if (o_.parts.polish_plain) process_.polish(plain, o_.plain);
     auto& components = result.components;
     if (wave) components.push_back(component_of(process_, *wave));
@@ -328,10 +327,6 @@ class Search {
     };
     add(scan);
     if (!is_blurred(plain)) return found;
-    Mode smooth = plain;
-    smooth.theta.values[Theta::log_roughness] = elementary::log(o_.smooth_roughness);
-    smooth.theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.scan_length);
-    if (o_.parts.smooth_scan) add(scan_of(process_, smooth));
     raw.theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.scan_length);
     if (o_.parts.raw_scan) add(scan_of(process_, raw));
     return found;
@@ -380,34 +375,21 @@ class Search {
     for (std::size_t i = 0; o_.parts.trials_from_rises && blurred && i < wavelengths.size(); ++i)
       if (i == 0 || best > plain.merit) best = std::max(best, try_from(raw, wavelengths[i]));
     rank();
-    // Where none comes up to what friction without it is worth, none nearby does.
+    // The two best from their own simulated loadings, too. Where none comes up to what friction without it is worth, none nearby does.
     const bool promising = !found.empty() && better(found.front().first, plain);
-    const auto for_the_best_two = [&](auto&& add_to) {
-      std::vector<double> done;
-      const std::size_t so_far = blurred && promising ? found.size() : 0;
-      for (std::size_t i = 0; i < so_far && done.size() < 2; ++i) {
-        const double wavelength = found[i].second;
-        if (std::find(done.begin(), done.end(), wavelength) != done.end()) continue;
-        done.push_back(wavelength);
-        add_to(i, wavelength);
-      }
-      rank();
-    };
-    const double range = process_.passages().range;
-    if (o_.parts.trials_beside)
-      for_the_best_two([&](std::size_t, double wavelength) {
-        for (const double beside : {0.25, -0.25})
-          found.emplace_back(tried(raw, raw.theta, elementary::log(wavelength * (1 + beside * wavelength / range))),
-                             wavelength);
-      });
-    if (o_.parts.trials_forward)
-      for_the_best_two([&](std::size_t i, double wavelength) {
-        Mode mode = fitted_forward(process_, run_, found[i].first);
-        process_.settle(mode);
-        process_.burst(mode, o_.trial_forward);
-        process_.polish(mode, o_.trial_forward);
-        found.emplace_back(std::move(mode), wavelength);
-      });
+    const std::size_t trials = o_.parts.trials_forward && blurred && promising ? found.size() : 0;
+    std::vector<double> done;
+    for (std::size_t i = 0; i < trials && done.size() < 2; ++i) {
+      const double wavelength = found[i].second;
+      if (std::find(done.begin(), done.end(), wavelength) != done.end()) continue;
+      done.push_back(wavelength);
+      Mode mode = fitted_forward(process_, run_, found[i].first);
+      process_.settle(mode);
+      process_.burst(mode, o_.trial_forward);
+      process_.polish(mode, o_.trial_forward);
+      found.emplace_back(std::move(mode), wavelength);
+    }
+    rank();
     for (const auto& [trial, wavelength] : found) {
       if (!std::isfinite(trial.merit)) break;
       Mode mode = trial;
@@ -424,14 +406,6 @@ class Search {
     const double noise = elementary::exp(mode.theta.values[Theta::log_noise]);
     for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
     return median_of(std::move(blur)) > process_.passages().range / o_.blur;
-  }
-
-  // The mode without a wave also from where the best with one ended.
-  void improve(Mode& plain, const Mode& wave) const {
-    Mode other = process_.start(plain.kernel, plain.theta, wave.at);
-    other.sites = wave.sites;
-    process_.polish(other, o_.follow);
-    if (other.merit > plain.merit) plain = std::move(other);
   }
 
   Mode continued(const Mode& mode, Kernel kernel) const {

@@ -42,10 +42,10 @@ struct ProcessSearch {
 };
 
 // Domain:     asked.kernels not empty.
-// Method:     From the rises of the record, the mode without a wave; a scan over wavelengths, and where noise blurs the places of readings two
-//             more at other settings of the hyperparameters; from the best two peaks of each, modes with a wave. The best is polished, and continued to
-//             the other kernels unless it loses 2. A second wave likewise. What weighs anything is linearised until it agrees with itself, and the
-//             likeliest waves are moved along the valley that their length shares with the rig.
+// Method:     From the rises of the record, the mode without a wave; a scan over wavelengths, and where noise blurs the places of readings one
+//             more from the rises; from the best two peaks of each, modes with a wave. The best is polished, and continued to the other kernels unless
+//             it loses 2. A second wave likewise. What weighs anything is linearised until it agrees with itself, and the likeliest waves are moved
+//             along the valley that their length shares with the rig.
 ProcessSearch search(const FrictionProcess& process, const Hypotheses& asked);
 
 }  // namespace flexslip

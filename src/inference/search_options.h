@@ -15,24 +15,20 @@ struct Schedule {
 
 // The parts of the search that can be switched off.
 struct SearchParts {
-  bool rises = true;               // begin at the rises of the record; without: at the states as read, in order
-  bool gaps = true;                // use the bounds of friction in the gaps that the fibre jumped over
-  bool smooth_scan = true;         // scan once more with smooth roughness, where noise blurs the places of readings
-  bool trials_beside = true;       // try the two best waves from beside their wavelength, too
-  bool raw_scan = true;            // scan once more from the rises, where noise blurs the places of readings
-  bool trials_from_rises = true;   // try waves from the rises, too, where noise blurs the places of readings
-  bool trials_forward = true;      // try the two best waves from their own simulated loading, too
-  bool smooth_forward = true;      // start waves without roughness from their own simulated loading, too
-  bool improve = true;             // seek the mode without a wave from where the best with one ended, too
-  bool polish_plain = true;        // optimise the mode without a wave as long as those with one
-  bool exponential_kernel = true;  // compare roughness without a slope, of Matérn 1/2
-  bool smooth_kernel = true;       // compare smooth roughness, of Matérn 9/2
-  bool no_kernel = true;           // compare friction without roughness
-  bool waves_of_kernels = true;    // continue waves to all kernels
-  bool second_wave = true;         // seek a second wave where one is detected
-  bool converge = true;            // linearise likely modes until they agree with themselves
-  bool valley_width =
-      true;  // measure the error of a wavelength, and how its phase turns, along the valley that it shares with errors of the rig
+  bool rises = true;                  // begin at the rises of the record; without: at the states as read, in order
+  bool gaps = true;                   // use the bounds of friction in the gaps that the fibre jumped over
+  bool raw_scan = true;               // scan once more from the rises, where noise blurs the places of readings
+  bool trials_from_rises = true;      // try waves from the rises, too, where noise blurs the places of readings
+  bool trials_forward = true;         // try the two best waves from their own simulated loading, too
+  bool smooth_forward = true;         // start waves without roughness from their own simulated loading, too
+  bool polish_plain = true;           // optimise the mode without a wave as long as those with one
+  bool exponential_kernel = true;     // compare roughness without a slope, of Matérn 1/2
+  bool smooth_kernel = true;          // compare smooth roughness, of Matérn 9/2
+  bool no_kernel = true;              // compare friction without roughness
+  bool waves_of_kernels = true;       // continue waves to all kernels
+  bool second_wave = true;            // seek a second wave where one is detected
+  bool converge = true;               // linearise likely modes until they agree with themselves
+  bool valley_width = true;           // widen the error of a wavelength along the valley that it shares with the rig
   bool valley_move = true;            // move waves along that valley
   bool fall_curvature = true;         // measure the error of a wavelength where the posterior has fallen by a factor e
   bool scatter = true;                // add the spread of a wavelength between modes to its error
@@ -46,14 +42,12 @@ struct SearchOptions {
   SearchParts parts{};
 
   // Readings.
-  double max_rig_errors = 9;  // combined errors of the rig that are estimated; the readings determine no more
-  double min_rig_signal =
-      1;                    // [variances of the noise] below it, all readings together show nothing of a combined error
-  double rig_places = 100;  // at which errors of the rig are calculated; between them they change little
-  double beyond_seen = 0.2;  // [range of lengths as read] fitted states lie no farther outside it
-  double min_force_slope =
-      0.02;  // [L^2/EI] least change of friction by force at a stage position: rounding of a reading near the straight fibre
-  double min_fold = 0.05;  // [1] least G'/G_S in the noise of a reading: at 0, a fold, noise would be infinite
+  double max_rig_errors = 9;      // combined errors of the rig that are estimated; the readings determine no more
+  double min_rig_signal = 1;      // [noise variances] less, of all readings together, shows nothing of a combined error
+  double rig_places = 100;        // at which errors of the rig are calculated; between them they change little
+  double beyond_seen = 0.2;       // [range of lengths as read] fitted states lie no farther outside it
+  double min_force_slope = 0.02;  // [L^2/EI] least dμ/dF at a stage: near the straight fibre readings are rounded
+  double min_fold = 0.05;         // [1] least G'/G_S in the noise of a reading: at 0, a fold, noise would be infinite
 
   // Rises, the first guess of where the fibre was.
   double rises_noise = 0.002;     // [EI/L^2] least noise of the force: exact records have rises, too
@@ -61,15 +55,13 @@ struct SearchOptions {
   double rise_cost = 1.5;         // [ln n] a rise more: half of the three numbers that it has, as BIC counts them
 
   // Gaps, which the fibre jumped over.
-  double gap_advances = 2.5;  // [advances at constant friction] and
-  double gap_noise = 3;       // [errors of a length] a step of the fibre that exceeds both together is a jump
-  double gap_spacing = 40;    // [per range] places where the bound is applied, in a gap
-  double min_gap_places = 3;  // in a gap: fewer miss its middle
-  double max_gap_places = 8;  // in a gap: more say the same
-  double gap_margin =
-      1.5;  // [errors of a length] no bound so near the far end of a gap, where the reading itself may be
-  double gap_fraction =
-      0.5;  // [1] of a step of expectation propagation: full steps overshoot where gaps depend on the same friction
+  double gap_advances = 2.5;    // [advances at constant friction] and
+  double gap_noise = 3;         // [errors of a length] a step of the fibre that exceeds both together is a jump
+  double gap_spacing = 40;      // [per range] places where the bound is applied, in a gap
+  double min_gap_places = 3;    // in a gap: fewer miss its middle
+  double max_gap_places = 8;    // in a gap: more say the same
+  double gap_margin = 1.5;      // [errors of a length] no bound so near the far end of a gap, where the reading may be
+  double gap_fraction = 0.5;    // [1] of a step of expectation propagation: gaps depend on the same friction
   double gap_accuracy = 0.002;  // [ln evidence] it has converged
 
   // Gauss-Newton steps.
@@ -92,17 +84,15 @@ struct SearchOptions {
 
   // Waves.
   double min_wave_advances = 4;  // [advances of a reading, in the median] shortest wave
-  double min_wave_circles =
-      1;  // [2π of what noise moves the place of a reading by, in the median] shortest wave: noise makes shorter ones
-  double max_wave_share = 2.2;  // [range over λ] longest wave: two periods and a little are seen
-  double scan_steps = 8;        // [per 1/range] of frequency: a peak is about 1/range wide
+  double min_wave_circles = 1;   // [2π of what noise moves a place by] shortest wave: noise makes shorter ones
+  double max_wave_share = 2.2;   // [range over λ] longest wave: two periods and a little are seen
+  double scan_steps = 8;         // [per 1/range] of frequency: a peak is about 1/range wide
   double blur = 1000;  // [per range] noise that moves places by more blurs their order, and peaks of the scan with it
-  double smooth_roughness =
-      0.03;  // [1] σ_g where a wave is tried, about its prior mean: the roughness found without a wave explains the wave
-  double scan_length = 5;    // [per range] ℓ in the scan from the rises
-  double trial_length = 10;  // [per range] ℓ where a wave is tried, its prior median
-  double scan_peaks = 2;     // of each scan that are tried
-  double peak_apart = 0.5;   // [λ/range] nearer peaks of two scans are the same
+  double smooth_roughness = 0.03;  // [1] σ_g where a wave is tried: that found without a wave explains the wave
+  double scan_length = 5;          // [per range] ℓ in the scan from the rises
+  double trial_length = 10;        // [per range] ℓ where a wave is tried, its prior median
+  double scan_peaks = 2;           // of each scan that are tried
+  double peak_apart = 0.5;         // [λ/range] nearer peaks of two scans are the same
 
   // Which modes are followed.
   double out_of_question = -2;  // [ln evidence] a wave that loses more is not continued to the other kernels
@@ -111,8 +101,7 @@ struct SearchOptions {
   double much_better = 5;       // [ln posterior] states that steps must gain to replace the start
 
   // Evidence.
-  double difference_step =
-      0.02;  // of hyperparameters in the curvature of the posterior: rounding and curvature are both small
+  double difference_step = 0.02;  // of hyperparameters in the curvature of the posterior, beside rounding
   double last_fall = 0.1;         // [1] of ln λ, where its error is sought last
   double min_eigenvalue = 0.003;  // two waves stretch together by twenty errors of either alone
   double valley_step = 2;         // [errors of ln λ] to both sides along the valley
