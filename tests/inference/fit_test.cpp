@@ -379,6 +379,34 @@ TEST_CASE("identity: the correlation of the noise is that of rows one apart, of 
   CHECK(fit.noise_correlation == doctest::Approx(rho).scale(0).epsilon(0.03));
 }
 
+TEST_CASE(
+    "oracle: on soft load trains friction is found, where errors of the rig that move without limit lead astray") {
+  int astray = 0, astray_without_limit = 0;
+  for (std::uint64_t seed = 1; seed <= 16; ++seed) {
+    const double of_seed = static_cast<double>(seed);
+    const SimulatedTruth truth{.friction = Friction::sinusoid(0.8, 0.35, (10 + 0.4 * of_seed) / 1278, of_seed),
+                               .stiffness = 14 + of_seed,
+                               .stiffening = 0.97,
+                               .noise = 0.012,
+                               .seed = seed};
+    FitProblem problem = problem_of(truth);
+    problem.rig_errors = {};
+    const auto is_astray = [&](const SearchOptions& by) {
+      const auto fit = fit_friction(problem, {.search = by});
+      if (fit.status != FrictionFitStatus::ok) return true;
+      const double away = fit.mu0.value - mean_over(truth.friction, fit.S_begin, fit.S_end);
+      return std::abs(away) > 4 * fit.mu0.standard_error;
+    };
+    SearchOptions without_limit;
+    without_limit.rig_step = 1e9;
+    astray += is_astray({});
+    astray_without_limit += is_astray(without_limit);
+  }
+  MESSAGE("of 16 astray: " << astray << ", without the limit " << astray_without_limit);
+  CHECK(astray == 0);
+  CHECK(astray_without_limit > 0);
+}
+
 TEST_CASE("identity: what is no record is refused, with the value") {
   const auto problem = problem_of({.friction = Friction::constant(0.5), .noise = 0.02});
   const auto refusal = [&](auto change) {
