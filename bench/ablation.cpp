@@ -218,11 +218,14 @@ std::vector<std::string> split(const std::string& list) {
 struct Call {
   int first = 0, tests = 12;
   bool of_thresholds = false;
-  std::vector<std::string> kinds{"independent", "correlated", "exponential", "squared_exponential",
-                                 "roughness",   "two_waves",  "constant",    "soft",
-                                 "quiet",       "measured",   "smooth"};
+  std::vector<std::string> kinds{kinds_of_tests.begin(), kinds_of_tests.end()};
   std::vector<std::string> only, cases;
 };
+
+[[noreturn]] void refuse(const std::string& why) {
+  std::fprintf(stderr, "ablation: %s\n", why.c_str());
+  std::exit(2);
+}
 
 Call read_call(int count, char** arguments) {
   Call call;
@@ -237,10 +240,15 @@ Call read_call(int count, char** arguments) {
       call.only = split(arguments[++i]);
     } else if (argument == "--thresholds") {
       call.of_thresholds = true;
+    } else if (argument.starts_with("--")) {
+      refuse(argument + " is no option, or lacks a value: see the head of bench/ablation.cpp");
     } else {
       call.cases.push_back(argument);
     }
   }
+  for (const auto& kind : call.kinds)
+    if (std::find(kinds_of_tests.begin(), kinds_of_tests.end(), kind) == kinds_of_tests.end())
+      refuse(kind + " is no kind of test");
   return call;
 }
 
@@ -277,13 +285,11 @@ std::vector<Variation> variations_of(const Call& call) {
     change(variation.options);
     variations.push_back(variation);
   };
-  if (!call.of_thresholds) {
+  if (!call.of_thresholds)
     for (const Part& part : parts)
       add(part.name, "without " + std::string(part.name),
           [&](SearchOptions& options) { options.parts.*part.at = false; });
-    return variations;
-  }
-  for (const double factor : {0.5, 2.0}) {
+  for (const double factor : call.of_thresholds ? std::vector{0.5, 2.0} : std::vector<double>{}) {
     const std::string at = factor < 1 ? " at half" : " at double";
     for (const Threshold& threshold : thresholds)
       add(threshold.name, std::string(threshold.name) + at,
@@ -292,6 +298,7 @@ std::vector<Variation> variations_of(const Call& call) {
       add(length.name, std::string(length.name) + at,
           [&](SearchOptions& options) { options.*length.at = longer(options.*length.at, factor); });
   }
+  if (variations.size() == 1) refuse("--only names nothing that can be varied so");
   return variations;
 }
 

@@ -24,10 +24,7 @@ int run(int count, char** arguments) {
     return 2;
   }
   const std::string kind = arguments[1];
-  constexpr std::array kinds{"independent", "correlated", "exponential", "squared_exponential",
-                             "roughness",   "two_waves",  "constant",    "soft",
-                             "quiet",       "measured",   "smooth"};
-  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+  if (std::find(kinds_of_tests.begin(), kinds_of_tests.end(), kind) == kinds_of_tests.end()) {
     std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
     return 2;
   }

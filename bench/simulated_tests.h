@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -127,6 +128,11 @@ inline std::vector<double> smooth_bumps(double rms, double length, Random& rando
   return bumps;
 }
 
+inline constexpr std::array kinds_of_tests{"independent", "correlated", "exponential", "squared_exponential",
+                                           "roughness",   "two_waves",  "constant",    "soft",
+                                           "quiet",       "measured",   "smooth"};
+
+// Domain:     a kind among kinds_of_tests.
 inline Truth truth_of(const std::string& kind, Random& random) {
   Truth t;
   t.mu0 = random.between(0.3, 0.9);
