@@ -138,6 +138,14 @@ chain::Series<N> seen(const Observation& observation, const States<M, N>& states
   return sum;
 }
 
+// The number of one of several series at an observation, or of one alone.
+auto& number_of(auto& of_series, int s) {
+  if constexpr (requires { of_series[s]; })
+    return of_series[static_cast<std::size_t>(s)];
+  else
+    return of_series;
+}
+
 // Passes further series through the filter: their innovations over the standard deviation, and the predictions of g of the first.
 template <int M, int N, class Series>
 void filter(const Observations& observations, const chain::Steps<M>& steps, std::span<const Series> series,
@@ -149,9 +157,9 @@ void filter(const Observations& observations, const chain::Steps<M>& steps, std:
     if (!predictions.empty()) predictions[k] = M > 1 ? states[0][0] : 0;
     const auto expected = seen<M, N>(observations.all[k], states);
     for (int s = 0; s < N; ++s) {
-      const double v = reinterpret_cast<const double*>(&series[k])[s] - expected[s];
+      const double v = number_of(series[k], s) - expected[s];
       for (int i = 0; i < M; ++i) states[i][s] += step.gain[i] * v;
-      reinterpret_cast<double*>(&white[k])[s] = step.scale * v;
+      number_of(white[k], s) = step.scale * v;
     }
   }
 }
