@@ -1,0 +1,218 @@
+"""A specimen of a foreign mechanics, loaded and unloaded any number of times.
+
+The map of the bent specimen, S(w, q) and F(w, q), comes from the shooting program mech3.py of the prototypes, which uses nothing
+of FlexSlip. Everything is reduced: span 1, bending stiffness EI 1; the load train has the stiffness k in EI/L^3, and the stage
+stands at w + F/k, or farther where the supports have given way.
+
+A specimen slides in on q = +mu(S), sticks while |q| < mu(S), and slides out on q = -mu(S). At each stage position it takes the
+first state on its way that is in balance with the load train, so that it snaps over stretches where none is stable.
+"""
+
+import hashlib
+import importlib
+import pathlib
+import sys
+import tempfile
+
+import numpy as np
+from scipy.interpolate import RectBivariateSpline
+
+ARC_STEP = 4e-5  # of the grid in S; a row moves the support by some hundred of these
+MOBILISED = np.arange(-1.15, 1.56, 0.05)  # grid of the mobilised friction q in the maps
+STUCK_POINTS = 160  # between q = -mu and q = +mu, where S is constant
+FRICTION_LIMIT = 1.1  # the maps reach a little farther
+
+
+class Map:
+    """S(w, q) and F(w, q) of one specimen as splines."""
+
+    def __init__(self, deflections, arc, force):
+        self.deepest = deflections[-1]
+        self.arc = RectBivariateSpline(deflections, MOBILISED, arc)
+        self.force = RectBivariateSpline(deflections, MOBILISED, force)
+
+    def deflection(self, S, q):
+        """The deflection at which the arc between the supports is S, by Newton's method."""
+        w = np.clip(np.sqrt(np.maximum(S - 1, 1e-9) / 2.4), 1e-4, self.deepest)
+        for _ in range(7):
+            slope = np.maximum(self.arc.ev(w, q, dx=1), 1e-3)
+            w = np.clip(w - np.clip((self.arc.ev(w, q) - S) / slope, -0.05, 0.05), 1e-4, self.deepest)
+        return w
+
+
+class Maps:
+    """Maps by hinge compliance and natural curvature, made once and kept in the temporary folder."""
+
+    def __init__(self, prototypes):
+        sys.path.insert(0, str(prototypes))
+        self.mech3 = importlib.import_module("mech3")
+        source = (pathlib.Path(prototypes) / "mech3.py").read_bytes()
+        self.folder = pathlib.Path(tempfile.gettempdir()) / ("flexslip-maps-" + hashlib.sha256(source).hexdigest()[:12])
+        self.folder.mkdir(exist_ok=True)
+        self.made = {}
+
+    def get(self, hinge=0.0, curvature=0.0):
+        key = f"hinge{hinge:.4f}-curvature{curvature:.4f}"
+        if key not in self.made:
+            file = self.folder / (key + ".npz")
+            if not file.exists():
+                self._shoot(file, hinge, curvature)
+            values = np.load(file)
+            self.made[key] = Map(values["deflections"], values["arc"], values["force"])
+        return self.made[key]
+
+    def _shoot(self, file, hinge, curvature):
+        depths = self.mech3.WG[self.mech3.WG < 0.6]
+        shot = self.mech3.Mech(hinge=hinge, kn=curvature, qg=MOBILISED, wg=depths, N=80)
+        solved = np.flatnonzero(shot.err.max(axis=1) < 1e-9)
+        deflections = np.r_[0, depths[: solved[-1] + 1][shot.err[: solved[-1] + 1].max(axis=1) < 1e-9]]
+        np.savez(file, deflections=deflections, arc=shot.S(deflections, MOBILISED), force=shot.F(deflections, MOBILISED))
+
+
+class Branch:
+    """States on the way from S on, inwards (direction +1, q = +mu) or outwards (-1, q = -mu), one a step of the grid.
+
+    Outwards it ends where the force would become negative: there the nose lifts off and the specimen stays as it is.
+    """
+
+    def __init__(self, specimen, S, direction, level):
+        grid = specimen.grid[specimen.grid > S] if direction > 0 else specimen.grid[specimen.grid < S][::-1]
+        self.direction = direction
+        self.S = np.r_[S, grid]
+        self.q = direction * level * specimen.friction(self.S)
+        self.w = specimen.map.deflection(self.S, self.q)
+        self.shape = specimen.map.force.ev(self.w, self.q)  # force of a specimen that has lost no stiffness
+        if direction < 0 and np.any(self.shape < 0):
+            last = int(np.argmax(self.shape < 0))
+            self.S, self.q, self.w, self.shape = (a[: max(last, 1)] for a in (self.S, self.q, self.w, self.shape))
+
+
+class Specimen:
+    """The state of a specimen on its rig, and what its past has left: stiffness, and the settling of its supports.
+
+    friction(S) is the coefficient in the first loading. stiffness(w) is the share left, and settling(w) the way the supports have
+    given way, when the greatest deflection so far is w.
+    """
+
+    def __init__(self, map_, k, friction, stiffness=None, settling=None, deepest=0.5):
+        self.map, self.k = map_, k
+        self.friction = lambda S: np.minimum(friction(S), FRICTION_LIMIT)
+        self.stiffness = stiffness or (lambda w: np.ones_like(w))
+        self.settling = settling or (lambda w: np.zeros_like(w))
+        last = float(map_.arc.ev(min(deepest, map_.deepest - 0.01), 0.0))
+        self.grid = np.arange(1 + ARC_STEP, last, ARC_STEP)
+        self.S = self.grid[0]
+        self.greatest = 0.0  # deflection so far
+
+    def stage(self, branch):
+        """Stage positions at which the states of a branch are in balance, and the share of stiffness left there."""
+        greatest = np.maximum(branch.w, self.greatest)
+        left = self.stiffness(greatest)
+        return branch.w + left * branch.shape / self.k + self.settling(greatest), left
+
+    def move(self, stages, direction, level):
+        """Goes through stage positions that rise (direction +1) or fall (-1). Returns a row each: S, q, w, F, stiffness left,
+        and +1, 0, -1 for sliding in, stuck, sliding out."""
+        branch = Branch(self, self.S, direction, level)
+        balance, left = self.stage(branch)
+        passed = np.maximum.accumulate(balance) if direction > 0 else np.minimum.accumulate(balance)
+        slides = direction * (stages - balance[0]) > 0
+        rows = np.zeros((len(stages), 6))
+        rows[slides] = self._sliding(branch, balance, left, passed, stages[slides])
+        if np.any(slides):
+            self.S = rows[slides][-1, 0] if rows[slides][-1, 5] else branch.S[-1]
+        lifted = slides & (rows[:, 5] == 0)
+        stuck = ~slides | lifted
+        start = Stuck(self, branch.S[0])
+        rows[~slides] = start.rows(stages[~slides])
+        if np.any(lifted):
+            rows[lifted] = Stuck(self, branch.S[-1]).rows(stages[lifted])
+        self.greatest = max(self.greatest, rows[:, 2].max(initial=0.0)) if direction > 0 else self.greatest
+        return rows
+
+    def _sliding(self, branch, balance, left, passed, stages):
+        """States at the first passage of each stage position; rows beyond the end of the branch are left zero."""
+        sign = branch.direction
+        after = np.searchsorted(sign * passed, sign * stages)  # first state at which the balance has reached the stage
+        beyond = after >= len(balance)
+        after = np.clip(after, 1, max(len(balance) - 1, 1))
+        if len(balance) < 2:
+            return np.zeros((len(stages), 6))
+        step = balance[after] - balance[after - 1]
+        part = np.where(sign * step > 0, (stages - balance[after - 1]) / np.where(step == 0, 1, step), 1.0)
+        part = np.clip(part, 0, 1)
+        between = lambda a: a[after - 1] + part * (a[after] - a[after - 1])
+        share = left[after]
+        rows = np.c_[between(branch.S), between(branch.q), between(branch.w), share * between(branch.shape), share,
+                     np.full(len(stages), sign)]
+        rows[beyond] = 0
+        return rows
+
+
+class Hinged(Specimen):
+    """A specimen that cracks at midspan: at each of its deflections a hinge opens to a compliance c, an angle per moment, and the
+    stiffness at small deflection falls to 1/(1 + 3 c)."""
+
+    def __init__(self, maps, k, friction, openings, deepest=0.5):
+        super().__init__(maps.get(), k, friction, deepest=deepest)
+        self.maps, self.openings, self.share = maps, list(openings), 1.0
+
+    def move(self, stages, direction, level):
+        rows = super().move(stages, direction, level) if not (self.openings and direction > 0) else None
+        if rows is None:
+            rows = self._load_until_it_cracks(stages, level)
+        rows[:, 4] = np.where(rows[:, 4] == 1, self.share, rows[:, 4])
+        return rows
+
+    def _load_until_it_cracks(self, stages, level):
+        before = self.S, self.greatest
+        rows = super().move(stages, +1, level)
+        cracked = rows[:, 2] > self.openings[0][0]
+        if not np.any(cracked):
+            return rows
+        first = int(np.argmax(cracked))
+        self.S, self.greatest = before
+        if first > 0:
+            rows[:first] = super().move(stages[:first], +1, level)
+            rows[:first, 4] = self.share
+        self.S = rows[first, 0]
+        self._open()
+        super().move(stages[first : first + 1], -1, level)  # the open hinge needs less arc, so that the specimen may slide out
+        rows[first:] = self.move(stages[first:], +1, level)
+        return rows
+
+    def _open(self):
+        compliance = self.openings.pop(0)[1]
+        self.map = self.maps.get(hinge=compliance)
+        self.share = 1 / (1 + 3 * compliance)
+
+
+class Stuck:
+    """States of a specimen that holds its arc S, over the friction that the maps hold."""
+
+    def __init__(self, specimen, S):
+        self.specimen, self.S = specimen, S
+        self.q = np.linspace(MOBILISED[0], MOBILISED[-1], STUCK_POINTS)
+        self.w = specimen.map.deflection(np.full(STUCK_POINTS, S), self.q)
+        self.left = float(specimen.stiffness(np.array([specimen.greatest]))[0])
+        self.F = self.left * specimen.map.force.ev(self.w, self.q)
+        self.given = float(specimen.settling(np.array([specimen.greatest]))[0])
+        self.balance = self.w + self.F / specimen.k + self.given
+
+    def rows(self, stages):
+        """A row for each stage position: without force where the nose has lifted off."""
+        if self.S <= self.specimen.grid[0] * (1 + 1e-12):
+            return self._straight(stages)
+        q = np.interp(stages, self.balance, self.q)
+        w = np.interp(stages, self.balance, self.w)
+        F = np.interp(stages, self.balance, self.F)
+        F = np.maximum(F, 0)
+        none = np.zeros_like(q)
+        return np.c_[none + self.S, q, w, F, none + self.left, none]
+
+    def _straight(self, stages):
+        """A specimen that is all but straight follows Euler and Bernoulli."""
+        way = np.maximum(stages - self.given, 0)
+        w = way / (1 + 48 * self.left / self.specimen.k)
+        none = np.zeros_like(w)
+        return np.c_[none + self.S, none, w, 48 * self.left * w, none + self.left, none]
