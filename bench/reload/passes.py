@@ -8,6 +8,7 @@ A specimen slides in on q = +mu(S), sticks while |q| < mu(S), and slides out on 
 first state on its way that is in balance with the load train, so that it snaps over stretches where none is stable.
 """
 
+import dataclasses
 import hashlib
 import importlib
 import pathlib
@@ -21,6 +22,20 @@ ARC_STEP = 4e-5  # of the grid in S; a row moves the support by some hundred of 
 MOBILISED = np.arange(-1.15, 1.56, 0.05)  # grid of the mobilised friction q in the maps
 STUCK_POINTS = 160  # between q = -mu and q = +mu, where S is constant
 FRICTION_LIMIT = 1.1  # the maps reach a little farther
+
+
+@dataclasses.dataclass
+class Path:
+    """What a specimen does: a row each stage position, in reduced units."""
+
+    stage: np.ndarray
+    S: np.ndarray
+    q: np.ndarray
+    w: np.ndarray
+    F: np.ndarray
+    left: np.ndarray  # share of the stiffness
+    sliding: np.ndarray  # +1 in, 0 stuck, -1 out
+    passed: np.ndarray  # number of the pass
 
 
 class Map:
@@ -107,46 +122,48 @@ class Specimen:
     def stage(self, branch):
         """Stage positions at which the states of a branch are in balance, and the share of stiffness left there."""
         greatest = np.maximum(branch.w, self.greatest)
+        if branch.direction > 0:
+            greatest = np.maximum.accumulate(greatest)
         left = self.stiffness(greatest)
         return branch.w + left * branch.shape / self.k + self.settling(greatest), left
 
     def move(self, stages, direction, level):
-        """Goes through stage positions that rise (direction +1) or fall (-1). Returns a row each: S, q, w, F, stiffness left,
-        and +1, 0, -1 for sliding in, stuck, sliding out."""
+        """Goes through stage positions that rise (direction +1) or fall (-1), where friction is level times that of the first pass.
+
+        Returns a row each: S, q, w, F, stiffness left, and +1, 0, -1 for sliding in, stuck, sliding out.
+        """
         branch = Branch(self, self.S, direction, level)
         balance, left = self.stage(branch)
-        passed = np.maximum.accumulate(balance) if direction > 0 else np.minimum.accumulate(balance)
         slides = direction * (stages - balance[0]) > 0
         rows = np.zeros((len(stages), 6))
-        rows[slides] = self._sliding(branch, balance, left, passed, stages[slides])
-        if np.any(slides):
-            self.S = rows[slides][-1, 0] if rows[slides][-1, 5] else branch.S[-1]
+        rows[~slides] = Stuck(self, branch.S[0]).rows(stages[~slides])
+        rows[slides] = first_passages(branch, balance, left, stages[slides])
         lifted = slides & (rows[:, 5] == 0)
-        stuck = ~slides | lifted
-        start = Stuck(self, branch.S[0])
-        rows[~slides] = start.rows(stages[~slides])
         if np.any(lifted):
             rows[lifted] = Stuck(self, branch.S[-1]).rows(stages[lifted])
-        self.greatest = max(self.greatest, rows[:, 2].max(initial=0.0)) if direction > 0 else self.greatest
+        if len(rows):
+            self.S = rows[-1, 0]
+            self.greatest = max(self.greatest, rows[:, 2].max()) if direction > 0 else self.greatest
         return rows
 
-    def _sliding(self, branch, balance, left, passed, stages):
-        """States at the first passage of each stage position; rows beyond the end of the branch are left zero."""
-        sign = branch.direction
-        after = np.searchsorted(sign * passed, sign * stages)  # first state at which the balance has reached the stage
-        beyond = after >= len(balance)
-        after = np.clip(after, 1, max(len(balance) - 1, 1))
-        if len(balance) < 2:
-            return np.zeros((len(stages), 6))
-        step = balance[after] - balance[after - 1]
-        part = np.where(sign * step > 0, (stages - balance[after - 1]) / np.where(step == 0, 1, step), 1.0)
-        part = np.clip(part, 0, 1)
-        between = lambda a: a[after - 1] + part * (a[after] - a[after - 1])
-        share = left[after]
-        rows = np.c_[between(branch.S), between(branch.q), between(branch.w), share * between(branch.shape), share,
-                     np.full(len(stages), sign)]
-        rows[beyond] = 0
+
+def first_passages(branch, balance, left, stages):
+    """The rows of the first states of a branch that are in balance at each stage position; zeros beyond its end."""
+    sign = branch.direction
+    rows = np.zeros((len(stages), 6))
+    if len(balance) < 2:
         return rows
+    passed = np.maximum.accumulate(sign * balance)
+    after = np.searchsorted(passed, sign * stages)  # first state at which the balance has reached the stage
+    within = after < len(balance)
+    after = np.clip(after[within], 1, None)
+    step = balance[after] - balance[after - 1]
+    part = np.where(sign * step > 0, (stages[within] - balance[after - 1]) / np.where(step == 0, 1, step), 1.0)
+    part = np.clip(part, 0, 1)
+    between = lambda a: a[after - 1] + part * (a[after] - a[after - 1])
+    states = [between(a) for a in (branch.S, branch.q, branch.w, left * branch.shape)]
+    rows[within] = np.c_[tuple(states) + (left[after], np.full(len(after), sign))]
+    return rows
 
 
 class Hinged(Specimen):
@@ -158,9 +175,10 @@ class Hinged(Specimen):
         self.maps, self.openings, self.share = maps, list(openings), 1.0
 
     def move(self, stages, direction, level):
-        rows = super().move(stages, direction, level) if not (self.openings and direction > 0) else None
-        if rows is None:
+        if self.openings and direction > 0:
             rows = self._load_until_it_cracks(stages, level)
+        else:
+            rows = super().move(stages, direction, level)
         rows[:, 4] = np.where(rows[:, 4] == 1, self.share, rows[:, 4])
         return rows
 
@@ -172,9 +190,8 @@ class Hinged(Specimen):
             return rows
         first = int(np.argmax(cracked))
         self.S, self.greatest = before
-        if first > 0:
-            rows[:first] = super().move(stages[:first], +1, level)
-            rows[:first, 4] = self.share
+        rows[:first] = super().move(stages[:first], +1, level)
+        rows[:first, 4] = self.share
         self.S = rows[first, 0]
         self._open()
         super().move(stages[first : first + 1], -1, level)  # the open hinge needs less arc, so that the specimen may slide out
@@ -216,3 +233,10 @@ class Stuck:
         w = way / (1 + 48 * self.left / self.specimen.k)
         none = np.zeros_like(w)
         return np.c_[none + self.S, none, w, 48 * self.left * w, none + self.left, none]
+
+
+def follow(specimen, legs, levels):
+    """The path of a specimen whose stage goes through legs of positions, up and down in turn, with a level of friction each."""
+    rows = [specimen.move(leg, +1 if number % 2 == 0 else -1, levels[number]) for number, leg in enumerate(legs)]
+    passed = np.concatenate([np.full(len(leg), number) for number, leg in enumerate(legs)])
+    return Path(np.concatenate(legs), *np.concatenate(rows).T, passed)

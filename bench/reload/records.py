@@ -10,10 +10,14 @@ import argparse
 import csv
 import dataclasses
 import pathlib
+import shutil
 import sys
 import zlib
 
 import numpy as np
+
+import rod
+from passes import Branch, Hinged, Maps, Specimen, follow
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
 
@@ -30,6 +34,7 @@ KINDS = {
     "unload": ("any", "unload"),
     "twice": ("any", "twice"),
     "farther": ("any", "farther"),
+    "rod": ("none", "cycle"),  # of another mechanics: rod.py
 }
 
 
@@ -49,10 +54,13 @@ class Plan:
     friction_kind: str
     friction: object
     losses: list  # deflections and shares of sudden losses
-    slow_loss: float
-    settled: float  # for good at the greatest deflection of the first loading
-    toe: float
-    curvature: float  # natural, of the unloaded specimen
+    slow_loss: float = 0.0
+    slow_loss_power: float = 1.0  # of its growth with deflection
+    settled: float = 0.0  # for good at the greatest deflection of the first loading
+    settling_begins: float = 0.0  # deflection
+    settling_power: float = 1.0
+    toe: float = 0.0
+    curvature: float = 0.0  # natural, of the unloaded specimen
 
 
 # ---- what is drawn
@@ -84,8 +92,8 @@ def slow(random, size, reach):
 def draw_friction(random, damage, reach):
     """The name and the function of friction over S; friction is nowhere below .02."""
     mean = random.uniform(0.15, 0.9)
-    choices = ["constant", "slow"] if damage == "cracks" else ["wave", "rough"] if damage == "both" else ["constant", "wave", "rough", "slow"]
-    kind = random.choice(choices)
+    choices = {"cracks": ["constant", "slow"], "both": ["wave", "rough"]}
+    kind = random.choice(choices.get(damage, ["constant", "wave", "rough", "slow"]))
     trend = slow(random, 0.15, reach) if kind == "slow" or random.uniform() < 0.25 else lambda S: 0 * S
     if kind == "wave":
         height, length, phase = mean * random.uniform(0.05, 0.3), logarithmic(random, 0.008, 0.05), random.uniform(0, 2 * np.pi)
@@ -122,7 +130,14 @@ def draw_depth(random):
     return 0.0 if random.uniform() < 0.12 else random.uniform(0, 0.55)
 
 
-def draw_plan(random, kind):
+def draw_curvature(random):
+    """The natural curvature of a bow of .0013 spans (standard deviation), on the grid for which maps are kept."""
+    step = 0.0007
+    return 8 * step * float(np.clip(np.round(random.normal(0, 0.0013) / step), -4, 4))
+
+
+def draw_plan(random, shapes, kind):
+    """A plan. The curves by which stiffness and supports give way come from random numbers of their own."""
     damage, programme = KINDS[kind]
     if damage == "any":
         damage = str(random.choice(["none", "cracks", "both"], p=[0.4, 0.35, 0.25]))
@@ -146,7 +161,10 @@ def draw_plan(random, kind):
         slow_loss=random.uniform(0.04, 0.25) if damage == "slow" else 0.0,
         settled=random.uniform(0, 0.05) * deepest if damage == "settled" else 0.0,
         toe=random.uniform(0.001, 0.008) if damage == "toe" else 0.0,
-        curvature=0.0 if damage == "hinge" else 8 * 0.0007 * float(np.clip(np.round(random.normal(0, 0.0013) / 0.0007), -4, 4)),
+        curvature=0.0 if damage == "hinge" else draw_curvature(random),
+        slow_loss_power=shapes.uniform(0.7, 2),
+        settling_begins=shapes.uniform(0.1, 0.5) * deepest,
+        settling_power=shapes.uniform(0.8, 2),
     )
 
 
@@ -158,33 +176,34 @@ def growth(start, end, power):
     return lambda w: np.clip((w - start) / (end - start), 0, 1) ** power
 
 
-def make_specimen(random, plan, maps):
-    from passes import Hinged, Specimen
+def hinge_compliance(left):
+    """The compliance of a hinge that leaves this share of the stiffness, on the grid for which maps are kept."""
+    return round((1 / left - 1) / 3 / 0.005) * 0.005
 
+
+def shares_left(plan):
+    """The share of the stiffness that is left after each sudden loss, from 1 on."""
+    return np.cumprod([1.0] + [1 - loss for _, loss in plan.losses])
+
+
+def make_specimen(plan, maps):
+    places, shares = np.array([w for w, _ in plan.losses]), shares_left(plan)
     if plan.damage == "hinge":
-        left, openings = 1.0, []
-        for w, loss in plan.losses:
-            left *= 1 - loss
-            openings.append((w, round((1 / left - 1) / 3 / 0.005) * 0.005))
+        openings = [(w, hinge_compliance(left)) for w, left in zip(places, shares[1:])]
         return Hinged(maps, plan.k, plan.friction, openings)
-    places = np.array([w for w, _ in plan.losses])
-    shares = np.cumprod([1.0] + [1 - loss for _, loss in plan.losses])
-    gradual = growth(0.06, plan.deepest, random.uniform(0.7, 2))
+    gradual = growth(0.06, plan.deepest, plan.slow_loss_power)
+    giving = growth(plan.settling_begins, plan.deepest, plan.settling_power)
     stiffness = lambda w: shares[np.searchsorted(places, w)] * (1 - plan.slow_loss * gradual(w))
-    giving = growth(random.uniform(0.1, 0.5) * plan.deepest, plan.deepest, random.uniform(0.8, 2))
     settling = lambda w: plan.settled * giving(w)
     return Specimen(maps.get(curvature=plan.curvature), plan.k, plan.friction, stiffness, settling)
 
 
-def stage_at(random, plan, maps, deflection):
+def stage_at(plan, maps, deflection):
     """The stage position of the first loading at which a deflection is first reached; None if the rig never comes to rest there."""
-    from passes import Branch, Hinged, Specimen
-
     if plan.damage == "hinge":
-        left = np.prod([1 - loss for _, loss in plan.losses])
-        specimen = Specimen(maps.get(hinge=round((1 / left - 1) / 3 / 0.005) * 0.005), plan.k, plan.friction)
+        specimen = Specimen(maps.get(hinge=hinge_compliance(shares_left(plan)[-1])), plan.k, plan.friction)
     else:
-        specimen = make_specimen(random, plan, maps)
+        specimen = make_specimen(plan, maps)
     branch = Branch(specimen, specimen.S, +1, 1.0)
     balance, _ = specimen.stage(branch)
     stable = balance >= np.maximum.accumulate(balance)
@@ -195,15 +214,12 @@ def stage_at(random, plan, maps, deflection):
     return float(balance[first]) if branch.w[first] < deflection + 0.04 else None
 
 
-def programme_of(plan, top, last):
-    """The turns of the stage, from where the record begins."""
+def turns_of(plan, top, last):
+    """Stage positions of the turns, from the contact on: every loading ends at the top, but the last where it goes farther."""
     turns = [0.0, top]
     for depth in plan.depths:
         turns += [depth * top, top]
-    if plan.programme == "unload":
-        turns = turns[:3]
-    turns[-1] = last if plan.programme != "unload" else turns[-1]
-    return turns
+    return turns[:-1] if plan.programme == "unload" else turns[:-1] + [last]
 
 
 def legs_of(turns, start, rows):
@@ -215,26 +231,6 @@ def legs_of(turns, start, rows):
         number = max(int(round(abs(b - a) / step)), 2)
         legs.append(a + (b - a) * np.arange(0 if not legs else 1, number + 1) / number)
     return legs
-
-
-@dataclasses.dataclass
-class Path:
-    """What the specimen does: a row each stage position."""
-
-    stage: np.ndarray
-    S: np.ndarray
-    q: np.ndarray
-    w: np.ndarray
-    F: np.ndarray
-    left: np.ndarray  # share of the stiffness
-    sliding: np.ndarray  # +1 in, 0 stuck, -1 out
-    passed: np.ndarray  # number of the pass
-
-
-def follow(specimen, legs, levels):
-    rows = [specimen.move(leg, +1 if number % 2 == 0 else -1, levels[number]) for number, leg in enumerate(legs)]
-    passed = np.concatenate([np.full(len(leg), number) for number, leg in enumerate(legs)])
-    return Path(np.concatenate(legs), *np.concatenate(rows).T, passed)
 
 
 # ---- the rig, and what is written
@@ -282,6 +278,12 @@ def draw_rig(random, k):
         states_bending=random.uniform() >= 0.2,
         states_rig=random.uniform() < 0.5,
     )
+
+
+def smaller_errors(rig):
+    """The rig of a rod: half of the errors, and a record that begins under a small force."""
+    halves = {name: getattr(rig, name) / 2 for name in ("span_error", "stiffness_error", "gain", "drift", "noise")}
+    return dataclasses.replace(rig, contact=-abs(rig.contact), **halves)
 
 
 def autoregressive(random, number, memory):
@@ -359,25 +361,25 @@ def count_drops(plan, path, noise):
     return int(np.sum(slips)), int(np.sum(cracks))
 
 
-def mean_friction(plan, path, specimen):
+def mean_friction(path, specimen):
     """The mean over the arc slid over in the first loading, from where the deflection is .06 on."""
     first = path.passed == 0
     start = float(np.interp(0.06, path.w[first], path.S[first]))
     return float(np.mean(specimen.friction(np.linspace(start, path.S[first].max(), 4000))))
 
 
-def truth_of(name, plan, rig, path, specimen):
+def truth_of(name, plan, rig, path, friction, settled):
     slips, cracks = count_drops(plan, path, rig.noise)
     return {
         "name": name,
         "kind": plan.kind,
         "damage": plan.damage,
-        "mean_friction": f"{mean_friction(plan, path, specimen):.5f}",
+        "mean_friction": f"{friction:.5f}",
         "friction": plan.friction_kind,
         "EI_true_over_stated": f"{1 / (1 + rig.bending_error):.5f}" if rig.states_bending else "",
         "EI_true": f"{rig.bending_stiffness:.6g}",
         "stiffness_lost": f"{1 - path.left[-1]:.5f}",
-        "settled": f"{specimen_settled(specimen):.5f}",
+        "settled": f"{settled:.5f}",
         "toe": f"{plan.toe:.5f}",
         "cause": "both" if slips and cracks else "slips" if slips else "cracks" if cracks else "none",
         "drops": slips + cracks,
@@ -391,62 +393,103 @@ def truth_of(name, plan, rig, path, specimen):
         "levels": " ".join(f"{level:.3f}" for level in plan.levels),
         "S_end": f"{path.S[path.passed == 0].max():.5f}",
         "noise": f"{rig.noise:.4f}",
+        "contact": f"{rig.contact:.5f}",
+        "bow": f"{plan.curvature / 8 + 0.0:.5f}",
+        "lag": f"{rig.lag:.3f}",
     }
-
-
-def specimen_settled(specimen):
-    return float(specimen.settling(np.array([specimen.greatest]))[0])
 
 
 # ---- one record, and all
 
 
-def make_record(kind, number, seed, maps, folder):
-    """Draws until the rig holds the specimen at the depth drawn, and writes the record. Returns its truth."""
+def record_of_map(name, kind, number, seed, attempt, maps):
+    """Plan, rig, path, mean friction and settling of one record; None if the rig does not hold the specimen at the depth drawn."""
+    random = np.random.default_rng([zlib.crc32(kind.encode()), number, seed, attempt])
+    shapes = np.random.default_rng([zlib.crc32(name.encode()), seed, attempt])
+    plan = draw_plan(random, shapes, kind)
+    top, last = stage_at(plan, maps, plan.deepest), stage_at(plan, maps, plan.farther)
+    if top is None or last is None:
+        return None
+    rig = draw_rig(random, plan.k)
+    specimen = make_specimen(plan, maps)
+    path = follow(specimen, legs_of(turns_of(plan, top, last), -rig.contact, plan.rows), plan.levels)
+    if path.w.max() > 0.40:
+        return None
+    settled = float(specimen.settling(np.array([specimen.greatest]))[0])
+    return random, plan, rig, path, mean_friction(path, specimen), settled
+
+
+def record_of_rod(kind, number, seed, attempt, rods):
+    """The same of the dynamic rod; None if it blew up."""
+    random = np.random.default_rng([zlib.crc32(kind.encode()), number, seed, attempt])
+    made = rod.simulate(random, rods)
+    if made is None:
+        return None
+    path, friction, k, turns, friction_kind = made
+    plan = Plan(
+        kind=kind,
+        damage="none",
+        programme="cycle",
+        k=k,
+        deepest=path.w.max(),
+        farther=path.w.max(),
+        depths=[turns[2] / turns[1]],
+        rows=len(path.stage),
+        levels=[1.0, 1.0, 1.0],
+        friction_kind=friction_kind,
+        friction=None,
+        losses=[],
+    )
+    return random, plan, smaller_errors(draw_rig(random, k)), path, friction, 0.0
+
+
+def make_record(kind, number, seed, maps, rods, folder):
+    """Draws until a record can be made, and writes it. Returns its truth."""
     name = f"{kind}-{number:03d}"
     for attempt in range(100):
-        random = np.random.default_rng([zlib.crc32(kind.encode()), number, seed, attempt])
-        plan = draw_plan(random, kind)
-        specimen_random = lambda: np.random.default_rng([zlib.crc32(name.encode()), seed, attempt])
-        top = stage_at(specimen_random(), plan, maps, plan.deepest)
-        last = stage_at(specimen_random(), plan, maps, plan.farther)
-        if top is None or last is None:
-            continue
-        rig = draw_rig(random, plan.k)
-        specimen = make_specimen(specimen_random(), plan, maps)
-        legs = legs_of(programme_of(plan, top, last), -rig.contact, plan.rows)
-        path = follow(specimen, legs, plan.levels)
-        if path.w.max() > 0.40 or not np.all(np.isfinite(path.F)):
-            continue
-        stage, F = read(random, rig, plan, path)
-        write_record(folder, name, rig, stage, F)
-        return truth_of(name, plan, rig, path, specimen)
+        if kind == "rod":
+            made = record_of_rod(kind, number, seed, attempt, rods)
+        else:
+            made = record_of_map(name, kind, number, seed, attempt, maps)
+        if made is not None:
+            random, plan, rig, path, friction, settled = made
+            write_record(folder, name, rig, *read(random, rig, plan, path))
+            return truth_of(name, plan, rig, path, friction, settled)
     raise RuntimeError(f"{name}: no plan of a hundred comes to rest")
 
 
 def write_truth(folder, truths):
-    with open(folder / "truth.csv", "w", newline="", encoding="utf-8") as file:
-        writer = csv.DictWriter(file, fieldnames=list(truths[0]))
+    """Writes the truths into truth.csv, beside those of other records that are there already."""
+    file = folder / "truth.csv"
+    new = {truth["name"] for truth in truths}
+    kept = [line for line in csv.DictReader(file.open(encoding="utf-8")) if line["name"] not in new] if file.exists() else []
+    with file.open("w", newline="", encoding="utf-8") as target:
+        writer = csv.DictWriter(target, fieldnames=list(truths[0]))
         writer.writeheader()
-        writer.writerows(truths)
+        writer.writerows(kept + truths)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("--kinds", nargs="+", default=list(KINDS), choices=list(KINDS))
-    parser.add_argument("--count", type=int, default=20, help="records of each kind")
+    parser.add_argument("--kinds", nargs="+", default=[kind for kind in KINDS if kind != "rod"], choices=list(KINDS))
+    parser.add_argument("--count", type=int, default=20, help="records of each kind; a rod takes about 10 s")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--prototypes", type=pathlib.Path, default=REPOSITORY.parent / "shared" / "prototypes")
     options = parser.parse_args()
-    if not (options.prototypes / "realrig" / "mech3.py").exists():
+    needed = [options.prototypes / "realrig" / "mech3.py", options.prototypes / "rod" / "der.cpp"]
+    if not all(file.exists() for file in needed):
         print(f"No records made: the prototypes are not in {options.prototypes}; say where they are with --prototypes.")
         return 0
-    from passes import Maps
-
     maps = Maps(options.prototypes / "realrig")
+    if "rod" in options.kinds and shutil.which("g++") is None:
+        print("No records made: rods need g++, which is not installed.")
+        return 0
+    rods = rod.Rods(options.prototypes) if "rod" in options.kinds else None
     options.out.mkdir(parents=True, exist_ok=True)
-    truths = [make_record(kind, number, options.seed, maps, options.out) for kind in options.kinds for number in range(options.count)]
+    truths = [
+        make_record(kind, number, options.seed, maps, rods, options.out) for kind in options.kinds for number in range(options.count)
+    ]
     write_truth(options.out, truths)
     print(f"{len(truths)} records in {options.out}")
     return 0

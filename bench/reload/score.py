@@ -12,10 +12,12 @@ import json
 import math
 import os
 import pathlib
+import statistics
 import subprocess
 import sys
 
 ENOUGH_ROWS_OUT = 60  # rows sliding out from which the unloading should tell friction
+LOST = 0.02  # true loss from which a record counts as cracked
 DECIDED = 0.95  # probability from which a cause counts as decided
 
 
@@ -106,34 +108,38 @@ def shown(value, digits=3):
 
 
 def print_table(title, columns, lines):
-    """A table of plain text: a line a group."""
+    """A table of plain text: a line a group, its name on the left."""
     print(f"\n{title}")
     widths = [max(len(str(line[i])) for line in [columns] + lines) for i in range(len(columns))]
-    for line in [columns] + lines:
-        print("  ".join(str(cell).ljust(width) if i == 0 else str(cell).rjust(width) for i, (cell, width) in enumerate(zip(line, widths))))
+    for name, *cells in [columns] + lines:
+        print("  ".join([str(name).ljust(widths[0])] + [str(cell).rjust(width) for cell, width in zip(cells, widths[1:])]))
 
 
 def loss_line(name, rows):
     with_loss = told(rows, "loss")
     errors = [row["loss"] - float(row["loss_true"]) for row in with_loss]
-    within = [row["loss_error"] is not None and abs(e) <= 2 * row["loss_error"] for row, e in zip(with_loss, errors)]
-    mean_error = [row["loss_error"] for row in with_loss if row["loss_error"] is not None]
-    return [name, len(rows), len(rows) - len(with_loss), shown(share(row["loss"] is not None for row in rows), 2), shown(share(within), 2),
-            shown(root_mean_square(errors), 4), shown(root_mean_square(mean_error), 4)]
+    stated = [row["loss_error"] for row in with_loss if row["loss_error"] is not None]
+    within = [row["loss_error"] is not None and abs(error) <= 2 * row["loss_error"] for row, error in zip(with_loss, errors)]
+    nulls = len(rows) - len(with_loss)
+    told_share = shown(share(row["loss"] is not None for row in rows), 2)
+    sizes = [shown(root_mean_square(errors), 4), shown(root_mean_square(stated), 4)]
+    return [name, len(rows), nulls, told_share, shown(share(within), 2), *sizes]
 
 
 def friction_line(name, rows):
     with_friction = told(rows, "friction")
     errors = [row["friction"] - float(row["friction_true"]) for row in with_friction]
     half = [(row["friction_high"] - row["friction_low"]) / 2 for row in with_friction if row["friction_low"] is not None]
-    return [name, len(rows), len(rows) - len(with_friction), shown(root_mean_square(errors)), shown(share(covered(row, "friction") for row in with_friction), 2),
-            shown(sorted(half)[len(half) // 2] if half else None)]
+    coverage = shown(share(covered(row, "friction") for row in with_friction), 2)
+    width = shown(statistics.median(half) if half else None)
+    return [name, len(rows), len(rows) - len(with_friction), shown(root_mean_square(errors)), coverage, width]
 
 
 def stiffness_line(name, rows):
     with_EI = told(rows, "EI")
     errors = [100 * (row["EI"] / float(row["EI_true"]) - 1) for row in with_EI]
-    return [name, len(rows), len(rows) - len(with_EI), shown(root_mean_square(errors), 2), shown(share(covered(row, "EI") for row in with_EI), 2)]
+    coverage = shown(share(covered(row, "EI") for row in with_EI), 2)
+    return [name, len(rows), len(rows) - len(with_EI), shown(root_mean_square(errors), 2), coverage]
 
 
 def cause_line(name, rows):
@@ -143,16 +149,21 @@ def cause_line(name, rows):
     return [name, len(with_drops), len(decided), len(wrong)]
 
 
+def split_groups(rows):
+    """Records that lost stiffness or not, with many rows sliding out or few."""
+    groups = []
+    for cracked in (False, True):
+        for enough in (True, False):
+            name = f"{'cracked' if cracked else 'not cracked'}, {'>=' if enough else '<'} {ENOUGH_ROWS_OUT} rows out"
+            alike = lambda row: (float(row["loss_true"]) > LOST) == cracked and (int(row["rows_out"]) >= ENOUGH_ROWS_OUT) == enough
+            groups.append((name, [row for row in rows if alike(row)]))
+    return groups
+
+
 def print_tables(rows):
     kinds = list(dict.fromkeys(row["kind"] for row in rows))
     groups = [(kind, [row for row in rows if row["kind"] == kind]) for kind in kinds] + [("all", rows)]
-    cracked = lambda row: float(row["loss_true"]) > 0.02
-    enough = lambda row: int(row["rows_out"]) >= ENOUGH_ROWS_OUT
-    split = [
-        (f"{'cracked' if c else 'not cracked'}, {'>=' if e else '<'} {ENOUGH_ROWS_OUT} rows out", [row for row in rows if cracked(row) == c and enough(row) == e])
-        for c in (False, True)
-        for e in (True, False)
-    ]
+    split = split_groups(rows)
     loss = ["kind", "records", "null", "told", "within 2 errors", "rms", "error stated"]
     friction = ["kind", "records", "null", "rms", "covered", "half width (median)"]
     stiffness = ["kind", "records", "null", "rms %", "covered"]
