@@ -26,7 +26,11 @@ std::vector<Crack> in_reverse(std::vector<Crack> cracks) {
 }  // namespace
 
 CrackingFibre::CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest)
-    : test_(std::move(test)), farthest_(farthest), cracks_(in_reverse(std::move(cracks))), fibre_(test_, farthest) {}
+    : test_(std::move(test)), farthest_(farthest), cracks_(in_reverse(std::move(cracks))), fibre_(test_, farthest) {
+  if (!(test_.wear > 0 && test_.wear <= 1))
+    throw std::invalid_argument("wear leaves a share of friction above 0 and at most 1, not " +
+                                std::to_string(test_.wear));
+}
 
 PathPoint CrackingFibre::in_first_units(PathPoint point) const {
   point.F *= left_;
@@ -45,12 +49,21 @@ StretchWork CrackingFibre::in_first_units(const StretchWork& work) const {
 std::optional<Stretch> CrackingFibre::advance_towards(double stage) {
   if (end() != HistoryStatus::ok) return std::nullopt;
   if (due_) return crack();
+  wear_at_turn(stage);
   std::optional<Stretch> stretch;
-  if (std::exchange(cracked_, false)) stretch = fibre_.settle();
+  if (std::exchange(has_to_settle_, false)) stretch = fibre_.settle();
   if (!stretch) stretch = cracks_.empty() ? fibre_.advance_towards(stage) : advance_to_next(stage);
   if (!stretch) return due_ ? crack() : stretch;
   due_ = due_ || (!cracks_.empty() && stretch->to.w >= cracks_.back().w);
   return in_first_units(*stretch);
+}
+
+void CrackingFibre::wear_at_turn(double stage) {
+  const double here = fibre_.state().stage;
+  const Sliding onward = stage == here ? towards_ : stage > here ? Sliding::in : Sliding::out;
+  if (std::exchange(towards_, onward) == onward || test_.wear == 1) return;
+  fibre_.scale_friction(test_.wear);
+  has_to_settle_ = true;
 }
 
 // No farther than to the next crack.
@@ -77,7 +90,7 @@ Stretch CrackingFibre::crack() {
   const EnergyAccount before = energy(stretch.from), after = energy(stretch.to);
   stretch.jump.cracked = before.bending + before.load_train - (after.bending + after.load_train);
   due_ = !cracks_.empty() && stretch.to.w >= cracks_.back().w;
-  cracked_ = true;
+  has_to_settle_ = true;
   return stretch;
 }
 
@@ -307,7 +320,7 @@ SlidingLimits limits_of(const BendingTest& test, const History& history) {
   for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
   const Friction& friction = test.friction.kinetic;
   SlidingLimits limits{drawn(friction, Sliding::in, S_max, test.rig.fibre), {}};
-  if (!friction.depends_on_way()) limits.out = drawn(friction, Sliding::out, S_max, test.rig.fibre);
+  if (!friction.depends_on_way()) limits.out = drawn(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
   return limits;
 }
 

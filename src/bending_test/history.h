@@ -23,16 +23,20 @@ namespace flexslip {
 // of its stiffness left, it may need any friction: where not even largest_q would hold it, it is drawn in as it cracks, to where that does,
 // and what friction takes on that way counts as set free by the crack. Static friction holds again after a crack. Less EI is the same fibre
 // on a rig that is stiffer in the reduced units (theory.md, "Cracks").
+//
+// A specimen that wears: at each turn of the stage friction falls to a share of what it was, at rest and in sliding, everywhere along the
+// specimen. Where the lower friction does not hold the specimen, it slides at once until it does, in a snap. So on the pass after p turns friction
+// is wear^p of that of the test. A halt is no turn.
 
 struct Crack {
   double w;     // [L] the deflection at which it happens; one that a snap or another crack passes happens at its end
   double loss;  // [1] of the bending stiffness left, in (0, 1)
 };
 
-// Moves as MovingFibre does, with cracks as stretches among the others. All is in units of the first bending stiffness.
+// Moves as MovingFibre does, with cracks as stretches among the others, and wears. All is in units of the first bending stiffness.
 class CrackingFibre {
  public:
-  // Domain: as MovingFibre; cracks in any order, w > 0, loss in (0, 1); std::invalid_argument otherwise.
+  // Domain: as MovingFibre; cracks in any order, w > 0, loss in (0, 1); wear in (0, 1]; std::invalid_argument otherwise.
   CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest);
 
   PathPoint state() const { return in_first_units(fibre_.state()); }
@@ -52,14 +56,16 @@ class CrackingFibre {
   StretchWork in_first_units(const StretchWork& work) const;
   std::optional<Stretch> advance_to_next(double stage);
   Stretch crack();
+  void wear_at_turn(double stage);
   Rig rig() const { return {test_.rig.stiffness / left_, test_.rig.fibre}; }
 
   BendingTest test_;
   double farthest_;
   std::vector<Crack> cracks_;  // to come, the next one last
   double left_ = 1;
-  bool due_ = false;      // the next crack
-  bool cracked_ = false;  // and has yet to settle
+  bool due_ = false;               // the next crack
+  bool has_to_settle_ = false;     // after a crack, or worn
+  Sliding towards_ = Sliding::in;  // where the stage moved last
   MovingFibre fibre_;
 };
 
@@ -135,7 +141,7 @@ struct EquilibriumPortrait {
 // Domain: S_max > 1.
 EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max);
 
-// The curves on which the specimen slides in a test, as far as it goes.
+// The curves on which the specimen slides in a test, as far as it goes: of the first two passes.
 struct SlidingLimits {
   std::vector<EquilibriumPoint> in, out;  // none out of a friction that depends on where the specimen turns back
 };

@@ -123,16 +123,44 @@ void MovingFibre::return_to(const Position& position) {
 }
 
 std::optional<Stretch> MovingFibre::settle() {
-  if (end_ != HistoryStatus::ok || std::abs(state_.q) <= limit_at(state_.q > 0 ? Sliding::in : Sliding::out))
-    return std::nullopt;
-  if (Shallow::holds(test_.rig.fibre, state_.S, state_.w)) return std::nullopt;
-  return snap(state_.q > 0 ? Sliding::in : Sliding::out);
+  const Fibre& fibre = test_.rig.fibre;
+  const bool is_straight = fibre.begins_straight() ? state_.S == 1 : state_.w == 0;
+  if (end_ != HistoryStatus::ok || is_straight) return std::nullopt;
+  const Sliding sliding = state_.q > 0 ? Sliding::in : Sliding::out;
+  if (!fibre.begins_straight()) {
+    const PathPoint rest = shallow().held(state_.stage, state_.q);
+    if (is_shallow(sliding) || Shallow::holds(fibre, rest.S, rest.w)) return settle_shallow(rest);
+  }
+  if (std::abs(state_.q) <= limit_at(sliding)) return std::nullopt;
+  return snap(sliding);
+}
+
+std::optional<Stretch> MovingFibre::settle_shallow(PathPoint rest) {
+  constexpr double level = 1e-11;  // of friction, as in shallow.cpp
+  if (std::abs(rest.q - state_.q) <= level) return std::nullopt;
+  rest.motion = Motion::snap;
+  const auto stored = [&](const PathPoint& point) {
+    const EnergyAccount energy = account_after({}, {}, point, test_.rig);
+    return energy.bending + energy.load_train;
+  };
+  return jump_to(rest, {stored(state_) - stored(rest), 0});
+}
+
+void MovingFibre::scale_friction(double factor) {
+  test_.friction = test_.friction.scaled(factor);
+  halt();
+  retrace();
 }
 
 // The way from here on: what lies behind is another one.
 void MovingFibre::lead_on(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
+  retrace();
+}
+
+void MovingFibre::retrace() {
+  const Friction& friction = test_.friction.kinetic;
   in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
@@ -216,6 +244,7 @@ Stretch MovingFibre::move_apart(double stage) {
 std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
   const SlidingCurve& curve = curve_of(sliding, state_.S);
   const double direction = direction_of(sliding);
+  if (!is_on(curve, state_.S)) return lose(sliding);  // of worn friction it ends earlier
   const bool is_known = here_.S == state_.S && here_.q == state_.q;
   StablePart part = stable_part_from(curve, is_known ? here_ : point_at_length(curve, state_.S));
   if (part.to.S > longest_sliding) {
@@ -247,6 +276,7 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
   const double direction = direction_of(sliding);
   const double S = state_.S;
   glide_.reset();
+  if (!is_on(curve, S)) return lose(sliding);
   auto landing = landing_after(curve, S, state_.stage);
   if (landing && landing->S > longest_sliding) return lose(sliding);
   const auto work =

@@ -33,6 +33,7 @@ struct BendingTest {
       friction;  // on two supports that are not alike without a static excess, and at rest at the nearest stable state
   Rig rig;
   SnapRest rest = SnapRest::nearest_stable;
+  double wear = 1;  // [1] share of friction that each turn of the stage leaves (CrackingFibre), in (0, 1]
 };
 
 // A part of the way that a test takes.
@@ -74,8 +75,12 @@ class MovingFibre {
   const FrictionLaw& friction() const { return test_.friction; }
 
   // The snap (with an excess of static friction, maybe a slip that runs on) in which a fibre comes to rest that friction does not hold
-  // where it is. None if it does, or if it slips through: see end().
+  // where it is. None if it does, or if it slips through or springs off the nose: see end(). What a shallow fibre sets free counts as friction.
   std::optional<Stretch> settle();
+
+  // Friction, at rest and in sliding, is from here on so many times as large: whether it holds the fibre where it is, settle() says.
+  // Domain:     as Friction::scaled.
+  void scale_friction(double factor);
 
   // The next stretch on the way to a stage position; none when it is there, or when end() says why it never will be.
   // Domain:     0 <= stage <= farthest; std::invalid_argument otherwise.
@@ -121,6 +126,7 @@ class MovingFibre {
   bool is_free() const { return state_.F == 0 && state_.S > 1; }
   Stretch move_apart(double stage);
   std::optional<Stretch> snap(Sliding sliding);
+  std::optional<Stretch> settle_shallow(PathPoint rest);
   std::optional<Stretch> overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work);
   std::optional<Stretch> lose(Sliding sliding);
   Stretch move_to(const PathPoint& point);
@@ -128,6 +134,7 @@ class MovingFibre {
   SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
   const SlidingCurve& curve_of(Sliding sliding, double S);
   void lead_on(Sliding sliding);
+  void retrace();
 
   BendingTest test_;
   double farthest_;

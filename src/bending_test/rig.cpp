@@ -102,9 +102,7 @@ RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const Ri
 }
 
 void require_on(const SlidingCurve& curve, double S) {
-  const double direction = direction_of(curve.sliding);
-  const double rounding = 0x1p-51 * S;  // of a length: that of σ², of which it is made
-  if (!(direction * (S - curve.begin.S) >= -rounding && direction * (curve.end.S - S) >= -rounding))
+  if (!is_on(curve, S))
     throw std::invalid_argument("length S = " + std::to_string(S) + " is not on the curve, which leads from " +
                                 std::to_string(curve.begin.S) + " to " + std::to_string(curve.end.S));
 }
@@ -129,6 +127,12 @@ double longest_at_stage(double stage) {
     throw std::invalid_argument("stage position must be at least 1e-6 spans, not " + std::to_string(stage));
   constexpr double rounding = 0x1p-51;  // of the lengths near 1 that belong to small stage positions
   return 1 + 2.4 * stage * stage + rounding;
+}
+
+bool is_on(const SlidingCurve& curve, double S) {
+  const double direction = direction_of(curve.sliding);
+  const double rounding = 0x1p-51 * S;  // of a length: that of σ², of which it is made
+  return direction * (S - curve.begin.S) >= -rounding && direction * (curve.end.S - S) >= -rounding;
 }
 
 RigPoint point_at_length(const SlidingCurve& curve, double S) {

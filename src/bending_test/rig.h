@@ -65,6 +65,9 @@ struct SlidingCurve {
 // Method:     w <= stage, and S - 1 <= 2.4 w^2, which is the limit of small deflection (tested for q in [0, 20]).
 double longest_at_stage(double stage);
 
+// True if the curve leads over a length, to rounding.
+bool is_on(const SlidingCurve& curve, double S);
+
 // Domain: S on the curve, from curve.begin to curve.end; std::invalid_argument otherwise. So for all that follows.
 RigPoint point_at_length(const SlidingCurve& curve, double S);
 

@@ -171,7 +171,7 @@ void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<
 void read_supports(const Keys& keys, Test& test) {
   FrictionInput& friction = test.friction.emplace();
   if (keys.size() == 0) return;
-  read_friction(keys, friction, {"static_excess", "other"});
+  read_friction(keys, friction, {"static_excess", "wear", "other"});
   if (const toml::node* node = keys.find("other")) {
     if (!node->is_table())
       keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(*node));

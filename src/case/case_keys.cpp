@@ -228,6 +228,11 @@ constexpr std::array keys{
              ". It does not reach into valleys narrower than itself"),
     quantity(at<&FrictionInput::static_excess>, "static_excess", kind::number, Range::non_negative, "0.1", "0.1",
              "excess of static over kinetic friction; 0 unless given", ". Only for simulate"),
+    at_most(1, "it is the share that is left",
+            quantity(at<&FrictionInput::wear>, "wear", kind::number, Range::positive, "0.9", "0.9",
+                     "share of friction that is left after each turn of the stage; 1 unless given",
+                     ", which is no wear. Only for simulate: after p turns of the `program` friction is wear^p of that "
+                     "stated, everywhere along the specimen ([theory.md](theory.md#wear))")),
     plain(of_friction, "other", Holds::section, "", "friction of the other support, if it differs",
           ", in a section `[friction.other]` with a model and its keys"),
     // stage

@@ -441,6 +441,7 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   if (fibre.supports().radius > 0) refuse("rig.roller_radius", "rollers");
   if (friction.static_excess.value_or(0) > 0)
     refuse("friction.static_excess", fmt::format("{:g}", *friction.static_excess));
+  if (friction.wear.value_or(1) < 1) refuse("friction.wear", fmt::format("{:g}", *friction.wear));
   if (test.stage->snaps == SnapRest::overshoot) refuse("stage.snaps", "\"overshoot\"");
   FrictionTable out = std::get<FrictionTable>(inwards.form());
   const double mu0 = *friction.mu0;
@@ -642,7 +643,11 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   if (kinetic.two_supports() && snaps == SnapRest::overshoot)
     refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
            "delete it, or [friction.other]");
-  return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps};
+  const double wear = test.friction->wear.value_or(1);
+  if (wear < 1 && test.stage && test.stage->file)
+    refuse("friction.wear", "a program of the stage, as the noise of a measured one turns it again and again",
+           fmt::format("{:g}", wear), "write a program into [stage] instead of its file");
+  return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps, wear};
 }
 
 double periods_up_to(const Friction& friction, double stage) {

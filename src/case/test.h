@@ -114,6 +114,7 @@ struct FrictionInput {
   std::uint64_t level = 1;                        // degree of the polynomial that is taken off
   std::optional<double> cutoff{}, edge_radius{};  // [m] of a filter; of the support, none: that of its rollers
   std::optional<double> static_excess{};          // [1] of the static friction over the kinetic one
+  std::optional<double> wear{};                   // [1] share of friction that a turn of the stage leaves; none: 1
   std::shared_ptr<const FrictionTable> points{};  // what the file holds, once it is read: S [m] and μ
   bool operator==(const FrictionInput&) const = default;
 

@@ -186,6 +186,25 @@ Friction Friction::from(double S, double q, double direction) const {
   return onward ? Friction(std::move(onward)) : *this;
 }
 
+std::shared_ptr<const PathDependentFriction> PathDependentFriction::scaled(double /*factor*/) const {
+  throw std::invalid_argument("only friction of the points of a specimen can be scaled");
+}
+
+Friction Friction::scaled(double factor) const {
+  if (way()) return Friction(way()->scaled(factor));
+  if (const auto* own = std::get_if<FrictionTable>(&form_)) {
+    FrictionTable table = *own;
+    for (double& mu : table.mu) mu *= factor;
+    Friction scaled(std::move(table));
+    scaled.met_ = met_;
+    return scaled;
+  }
+  FrictionWaves waves = std::get<FrictionWaves>(form_);
+  waves.mu0 *= factor;
+  waves.drift *= factor;
+  return Friction(std::move(waves));
+}
+
 const PathDependentFriction* Friction::way() const {
   const auto* way = std::get_if<std::shared_ptr<const PathDependentFriction>>(&form_);
   return way ? way->get() : nullptr;

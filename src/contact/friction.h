@@ -83,6 +83,10 @@ class PathDependentFriction {
     return nullptr;
   }
   virtual bool depends_on_way() const { return false; }
+
+  // Of a specimen on which it is so many times as large.
+  // Domain: friction that is its points' own; std::invalid_argument otherwise.
+  virtual std::shared_ptr<const PathDependentFriction> scaled(double factor) const;
 };
 
 class TwoSupportPath;
@@ -115,6 +119,10 @@ class Friction {
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
   const TwoSupportPath* two_supports() const;                               // none of one profile
+
+  // So many times as large everywhere along the specimen: of rollers on pins, the friction of the pins stays.
+  // Domain: factor finite and >= 0, friction of the points of a specimen; std::invalid_argument otherwise.
+  Friction scaled(double factor) const;
 
   // Domain: S > 0; a table is constant before its first knot.
   // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
@@ -179,6 +187,8 @@ struct FrictionLaw {
   FrictionLaw(Friction coulomb)  // NOLINT(google-explicit-constructor): a friction is a law by itself
       : FrictionLaw(std::move(coulomb), Friction::constant(0)) {}
   FrictionLaw(Friction sliding, Friction excess) : kinetic(std::move(sliding)), static_excess(std::move(excess)) {}
+
+  FrictionLaw scaled(double factor) const { return {kinetic.scaled(factor), static_excess.scaled(factor)}; }
 };
 
 // μ_s. Domain: S >= 1.

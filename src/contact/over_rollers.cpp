@@ -222,6 +222,9 @@ class Capped final : public PathDependentFriction {
   double smooth_scale() const override { return friction_.smooth_scale(); }
   double max_up_to(double S_max) const override { return std::min(friction_.max_up_to(S_max), cap_); }
   std::span<const double> knots() const override { return knots_; }
+  std::shared_ptr<const PathDependentFriction> scaled(double factor) const override {
+    return std::make_shared<const Capped>(friction_.scaled(factor), cap_, knots_.back());
+  }
 
  private:
   bool is_capped(double S) const { return friction_.at(S).mu > cap_; }

@@ -44,6 +44,9 @@ void require_one_loading(const Test& input) {
     throw wrong_value(input, "friction.static_excess", "no excess of static friction, as one loading is planned",
                       fmt::format("{:g}", *input.friction->static_excess),
                       "leave it out; flexslip simulate shows what it does");
+  if (input.friction && input.friction->wear.value_or(1) < 1)
+    throw wrong_value(input, "friction.wear", "friction that does not wear, as one loading is planned",
+                      fmt::format("{:g}", *input.friction->wear), "leave it out; flexslip simulate shows what it does");
   if (!input.specimen->cracks.empty())
     throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as one loading is planned",
                       fmt::format("{} of them", input.specimen->cracks.size()),

@@ -175,8 +175,8 @@ TEST_CASE("table: the friction that can be described") {
                  "[[friction.waves]]\namplitude = 0.2\nwavelength = '3 um'") == two);
   CHECK(friction("model = 'table'\nfile = 'afm.csv'\nlength = 'S [um]'") ==
         FrictionInput{.model = table, .file = "data/afm.csv", .length = "S [um]"});
-  CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05") ==
-        FrictionInput{.model = constant, .mu0 = 0.5, .static_excess = 0.05});
+  CHECK(friction("model = 'constant'\nmu0 = 0.5\nstatic_excess = 0.05\nwear = 0.9") ==
+        FrictionInput{.model = constant, .mu0 = 0.5, .static_excess = 0.05, .wear = 0.9});
   CHECK(friction("model = 'rough'\nmu0 = 0.5\nrms = 0.1\ncorrelation_length = '5 um'\nseed = 7") ==
         FrictionInput{.model = rough, .mu0 = 0.5, .rms = 0.1, .correlation_length = 5e-6, .seed = 7});
   CHECK(friction("model = 'surface'\nmu0 = 0.5\ntrace = 'afm.csv'") ==

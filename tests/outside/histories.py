@@ -123,6 +123,47 @@ class StaticFriction(InFolder):
         self.refused("simulate", case, says=["case.toml:7", "[friction] static_excess", "at most 20"])
 
 
+class Wear(InFolder):
+    WORN = CONSTANT.replace("mu0 = 0.4", "mu0 = 0.5\nwear = 0.6")
+    STAGE = "[stage]\nprogram = [0, 0.45, 0.1, 0.45]\n"
+
+    def simulated(self, case, *options):
+        return self.json("simulate", self.file("case.toml", case), *options)
+
+    def test_each_pass_slides_at_its_own_friction_and_the_energies_close(self):
+        for step in "", "step = 0.01\n":
+            answer = self.simulated(self.WORN + self.STAGE + step)
+            levels = {(point["motion"], round(point["q"], 12)) for point in answer["path"] if point["motion"].startswith("slip")}
+            self.assertEqual(levels, {("slip_in", 0.5), ("slip_out", -0.3), ("slip_in", 0.18)})
+            self.assertEqual([snap["stage"] for snap in answer["snaps"]], [0.45, 0.1])
+            energy = answer["energy"]
+            self.assertAlmostEqual(energy["stage_work"], sum(energy[name] for name in ENERGIES[1:]), delta=1e-10)
+
+    def test_identity_a_wear_of_1_is_none(self):
+        self.assertEqual(self.simulated(WAVY + LOOP), self.simulated(WAVY + "wear = 1\n" + LOOP))
+
+    def test_limit_a_test_that_only_loads_does_not_wear(self):
+        once = "[stage]\nprogram = [0, 0.5]\nstep = 0.01\n"
+        self.assertEqual(self.simulated(WAVY + once), self.simulated(WAVY + "wear = 0.5\n" + once))
+
+    def test_with_cracks_the_energies_close(self):
+        answer = self.simulated(WAVY + "wear = 0.7\n" + CRACKS + LOOP)
+        self.assertEqual(len(answer["cracks"]), 2)
+        energy = answer["energy"]
+        self.assertAlmostEqual(energy["stage_work"], sum(energy[name] for name in ENERGIES[1:]), delta=1e-10)
+
+    def test_refused(self):
+        for wear in "0", "-0.5", "1.5", '"60 %"':
+            case = self.file("case.toml", CONSTANT + f"wear = {wear}\n" + self.STAGE)
+            self.refused("simulate", case, says=["case.toml:7", "[friction] wear"])
+        self.file("run.csv", "w_s\n0\n0.3\n0.1\n")
+        self.refused("simulate", self.file("case.toml", self.WORN + RUN), says=["[friction] wear", "a program of the stage"])
+        self.refused("simulate", self.file("case.toml", WAVY + OTHER + "wear = 0.5\n" + self.STAGE), says=["[friction.other]", "wear"])
+        for command in "design", "sweep":
+            case = self.file("case.toml", self.WORN + "[stage]\nprogram = [0, 0.5]\n[sweep]\nmethod = 'grid'\n[sweep.axes]\nstiffness = [10, 30]\n")
+            self.refused(command, case, says=["[friction] wear", "flexslip simulate"])
+
+
 class Energies(InFolder):
     def test_identity_legs_add_up(self):
         answer = self.json("simulate", self.file("case.toml", WAVY + LOOP))

@@ -104,6 +104,7 @@ class Surface(InFolder):
         self.refused("simulate", self.case(more='trace_begin = "1 um"\n'), says=["trace_begin", "beyond the support"])
         self.refused("simulate", self.case(more='file = "wave.csv"\n'), says=["file", "no meaning here"])
         self.refused("simulate", self.case(more='edge_radius = "-1 um"\n'), says=["edge_radius"])
+        self.refused("simulate", self.case(more="wear = 0.9\n", back=', "100 um"'), says=["[friction] wear", "let the stage only load"])
         self.refused("surface", EXAMPLE / "trace.csv", says=["surface"])
 
 
