@@ -18,7 +18,8 @@ import sys
 
 ENOUGH_ROWS_OUT = 60  # rows sliding out from which the unloading should tell friction
 LOST = 0.02  # true loss from which a record counts as cracked
-DECIDED = 0.95  # probability from which a cause counts as decided
+# Verdicts that say what made the drops, and the causes of which each is wrong.
+WRONG = {"slip": ("cracks",), "slip_and_damage": ("slips", "cracks"), "crack": ("slips",)}
 
 
 # ---- one record
@@ -45,12 +46,11 @@ def value_at(answer, *keys):
     return answer
 
 
-def cause_told(causes):
-    """The cause that is all but certain, or undecided."""
-    for cause, probability in (causes or {}).items():
-        if probability is not None and probability >= DECIDED:
-            return cause
-    return "undecided"
+def true_cause(truth):
+    """What made the drops, of a specimen that lost stiffness or not; none where nothing fell at once."""
+    if truth["cause"] == "none" or float(truth["stiffness_lost"]) <= LOST:
+        return "none" if truth["cause"] == "none" else "slips"
+    return "both" if truth["cause"] == "slips" else truth["cause"]
 
 
 def compare(truth, answer, seconds):
@@ -76,8 +76,7 @@ def compare(truth, answer, seconds):
         "EI": stiffness.get("value"),
         "EI_low": EI_low,
         "EI_high": EI_high,
-        "cause_true": truth["cause"],
-        "cause": cause_told(value_at(answer, "judgement", "causes")),
+        "cause_true": true_cause(truth),
         "seconds": round(seconds, 3),
     }
 
@@ -144,8 +143,8 @@ def stiffness_line(name, rows):
 
 def cause_line(name, rows):
     with_drops = [row for row in rows if row["cause_true"] != "none"]
-    decided = [row for row in with_drops if row["cause"] != "undecided"]
-    wrong = [row for row in decided if row["cause"] != row["cause_true"]]
+    decided = [row for row in with_drops if row["code"] in WRONG]
+    wrong = [row for row in decided if row["cause_true"] in WRONG[row["code"]]]
     return [name, len(with_drops), len(decided), len(wrong)]
 
 
