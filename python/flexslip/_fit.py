@@ -159,12 +159,12 @@ class Fit(FitFields):
 
         Parameters
         ----------
-        figure : {"force", "profile", "wavelengths", "loops", "boxes"}
+        figure : {"force", "profile", "wavelengths", "passes", "boxes"}
             Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds. Of a test that unloads:
-            its force there and back; its loops in length and friction, and friction of both directions below. Those that the report has. Of a record that
+            the force of all its passes; the friction of each against the length that slid. Those that the report has. Of a record that
             no friction explains: "record".
         ax : matplotlib Axes, optional
-            Where to draw: as many as the figure has panels ("force" has two; "boxes" one and one for each of up to four loops), or one for the first of them.
+            Where to draw: as many as the figure has panels ("force" has two), or one for the first of them.
 
         Returns
         -------

@@ -62,7 +62,7 @@ class Figures(unittest.TestCase):
                     self.assertTrue(any(np.isfinite(line.get_xdata()).any() for ax in each for line in ax.lines))
                     plt.close(each[0].figure)
                     names.append(name)
-        for name in ("cyclic loops", "cyclic boxes", "equilibrium", "region"):
+        for name in ("cyclic passes", "cyclic boxes", "equilibrium", "region"):
             self.assertIn(name, names)
 
     def test_outside_matplotlib_finds_every_font(self):
@@ -79,16 +79,15 @@ class Figures(unittest.TestCase):
                 of_report = {path.stem for path in pathlib.Path(folder, "figures").glob("*.gp")}
             self.assertEqual({figure["name"] for figure in fitted(name)._part("figures")}, of_report, name)
 
-    def test_identity_what_is_drawn_of_loops_is_the_data_of_the_report(self):
+    def test_identity_what_is_drawn_of_passes_is_the_data_of_the_report(self):
         fit = fitted("cyclic")
         figures = {figure["name"]: figure for figure in fit._part("figures")}
         data = {name: figure["data"] for name, figure in figures.items()}
-        drawn = [line.get_xydata() for line in fit.plot("loops").lines]
-        for which in "loading", "unloading":
-            wanted = np.column_stack(list(data["loops"][which].values()))
+        drawn = [line.get_xydata() for line in fit.plot("passes").lines]
+        for which in "pass 1", "pass 2", "pass 3":
+            wanted = np.column_stack(list(data["passes"][which].values()))
             self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
-        axes = fit.plot("boxes")
-        self.assertEqual(len(axes), 1 + len(fit.cycles.loops))
+        self.assertEqual(len(fit.passes.passes), 3)
 
     def test_identity_ranges_titles_and_colours_are_those_of_the_report(self):
         fit = fitted("simulated")

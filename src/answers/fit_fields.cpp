@@ -79,6 +79,8 @@ Fields<TestAnalysis> slips_fields() {
 
 Fields<SlipOrCrack> slip_or_crack_fields() {
   return Fields<SlipOrCrack>()
+      .number("cracks_alone", "probability that the drops are cracks only, by the rises alone",
+              &SlipOrCrack::cracks_alone)
       .number("given_back", "share of the stiffness that the drops seem to take which the rises seem to give back",
               [](const SlipOrCrack& judged) { return judged.features.given_back; })
       .number("friction_needed", "constant friction that cracks alone would need; 0 to 1.3",
@@ -169,114 +171,30 @@ Fields<FittedTest> band_fields() {
 
 // ---- Loading and unloading
 
-std::string_view name_of(CyclesStatus status) {
-  return name_in_order<CyclesStatus::not_converged>(status, {"ok", "no_mirror", "too_few_points", "not_converged"});
+// ---- Passes
+
+std::string_view name_of(PassesStatus status) {
+  return name_in_order<PassesStatus::not_explained>(status, {"ok", "not_sliding_out", "not_explained"});
 }
 
-std::string_view name_of(LoadingStatus status) {
-  return name_in_order<LoadingStatus::no_reference>(
-      status, {"ok", "loaded_too_little", "window_not_covered", "too_few_points", "not_rising", "still_drawn_in",
-               "no_reference"});
-}
-
-std::string_view name_of(DamageVerdict verdict) {
-  return name_in_order<DamageVerdict::undecided>(verdict, {"damaged", "not_damaged", "undecided"});
-}
-
-// One of the loops of a test.
-struct LoopOf {
-  const FittedTest& test;
-  std::size_t i;
-  const FrictionLoop& loop() const { return test.cycles->friction.loops[i]; }
-  const LoopEnergy& energy() const { return test.cycles->energy[i]; }
-};
-using L = const LoopOf&;
-
-Fields<BumpCorrelation> bump_correlation_fields() {
-  return Fields<BumpCorrelation>()
-      .number("value", "Pearson's r of friction in the two directions, without slow trends", &BumpCorrelation::value)
-      .number("low", "lower end of the 95 % interval of value", &BumpCorrelation::low)
-      .number("high", "upper end of the 95 % interval of value", &BumpCorrelation::high);
-}
-
-Fields<LoopEnergy> loop_energy_fields() {
-  return Fields<LoopEnergy>()
-      .number("loading", kind::energy, "work put in during loading, the apparent work of fracture",
-              &LoopEnergy::loading)
-      .number("unloading", kind::energy, "work given back during unloading; null if the loop was not unloaded",
-              &LoopEnergy::unloading)
-      .number("lost", kind::energy,
-              "loading minus unloading and the bending energy gained meanwhile; null if the loop is not closed or was "
-              "not loaded",
-              &LoopEnergy::lost)
-      .number("friction", kind::energy, "heat of friction during sliding", &LoopEnergy::friction);
-}
-
-Fields<LoopOf> loop_fields() {
-  const auto rows_of = [](std::optional<std::size_t> FrictionLoop::*leg) {
-    return [leg](L loop, const Frame& frame) {
-      const auto& which = loop.loop().*leg;
-      if (!which) return std::optional<std::vector<std::size_t>>();
-      const Leg& rows = loop.test.cycles->friction.legs[*which];
-      return std::optional(std::vector{frame.row(rows.first), frame.row(rows.last - 1)});
-    };
-  };
-  const auto part = [](auto member) { return [member](L loop) { return loop.loop().*member; }; };
-  return Fields<LoopOf>()
-      .own_numbers("loading", kind::number, "first and last row of the loading in the file; null without one",
-                   rows_of(&FrictionLoop::loading))
-      .own_numbers("unloading", kind::number, "first and last row of the unloading in the file; null without one",
-                   rows_of(&FrictionLoop::unloading))
-      .only_where([](L loop) { return loop.loop().places > 0; })
-      .estimate("mu_in", kind::number, "mean friction while sliding in, over the places", part(&FrictionLoop::mu_in))
-      .estimate("mu_out", kind::number, "mean friction while sliding out, over the places", part(&FrictionLoop::mu_out))
-      .anywhere()
-      .group(
-          "energy", "work on the specimen, beyond the deflection at which friction shows", loop_energy_fields(),
-          [](L loop) -> const auto& { return loop.energy(); })
-      .number("replay_rms", "rms residual of one profile for all loops, run forward, as a share of the greatest force",
-              [](L loop) {
-                const auto& rms = loop.test.cycles->replay.residual_rms;
-                return loop.i < rms.size() ? std::optional(rms[loop.i]) : std::nullopt;
-              });
-}
-
-Fields<LoadingStiffness> loading_fields() {
-  using S = const LoadingStiffness&;
-  const auto is_reference = [](S loading) {
-    return loading.status == LoadingStatus::ok && loading.ratio.standard_error == 0;
-  };
-  return Fields<LoadingStiffness>()
-      .words("status",
-             "whether the loading is compared: ok, reference (the first), or why not: loaded_too_little, "
-             "window_not_covered, too_few_points, not_rising, still_drawn_in, no_reference",
-             [is_reference](S loading) {
-               if (is_reference(loading)) return std::string_view("reference");
-               return name_of(loading.status);
+Fields<PassFriction> pass_fields() {
+  return Fields<PassFriction>()
+      .words("direction", "in, where the stage advances, or out",
+             [](const PassFriction& pass) {
+               return std::string_view(pass.rows.direction == Direction::loading ? "in" : "out");
              })
-      .only_where([](S loading) { return loading.status == LoadingStatus::ok; })
-      .only_where([is_reference](S loading) { return loading.status == LoadingStatus::ok && !is_reference(loading); })
-      .own_estimate("ratio", kind::number, "slope divided by that of the first loading; its error from scatter",
-                    &LoadingStiffness::ratio)
-      .number("ratio_systematic",
-              "half the difference between the ratios in the lower and the upper half of the window",
-              &LoadingStiffness::ratio_systematic)
-      .words("verdict", "whether the specimen lost stiffness: damaged, not_damaged or undecided",
-             [](S loading) { return name_of(loading.verdict); });
+      .own_numbers("rows", kind::number, "first and last row of the pass in the file",
+                   [](const PassFriction& pass, const Frame& frame) {
+                     return std::optional(std::vector{frame.row(pass.rows.first), frame.row(pass.rows.last - 1)});
+                   })
+      .number("sliding_rows", "rows fitted in which the specimen slides", &PassFriction::sliding)
+      .only_where([](const PassFriction& pass) { return std::isfinite(pass.friction.value); })
+      .estimate("friction", kind::number, "mean friction over what the specimen slid over in the pass",
+                &PassFriction::friction);
 }
 
-const CyclicFriction& friction_of(T test) { return test.cycles->friction; }
-bool is_mirrored(T test) { return friction_of(test).status == CyclesStatus::ok; }
-bool is_measurable(T test) { return is_mirrored(test) || friction_of(test).status == CyclesStatus::no_mirror; }
-
-std::vector<LoopOf> loops_of(T test) {
-  std::vector<LoopOf> loops;
-  if (is_measurable(test))
-    for (std::size_t i = 0; i < friction_of(test).loops.size(); ++i) loops.push_back({test, i});
-  return loops;
-}
-
-Fields<FittedTest> cycles_fields() {
+Fields<FittedTest> passes_fields() {
+  const auto is_ok = [](T test) { return test.passes->status == PassesStatus::ok; };
   return Fields<FittedTest>()
       .in_frame([](T test) {
         return Frame{.scales = test.analysis.scales,
@@ -285,28 +203,28 @@ Fields<FittedTest> cycles_fields() {
                      .row = [&test](std::size_t point) { return cyclic_file_row(test.measurement, point); }};
       })
       .words("status",
-             "whether the loops were evaluated: ok, no_mirror (no part of the specimen slid both ways), too_few_points "
-             "or not_converged",
-             [](T test) { return name_of(friction_of(test).status); })
-      .only_where(is_measurable)
-      .estimate("bending_stiffness", kind::bending_stiffness,
-                "EI at which friction is the same in loading and unloading",
-                [](T test) { return exponential(friction_of(test).log_stiffness); })
-      .only_where(is_mirrored)
-      .group("correlation", "correlation of the bumps of friction in the two directions, over all loops",
-             bump_correlation_fields(), [](T test) { return friction_of(test).correlation; })
+             "whether all passes were fitted together: ok, not_sliding_out (the record was not unloaded far enough) or "
+             "not_explained",
+             [](T test) { return name_of(test.passes->status); })
+      .only_where(is_ok)
+      .number("sliding_out_rows", "rows fitted in which the specimen slides outwards",
+              [](T test) { return test.passes->sliding_out; })
+      .estimate("settled", kind::length, "deflection that is left for good by the loadings that another pass follows",
+                [](T test) { return test.passes->settled; })
+      .number("loss_needed",
+              "share of the stiffness that the drops of these loadings would need if they were cracks only",
+              [](T test) { return test.passes->loss_needed; })
       .anywhere()
-      .list("loops", "loops: each loading with the unloading that follows", loop_fields(), loops_of)
       .list(
-          "loading_stiffness", "stiffness of each loading compared with the first", loading_fields(),
-          [](T test) -> const auto& { return test.cycles->stiffness; });
+          "passes", "the passes in the order of time", pass_fields(),
+          [](T test) -> const auto& { return test.passes->passes; });
 }
 
 // ---- All of it
 
 Fields<Verdict> verdict_of_fit_fields() {
   return Fields<Verdict>()
-      .words("code", "slip, undecided, crack, no_drops, check_input or no_answer",
+      .words("code", "slip, slip_and_damage, undecided, crack, settled, no_drops, check_input or no_answer",
              [](const Verdict& verdict) { return name_of(verdict.code); })
       .words("sentence", "the verdict and what belongs to it, as the screen has it", sentence_of);
 }
@@ -345,14 +263,21 @@ Fields<Answer> answer_fields() {
 // Domain: judgement is given.
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
-      .number(
-          "cracks_alone",
-          "probability that cracks alone made the drops, by the rises and by a reload; null where these do not tell",
-          [](T test) { return test.judgement->cracks_alone; })
-      .number("stiffness_lost", "share of the stiffness lost, as the last comparable reload shows",
-              [](T test) { return test.reload.loss; })
+      .number("cracks_alone", "probability that the drops are cracks only: causes.cracks",
+              [](T test) { return test.judgement->cracks_alone(); })
+      .group("causes", "probabilities of what made the drops; they add up to 1 where a reload tells all three",
+             Fields<Causes>()
+                 .number("slips", "slips only; null without a reload, which alone tells them from slips and cracks",
+                         &Causes::slips)
+                 .number("cracks", "cracks only; null where nothing tells", &Causes::cracks)
+                 .number("both", "slips and cracks; null without a reload", &Causes::both),
+             [](T test) { return test.judgement->causes; })
+      .only_where([](T test) { return test.passes && test.passes->is_reloaded; })
+      .number("stiffness_lost", "share of the stiffness lost between the first loading and the last pass",
+              [](T test) { return test.passes->loss.value; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",
-              [](T test) { return test.reload.loss_error; });
+              [](T test) { return test.passes->loss.standard_error; })
+      .anywhere();
 }
 
 // Of the whole record up to failure, what friction took off the work under the curve.
@@ -430,7 +355,7 @@ Fields<FittedTest> nominal_stiffness_fields() {
            [](T test) { return test.analysis.scales.bending_stiffness(); })
       .number("relative_error", "relative standard deviation of EI",
               [](T test) { return test.analysis.bending_stiffness_error; })
-      .words("source", "where EI comes from: stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
+      .words("source", "where EI comes from: stated, stated_without_uncertainty or initial_slope",
              [](T test) { return name_of(test.stiffness); });
 }
 
@@ -500,8 +425,8 @@ Fields<FittedTest> every_fit_field() {
              "of the fit",
              measured_energy_fields(), analysis(&TestAnalysis::energy))
       .anywhere()
-      .group("cycles", "loading and unloading loops of a test that was unloaded; null otherwise", cycles_fields(),
-             [](T test) { return test.cycles ? &test : nullptr; })
+      .group("passes", "all passes of a test that was unloaded, fitted together; null otherwise", passes_fields(),
+             [](T test) { return test.passes ? &test : nullptr; })
       .group("band", "friction along the specimen, from the fit", band_fields())
       .group(
           "small_deflection", "the straight part of the curve, beside the fit",

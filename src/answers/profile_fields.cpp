@@ -71,8 +71,7 @@ Fields<InvertedTest> inverted_test_fields() {
           Fields<BendingStiffnessUsed>()
               .own("value", kind::bending_stiffness, "EI", &BendingStiffnessUsed::value)
               .number("relative_error", "relative standard deviation of EI", &BendingStiffnessUsed::relative_error)
-              .words("source",
-                     "where EI comes from: stated, stated_without_uncertainty, initial_slope or mirror_symmetry",
+              .words("source", "where EI comes from: stated, stated_without_uncertainty or initial_slope",
                      [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
           [](T test) -> const auto& { return test.stiffness; })
       .own("contact_offset", kind::length, "displacement of the contact, subtracted from stage and deflection",

@@ -52,34 +52,43 @@ DropsElsewhere drops_in_other_loadings(const Measurement& measurement) {
   return all;
 }
 
-// The friction of the loops, where they tell the bending stiffness.
-std::optional<CyclicFriction> mirrored_loops(const Measurement& measurement, const Scales& scales, const Rig& rig) {
-  if (!measurement.cycles) return std::nullopt;
-  auto friction = measure_cycles(to_reduced(*measurement.cycles, scales), rig);
-  if (friction.status != CyclesStatus::ok) return std::nullopt;
-  return friction;
+// The drops of all loadings of a record, by its rows.
+std::vector<Drop> drops_of_loadings(const Measurement& measurement) {
+  std::vector<Drop> all;
+  for (const Leg& leg : find_legs(measurement.cycles->stage)) {
+    if (leg.direction != Direction::loading || leg.last - leg.first < min_fitted_points) continue;
+    Record record = points_between(*measurement.cycles, leg.first, leg.last);
+    record.stage = advancing(record.stage);
+    for (Drop drop : find_drops(record, {.halts = measurement.sampling.halts_between(leg.first, leg.last)}).drops) {
+      drop.before += leg.first;
+      drop.after += leg.first;
+      all.push_back(drop);
+    }
+  }
+  return all;
 }
 
-// Moves the zero of the loading to the contact that its loop tells, and leaves out what comes before. The loops keep theirs.
-void move_contact(Measurement& measurement, const Estimate& contact) {
-  Record& record = measurement.record;
-  const auto begin = std::lower_bound(record.stage.begin(), record.stage.end(), contact.value);
-  const auto skipped = begin - record.stage.begin();
-  if (record.stage.size() - static_cast<std::size_t>(skipped) < min_fitted_points) return;
-  record = counted_from(contact.value, std::move(record), static_cast<std::size_t>(skipped));
-  measurement.first += static_cast<std::size_t>(skipped);
-  measurement.contact = ContactSource::found;
-  measurement.contact_offset += contact.value;
-  measurement.contact_error = contact.standard_error;
-  measurement.own_contact = counted_from(contact.value, measurement.own_contact);
-  PreparationStep step{
-      .name = "contact",
-      .changed = true,
-      .done = "displacements of the loading evaluated are counted from the contact that the loops determine",
-      .value = value_in(measurement.test, contact.value, contact.standard_error, kind::length),
-      .otherwise = switch_to("contact", "0 um")};
-  if (skipped > 0) step.rows = RowRange{1, cyclic_file_row(measurement, measurement.first) - 1};
-  measurement.preparation.push_back(std::move(step));
+// All passes of a record together; none of a record of one.
+std::optional<PassesFit> fit_all_passes(const Measurement& measurement, const TestDescription& description,
+                                        const Scales& scales) {
+  if (!measurement.cycles) return std::nullopt;
+  const ReducedRecord reduced = to_reduced(*measurement.cycles, scales);
+  if (find_legs(reduced.stage).size() < 2) return std::nullopt;
+  constexpr double of_slope = 0.2;  // a slope that friction, a seat or a large deflection bends
+  PassesProblem problem{
+      .record = reduced,
+      .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
+      .errors = {.force = 0,
+                 .bending_stiffness = states_stiffness(measurement.test)
+                                          ? description.bending_stiffness_error
+                                          : std::max(of_slope, description.bending_stiffness_error),
+                 .contact = description.contact_error ? scales.reduced_length(*description.contact_error)
+                                                      : usual_contact_error},
+      .rig_errors = description.rig_errors,
+      .first = measurement.first,
+      .last = measurement.first + measurement.record.force.size(),
+      .drops = drops_of_loadings(measurement)};
+  return fit_passes(problem);
 }
 
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
@@ -151,7 +160,6 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   Stages stages;
   const Test input = measurement.test;  // completed with what the file says
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
-  StiffnessSource source = stiffness.source;
   TestDescription description{.span = span_of(input),
                               .load_train_stiffness = rig_stiffness_of(input),
                               .bending_stiffness = stiffness.value,
@@ -160,21 +168,8 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
                               .fibre = fibre_of(input, Scales(span_of(input), 1)),
                               .rig_errors = rig_errors_of(measurement)};
   const Scales scales = scales_of(input, stiffness);  // refuses what is no slender beam
-  if (states_stiffness(input)) {
-    require_same_world(input, measurement.record, stiffness.value);
-  } else if (const auto mirrored = mirrored_loops(measurement, scales, rig_of(input, scales))) {
-    // What the choice of the points compared moves EI by in the authors' tests (cycles.h); the scatter is far less.
-    constexpr double systematic = 0.02;
-    source = StiffnessSource::mirror;
-    description.bending_stiffness = stiffness.value * elementary::exp(mirrored->log_stiffness.value);
-    description.bending_stiffness_error = elementary::length(mirrored->log_stiffness.standard_error, systematic);
-    if (measurement.contact == ContactSource::first_point && mirrored->loops.front().places > 0) {
-      const Estimate& contact = mirrored->loops.front().contact;
-      move_contact(measurement, normal_estimate(scales.physical_length(contact.value),
-                                                scales.physical_length(contact.standard_error)));
-      description.contact_error = measurement.contact_error;
-    }
-  }
+  if (states_stiffness(input)) require_same_world(input, measurement.record, stiffness.value);
+  description.passes = fit_all_passes(measurement, description, scales);
   const BeamGeometry geometry = geometry_of(input);
   const SmallDeflection standard = small_deflection_of(measurement);
   AnalysisOptions of_record = options;
@@ -182,17 +177,9 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
       measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
   stages.enter("", 0.95);
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
-  stages.enter("loops and verdict", 0.05);
-  std::optional<CyclicAnswer> cycles;
-  if (measurement.cycles) {
-    CyclesOptions cycles_options;
-    if (source == StiffnessSource::stated) cycles_options.stiffness_error = description.bending_stiffness_error;
-    cycles = analyse_cycles(*measurement.cycles, analysis.scales, analysis.rig, cycles_options);
-  }
-  const ReloadChange reload =
-      cycles ? reload_change(cycles->stiffness, measurement.loading.number - 1) : ReloadChange{};
+  stages.enter("verdict", 0.05);
   std::optional<Judgement> judgement;
-  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis, reload);
+  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis);
   if (judgement && judgement->lost_stiffness) {  // cracks took their part of the work
     analysis.energy.friction_share = not_a_number;
     analysis.work_by.reset();
@@ -221,14 +208,13 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   return {.name = name_of_test(file),
           .reduced = input.reduced,
           .measurement = std::move(measurement),
-          .stiffness = source,
+          .stiffness = stiffness.source,
           .section_moment = geometry.section ? std::optional(second_moment(*geometry.section)) : std::nullopt,
           .materials = materials_of(input),
           .geometry = geometry,
           .small_deflection = standard,
           .analysis = std::move(analysis),
-          .cycles = std::move(cycles),
-          .reload = reload,
+          .passes = std::move(description.passes),
           .drops_elsewhere = drops_elsewhere,
           .imaged = std::move(imaged),
           .judgement = std::move(judgement),

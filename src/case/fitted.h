@@ -13,8 +13,8 @@
 #include "data/literature_friction.h"
 #include "data/section.h"
 #include "inference/analysis.h"
-#include "inference/cyclic_answer.h"
 #include "inference/judgement.h"
+#include "inference/passes.h"
 #include "inference/profile.h"
 #include "result/fields.h"
 
@@ -66,8 +66,7 @@ struct FittedTest {
   BeamGeometry geometry;                 // span, and section if the case says what it is
   SmallDeflection small_deflection;      // of the loading evaluated, as the bending standards have it
   TestAnalysis analysis;                 // of the loading evaluated
-  std::optional<CyclicAnswer> cycles;    // if it was unloaded; in the scales of the analysis
-  ReloadChange reload;                   // of the loading evaluated, by the initial slopes of the loadings
+  std::optional<PassesFit> passes;       // if it was unloaded; in the scales of the analysis
   DropsElsewhere drops_elsewhere;
   std::optional<ImagedLength> imaged;  // if the record has lengths that were imaged, and the analysis an answer
   std::optional<Judgement> judgement;  // if the analysis has an answer

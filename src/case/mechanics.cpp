@@ -460,8 +460,8 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
 }  // namespace
 
 std::string_view name_of(StiffnessSource source) {
-  return name_in_order<StiffnessSource::mirror>(
-      source, {"stated", "stated_without_uncertainty", "initial_slope", "mirror_symmetry"});
+  return name_in_order<StiffnessSource::initial_slope>(source,
+                                                       {"stated", "stated_without_uncertainty", "initial_slope"});
 }
 
 double span_of(const Test& test) {

@@ -36,7 +36,6 @@ enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
   assumed_error,  // by the case, without: usual_stiffness_error
   initial_slope,  // of the record, F = 48 EI w/L^3
-  mirror,         // of the loops of a test that is unloaded, which friction makes mirror images in (S, q)
 };
 
 std::string_view name_of(StiffnessSource source);

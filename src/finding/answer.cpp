@@ -61,13 +61,57 @@ std::string drops_by_kind(T test) {
                              : fmt::format("{}, {} of them no slip", all, impossible);
 }
 
-// Of a specimen that is softer when loaded again; none of one that is not. A slight loss counts where it is bent too little for friction that ran in to look
-// like one.
-std::optional<Verdict> verdict_on_reload(T test, const std::vector<Finding>& findings, std::string no_friction) {
-  const bool is_slightly = !test.judgement && test.reload.change == StiffnessChange::slightly_softer;
-  if (!lost_stiffness(test.reload) && !is_slightly) return std::nullopt;
-  const Finding* softer = finding_in(findings, "changed_reload");
-  return Verdict{VerdictCode::crack, {clause_of(softer->sentence), std::move(no_friction)}, softer->code};
+// Of a bar that is bent too little to tell friction, and that lost stiffness until it was loaded again.
+std::optional<Verdict> verdict_on_reloaded_bar(T test, const std::vector<Finding>& findings) {
+  const Finding* changed = finding_in(findings, "changed_reload");
+  if (!changed || !is_lost(*test.passes)) return std::nullopt;
+  return Verdict{VerdictCode::crack, {clause_of(changed->sentence), std::string(no_friction_of_a_bar)}, changed->code};
+}
+
+// "the drops would need 28 % if they were cracks only"
+std::string need_in_words(const PassesFit& passes) {
+  return fmt::format("the drops would need {} if they were cracks only", format_percent(passes.loss_needed));
+}
+
+// Of a specimen that was loaded again: what made its drops, and whether it lost stiffness.
+Verdict verdict_by_reload(T test, const std::vector<Finding>& findings) {
+  const Judgement& judgement = *test.judgement;
+  const PassesFit& passes = *test.analysis.passes;
+  const std::string friction =
+      fmt::format("friction {}{}", mean_friction(test.analysis.fit), test.analysis.fit.mu0_is_bound ? " (95 %)" : "");
+  const std::string lost = loss_in_words(passes) + " of the stiffness was lost";
+  const bool has_drops = drops_of(test) > 0, slipped = has_drops && judgement.causes.cracks < 0.05;
+  if (judgement.damage == Damage::settled)
+    return {VerdictCode::settled,
+            {fmt::format("the specimen or a support gave way by {} for good; no stiffness was lost",
+                         readable(test.analysis.scales.physical_length(passes.settled.value),
+                                  test.analysis.scales.physical_length(passes.settled.standard_error),
+                                  Print(test).as(kind::length))),
+             friction},
+            "changed_reload"};
+  if (judgement.damage == Damage::lost && slipped)
+    return {VerdictCode::slip_and_damage, {lost, need_in_words(passes), friction}, "changed_reload"};
+  if (judgement.damage == Damage::lost) {
+    Verdict verdict{VerdictCode::crack, {lost}, "changed_reload"};
+    if (!has_drops) verdict.parts.emplace_back("without a drop to be seen");
+    if (has_drops && judgement.causes.cracks < 0.95) verdict.parts.emplace_back("some of the drops may be slips");
+    verdict.parts.push_back(friction);
+    return verdict;
+  }
+  if (!has_drops || slipped) {
+    Verdict verdict{has_drops ? VerdictCode::slip : VerdictCode::no_drops, {friction}};
+    if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
+    if (has_drops) verdict.parts.push_back(cracks_in_words(test));
+    constexpr double worth_saying = 0.03;  // [1] of a loss that the reload leaves open
+    if (passes.loss.high > worth_saying)
+      verdict.parts.push_back(
+          fmt::format("it may have lost up to {} of its stiffness", format_percent(passes.loss.high)));
+    return verdict;
+  }
+  Verdict verdict{VerdictCode::undecided, {friction, drops_by_kind(test)}, {}};
+  if (std::isfinite(judgement.causes.cracks)) verdict.parts.push_back(cracks_in_words(test));
+  if (const Finding* open = finding_in(findings, "undecided_drops")) verdict.finding = open->code;
+  return verdict;
 }
 
 // What a test comes to that is not what was stated of it.
@@ -82,13 +126,12 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     const bool is_bar = test.analysis.status == AnalysisStatus::bent_too_little && !is_slender(test);
     if (!is_bar) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
     if (refusal->code != "gave_way")
-      if (auto softer = verdict_on_reload(test, findings, std::string(no_friction_of_a_bar))) return *softer;
+      if (auto softer = verdict_on_reloaded_bar(test, findings)) return *softer;
     return verdict_of_a_bar(test, findings);
   }
   const Judgement& judgement = *test.judgement;
-  if (judgement.lost_stiffness) {
+  if (judgement.drops_are_cracks) {
     const std::string no_friction = "no friction can be read off";
-    if (auto softer = verdict_on_reload(test, findings, no_friction)) return *softer;
     std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
     constexpr double worth_saying = 0.03;
     if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
@@ -96,16 +139,16 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     parts.push_back(no_friction);
     return {VerdictCode::crack, parts, "cracks"};
   }
-  if (refusal) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
+  if (refusal && !judgement.lost_stiffness) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
+  if (is_reloaded(test.analysis)) return verdict_by_reload(test, findings);
   const FrictionFit& fit = test.analysis.fit;
   const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
-  const bool tells = std::isfinite(judgement.cracks_alone);
+  const bool tells = std::isfinite(judgement.cracks_alone());
   if (drops_of(test) > 0 && (judgement.drops != CrackVerdict::not_by_cracks_alone || judgement.impossible > 0)) {
     const Finding* open = finding_in(findings, "undecided_drops");
     Verdict verdict{VerdictCode::undecided,
                     {friction + " if the drops are slips and no stiffness was lost", drops_by_kind(test)},
                     open ? open->code : std::string_view()};
-    if (test.reload.comes_after) verdict.parts.front() = friction + " if the drops are slips";
     if (tells) verdict.parts.push_back(cracks_in_words(test));
     return verdict;
   }
@@ -117,8 +160,6 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
                   {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
   if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
   if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
-  if (test.reload.change == StiffnessChange::slightly_softer)
-    verdict.parts.push_back(finding_in(findings, "changed_reload")->short_form);
   return verdict;
 }
 
@@ -217,8 +258,7 @@ std::string slip_or_crack_in_words(T test) {
                                 : fmt::format("{} of {} drops can be slips",
                                               possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
   std::vector<std::string> parts;
-  if (lost_stiffness(test.reload)) parts.emplace_back("a reload shows lost stiffness");
-  if (std::isfinite(judgement.cracks_alone))
+  if (std::isfinite(judgement.cracks_alone()))
     parts.push_back(fmt::format("{}; the rises give back {} of the stiffness that the drops seem to take",
                                 cracks_in_words(test),
                                 format_percent(std::clamp(rises.features.given_back, 0.0, 1.0))));
@@ -230,11 +270,10 @@ std::string slip_or_crack_in_words(T test) {
                        : stiffness_is_off(test.analysis)
                            ? "no probability while the record has another bending stiffness: check the load train"
                            : "no probability: such records were not simulated");
-  if (const ReloadChange& reload = test.reload; reload.comes_after && !judgement.lost_stiffness)
-    parts.push_back(fmt::format("cracks alone would take {} of the stiffness; by the reload it is {:.1f} ± {:.1f} % {}",
-                                format_percent(judgement.loss_needed), 100 * std::abs(reload.loss),
-                                100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer"));
-  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && !test.reload.comes_after && lost > 0)
+  if (std::isfinite(judgement.causes.both))
+    parts.push_back(fmt::format("slips and cracks: {}; slips only: {}", format_percent(judgement.causes.both),
+                                format_percent(judgement.causes.slips)));
+  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && lost > 0)
     parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
   parts.push_back(slips);
   return fmt::format("{}", fmt::join(parts, "; "));
@@ -244,12 +283,9 @@ std::string slip_or_crack_in_words(T test) {
 std::string if_lost_in_words(T test) {
   std::vector<std::string> parts;
   for (const auto& [loss, friction] : test.judgement->if_lost) {
-    constexpr double tenth = 0.1, worth_saying = 0.005;
+    constexpr double tenth = 0.1;
     if (may_have_lost_stiffness(test))
       parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
-    else if (test.reload.comes_after && loss > worth_saying)
-      parts.push_back(
-          fmt::format("{:.2f} with the loss of {} that the reload leaves open", friction, format_percent(loss)));
   }
   return fmt::format("{}{}", may_have_lost_stiffness(test) ? ", if no stiffness was lost" : "",
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
@@ -310,7 +346,7 @@ std::string work_in_words(T test) {
 }
 
 std::string_view source_of(StiffnessSource source) {
-  return name_in_order<StiffnessSource::mirror>(source, {"stated", "stated", "initial slope", "loops"});
+  return name_in_order<StiffnessSource::initial_slope>(source, {"stated", "stated", "initial slope"});
 }
 
 // What modulus would say where the beginning, which friction bends least, is not as steep; empty unless the stiffness is the beginning's.
@@ -377,27 +413,26 @@ std::string assumed_in_words(T test) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-// What a reload and the loops say beside the first loading; empty where the specimen was loaded once.
+// What the passes of a record say together; empty of a record of one.
 std::string reload_in_words(T test) {
-  if (!test.cycles) return "";
-  const CyclicFriction& friction = test.cycles->friction;
-  std::vector<std::string> parts;
-  if (test.judgement && friction.status == CyclesStatus::ok && !test.judgement->lost_stiffness) {
-    const auto [in, out, rms] = direction_means(friction);
-    parts.push_back(
-        fmt::format("friction {:.2f} sliding in and {:.2f} sliding out{}", in, out,
-                    is_beyond_friction(friction) ? "; EI and contact had to move too far to make them alike" : ""));
-  }
-  constexpr double says_nothing = 0.25;
-  if (const ReloadChange& reload = test.reload; reload.loss_error > says_nothing)
-    parts.emplace_back("their slopes are too uncertain to be compared");
-  else if (std::isfinite(reload.loss))
-    parts.push_back(fmt::format(
-        "{} is {:.1f} ± {:.1f} % {} than {}", reload.comes_after ? "the last that can be compared" : "that evaluated",
-        100 * std::abs(reload.loss), 100 * reload.loss_error, reload.loss > 0 ? "softer" : "stiffer",
-        reload.comes_after ? "that evaluated" : "the first"));
-  return fmt::format("{}{}{}", format_count(test.cycles->stiffness.size(), "loading", "loadings"),
-                     parts.empty() ? "" : ": ", fmt::join(parts, "; "));
+  if (!test.passes) return "";
+  const PassesFit& passes = *test.passes;
+  if (passes.status != PassesStatus::ok)
+    return passes.is_reloaded
+               ? fmt::format("{} of the stiffness lost, by the forces of two loadings", loss_in_words(passes))
+               : std::string();
+  std::vector<std::string> frictions;
+  constexpr std::size_t most = 6;  // passes in a row of the screen
+  for (const PassFriction& pass : passes.passes)
+    if (std::isfinite(pass.friction.value) && frictions.size() < most)
+      frictions.push_back(fmt::format("{:.2f} sliding {}", pass.friction.value,
+                                      pass.rows.direction == Direction::loading ? "in" : "out"));
+  std::string words =
+      fmt::format("{}: friction {}", format_count(passes.passes.size(), "pass", "passes"), fmt::join(frictions, ", "));
+  if (!passes.is_reloaded) return words;
+  words += fmt::format("; {} of the stiffness lost", loss_in_words(passes));
+  if (passes.loss_needed > 0) words += "; " + need_in_words(passes);
+  return words;
 }
 
 std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, VerdictCode verdict) {

@@ -12,7 +12,7 @@ namespace flexslip {
 std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.size(); }
 
 bool may_have_lost_stiffness(const FittedTest& test) {
-  if (!test.judgement || test.reload.comes_after) return false;
+  if (!test.judgement || allows_for_losses(test.analysis)) return false;
   const bool is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
   return drops_of(test) > 0 || test.drops_elsewhere.drops > 0 || !is_smooth;
 }
@@ -22,8 +22,20 @@ std::string mean_friction(const FrictionFit& fit) {
                           : readable(fit.mu0.value, fit.mu0.standard_error, kind::number);
 }
 
+std::string loss_in_words(const PassesFit& passes) {
+  return fmt::format("{:.1f} ± {:.1f} %", 100 * passes.loss.value, 100 * passes.loss.standard_error);
+}
+
+std::string unloading_force(const FittedTest& test) {
+  if (!is_fitted(test)) return "";
+  const FrictionFit& fit = test.analysis.fit;
+  const double half_way = 0.5 * (1 + fit.S_end), EI = fit.bending_stiffness.value;
+  const double force = EI * sliding_out_force(test.analysis.rig.fibre, half_way, std::max(fit.mu0.value, 0.0));
+  return force > 0 ? format_roughly(test.analysis.scales.physical_force(force), Print(test).as(kind::force)) : "";
+}
+
 std::string cracks_in_words(const FittedTest& test) {
-  const double percent = 100 * test.judgement->cracks_alone;
+  const double percent = 100 * test.judgement->cracks_alone();
   constexpr double least = 1, most = 99;  // what simulated tests can tell
   constexpr double unlikely = 5;          // beyond which, on either side, the verdict is decided
   const double beside = std::abs(std::abs(percent - 50) - (50 - unlikely));

@@ -19,6 +19,13 @@ bool may_have_lost_stiffness(const FittedTest& test);
 // "0.47 ± 0.06", or "at most 0.28".
 std::string mean_friction(const FrictionFit& fit);
 
+// "9.1 ± 0.8 %", the share of the stiffness that was lost; of a test that was loaded again.
+std::string loss_in_words(const PassesFit& passes);
+
+// "12.3 mN", the force to which to unload so that a reload tells what was lost: the specimen slides outwards over half of its way. Empty where it does not
+// slide before the nose leaves it, and of a test without an answer.
+std::string unloading_force(const FittedTest& test);
+
 // "cracks alone: 2 %", of a test that is judged.
 std::string cracks_in_words(const FittedTest& test);
 

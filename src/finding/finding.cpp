@@ -26,13 +26,13 @@ std::string reading_of(const Slip& slip) {
 }
 
 std::string_view name_of(VerdictCode code) {
-  return name_in_order<VerdictCode::no_answer>(code,
-                                               {"slip", "undecided", "crack", "no_drops", "check_input", "no_answer"});
+  return name_in_order<VerdictCode::no_answer>(
+      code, {"slip", "slip_and_damage", "undecided", "crack", "settled", "no_drops", "check_input", "no_answer"});
 }
 
 std::string_view word_of(VerdictCode code) {
-  return name_in_order<VerdictCode::no_answer>(code,
-                                               {"SLIP", "UNDECIDED", "CRACK", "NO DROPS", "CHECK INPUT", "NO ANSWER"});
+  return name_in_order<VerdictCode::no_answer>(
+      code, {"SLIP", "SLIP AND DAMAGE", "UNDECIDED", "CRACK", "SETTLED", "NO DROPS", "CHECK INPUT", "NO ANSWER"});
 }
 
 std::string sentence_of(const Verdict& verdict) {

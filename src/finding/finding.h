@@ -45,7 +45,7 @@ struct Finding {
 std::string reading_of(const Slip& slip);
 
 // What a test comes to in one word.
-enum class VerdictCode { slip, undecided, crack, no_drops, check_input, no_answer };
+enum class VerdictCode { slip, slip_and_damage, undecided, crack, settled, no_drops, check_input, no_answer };
 
 std::string_view name_of(VerdictCode code);  // "check_input"
 std::string_view word_of(VerdictCode code);  // "CHECK INPUT"

@@ -45,7 +45,7 @@ const Check* check_of(T test, CheckKind kind) {
 // A stiffness that was stated is not that of the initial slope, of a specimen that had lost none before.
 bool contradicts_slope(T test) {
   return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope &&
-         (test.reload.comes_after || !lost_stiffness(test.reload));
+         !(test.passes && !test.passes->is_followed && is_lost(*test.passes));
 }
 
 bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::bent_too_little; }
@@ -59,10 +59,6 @@ std::string load_train_in_words(T test) {
   const double stiffness = test.analysis.rig.stiffness;
   return std::isfinite(stiffness) ? Print(test).own(test.analysis.scales.physical_stiffness(stiffness), kind::stiffness)
                                   : "∞";
-}
-
-std::string_view stiffness_known(T test) {
-  return test.stiffness == StiffnessSource::mirror ? "bending stiffness of the loops" : "bending stiffness stated";
 }
 
 // In the words of who states the test (case/case_file.h).
@@ -344,7 +340,7 @@ Found wrong_load_train(T test) {
       .severity = Severity::refusal,
       .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
                               "the {} is right.",
-                              format_roughly(train, Print(test).as(kind::stiffness)), stiffness_known(test)),
+                              format_roughly(train, Print(test).as(kind::stiffness)), "bending stiffness stated"),
       .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
       .remedy = fmt::format("State the stiffness of the load train ({}); if nothing gives, check the modulus, the "
                             "section and the span.",
@@ -358,7 +354,7 @@ Found wrong_stiffness(T test) {
   const double times = analysis.stiffness_over_slope;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The {} is {} times that of the record's initial slope{}.", stiffness_known(test),
+      .sentence = fmt::format("The {} is {} times that of the record's initial slope{}.", "bending stiffness stated",
                               format_roughly(times, kind::number), likely_slip_of_units(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
@@ -445,31 +441,60 @@ Found most_drops_impossible(T test) {
   return finding;
 }
 
+// Unloading once more tells slips from cracks, wherever that can still be done.
+std::string reload_remedy(T test) {
+  const std::string force = unloading_force(test);
+  const std::string how_far = force.empty() ? "" : fmt::format(" to {} or less", force);
+  if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
+    return fmt::format("In the next test unload{} before the specimen breaks, and load once more; {}.", how_far,
+                       reload_bounds);
+  if (is_reloaded(test.analysis))
+    return fmt::format("Unload and load the next specimen again after every few drops: this reload tells a loss of {}.",
+                       loss_in_words(*test.analysis.passes));
+  const auto& [loading, of] = test.measurement.loading;
+  return fmt::format(
+      "Unload{} and load once more; {}{}.", how_far, reload_bounds,
+      of > 1 ? fmt::format(" (no loading that can be compared comes after loading {}, which is evaluated)", loading)
+             : "");
+}
+
 Found cracks(T test) {
   if (!test.judgement->drops_are_cracks) return std::nullopt;
   return Finding{.severity = Severity::suspicion,
                  .sentence = fmt::format("The force rises between the drops as that of a specimen that cracks ({}).",
                                          cracks_in_words(test)),
                  .short_form = cracks_in_words(test),
-                 .remedy = test.cycles ? "" : "Unload and load once more; a reload shows how much stiffness was lost.",
-                 .numbers = {{"cracks_alone", test.judgement->cracks_alone}}};
+                 .remedy = reload_remedy(test),
+                 .numbers = {{"cracks_alone", test.judgement->cracks_alone()}}};
 }
 
-// It is softer than it can be without damage; or it has changed by more than its error.
+// What became of the specimen until it was loaded again.
 Found changed_reload(T test) {
-  const auto& [loss, error, comes_after, change] = test.reload;
-  if (change == StiffnessChange::none) return std::nullopt;
-  const bool is_softer = change != StiffnessChange::stiffer;
-  const std::string by =
-      fmt::format("{:.1f} ± {:.1f} % {}", 100 * std::abs(loss), 100 * error, is_softer ? "softer" : "stiffer");
-  return Finding{
-      .severity = lost_stiffness(test.reload) ? Severity::suspicion : Severity::doubt,
-      .sentence = lost_stiffness(test.reload) ? fmt::format("The specimen lost stiffness: loaded again, it is {}.", by)
-                                              : fmt::format("Loaded again, the specimen is {} than at first.", by),
-      .short_form = fmt::format("{:.0f} % {} when reloaded", 100 * std::abs(loss), is_softer ? "softer" : "stiffer"),
-      .remedy = is_softer ? "Unload the next specimen earlier, before it loses stiffness, and load it once more."
-                          : "See whether the contact or the rig has changed.",
-      .numbers = {{"loss", loss}, {"loss_error", error}}};
+  if (!test.passes || !test.passes->is_reloaded) return std::nullopt;
+  const PassesFit& passes = *test.passes;
+  const bool is_judged_lost = test.judgement && test.judgement->damage == Damage::lost;
+  const std::vector<FindingNumber> numbers{{"loss", passes.loss.value}, {"loss_error", passes.loss.standard_error}};
+  if (is_gained(passes))
+    return Finding{
+        .severity = Severity::doubt,
+        .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % stiffer: the contact or the "
+                                "bending stiffness is wrong.",
+                                -100 * passes.loss.value, 100 * passes.loss.standard_error),
+        .short_form = fmt::format("{:.0f} % stiffer when reloaded", -100 * passes.loss.value),
+        .remedy = "See whether the contact or the rig has changed.",
+        .numbers = numbers};
+  if (is_settled(passes))
+    return Finding{.severity = Severity::note,
+                   .sentence = "The specimen or a support gave way for good, and no stiffness was lost.",
+                   .short_form = "settled",
+                   .remedy = "See whether the specimen is crushed at the supports or under the nose.",
+                   .numbers = {{"settled", passes.settled.value}}};
+  if (!is_judged_lost && !is_lost(passes)) return std::nullopt;
+  return Finding{.severity = Severity::note,
+                 .sentence = fmt::format("The specimen lost {} of its stiffness.", loss_in_words(passes)),
+                 .short_form = fmt::format("{} of the stiffness lost", format_percent(passes.loss.value)),
+                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
+                 .numbers = numbers};
 }
 
 // What cannot be a slip is told at the bending stiffness stated, which may be what is wrong.
@@ -583,46 +608,22 @@ Found unstable(T test) {
   return checked(test, *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
 }
 
-// The loops, which know no wrong contact or drawn-in beginning, need another friction than the one loading.
-Found loops_differ(T test) {
-  if (!test.cycles || test.cycles->friction.status != CyclesStatus::ok || test.judgement->lost_stiffness)
-    return std::nullopt;
-  const Estimate& mu0 = test.analysis.fit.mu0;
-  const auto [in, out, rms] = direction_means(test.cycles->friction);
-  const double mean = 0.5 * (in + out), between = 0.5 * std::abs(in - out);
-  // Apart by as much as that by a contact that is off, their mean is still right to half of it.
-  const double of_mean = 0.5 * between;
-  constexpr double errors = 2, least = 0.03;
-  if (!(std::abs(mean - mu0.value) > std::max(errors * elementary::length(mu0.standard_error, of_mean), least)))
-    return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("The loops need a friction of {:.2f} sliding in and {:.2f} sliding out, the "
-                                         "loading evaluated one of {}.",
-                                         in, out, mean_friction(test.analysis.fit)),
-                 .short_form = fmt::format("the loops need {:.2f}", mean),
-                 .remedy = "Unload to no force before each loading, and state the bending stiffness and the contact.",
-                 .numbers = {{"in", in}, {"out", out}}};
-}
-
-// Unloading once more tells slips from cracks, wherever that can still be done.
-std::string reload_remedy(T test) {
-  if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
-    return fmt::format("In the next test unload before the specimen breaks, and load once more; {}.", reload_bounds);
-  constexpr double well_known = 0.02;
-  if (const ReloadChange& reload = test.reload; reload.comes_after)
-    return reload.loss_error < well_known
-               ? fmt::format(
-                     "Unload and load the next specimen again after every few drops: this reload bounds the loss of "
-                     "all to {:.1f} ± {:.1f} %.",
-                     100 * reload.loss, 100 * reload.loss_error)
-               : fmt::format("Load once more with less noise: the loss is known to {:.1f} % only.",
-                             100 * reload.loss_error);
-  const auto& [loading, of] = test.measurement.loading;
-  if (loading < of)
-    return "Unload to almost no force and load once more, as far as at first; these loadings cannot be compared.";
-  const bool is_unloaded = test.measurement.end == MeasurementEnd::turn;
-  return fmt::format("{} once more; {}{}.", is_unloaded ? "Load" : "Unload and load", reload_bounds,
-                     of > 1 ? fmt::format(" (none comes after loading {}, which is evaluated)", loading) : "");
+// The passes could not be compared, so that the evaluated loading stands alone.
+Found passes_apart(T test) {
+  if (!test.passes || test.passes->status == PassesStatus::ok) return std::nullopt;
+  const bool is_too_short = test.passes->status == PassesStatus::not_sliding_out;
+  const std::string force = unloading_force(test);
+  return Finding{
+      .severity = Severity::condition,
+      .sentence = is_too_short
+                      ? fmt::format("The passes cannot be compared: the specimen slides outwards in {} only.",
+                                    format_count(test.passes->sliding_out, "row", "rows"))
+                      : "The passes cannot be compared: no friction and no loss of stiffness explain all of them.",
+      .short_form = is_too_short ? "not unloaded far enough" : "passes not explained",
+      .remedy = is_too_short ? force.empty() ? "Unload farther, and record more rows."
+                                             : fmt::format("Unload to {} or less, and record more rows.", force)
+                             : "Check the contact, the bending stiffness and the load train.",
+      .numbers = {{"rows", static_cast<double>(test.passes->sliding_out)}}};
 }
 
 // Where the stage moves much farther than usual from one row to the next, what happened in between is not seen.
@@ -667,7 +668,7 @@ Found filtered_force(T test) {
 Found undecided_drops(T test) {
   const Judgement& judgement = *test.judgement;
   if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
-  const bool tells = std::isfinite(judgement.cracks_alone);
+  const bool tells = std::isfinite(judgement.cracks_alone());
   return Finding{
       .severity = Severity::condition,
       .sentence = tells ? fmt::format("How the force rises between the drops does not tell slips from cracks ({}).",
@@ -677,8 +678,8 @@ Found undecided_drops(T test) {
                       : "Fewer than three drops with enough rows between them do not tell slips from cracks.",
       .short_form = tells ? cracks_in_words(test) : "slips or cracks",
       .remedy = reload_remedy(test),
-      .numbers =
-          tells ? std::vector<FindingNumber>{{"cracks_alone", judgement.cracks_alone}} : std::vector<FindingNumber>{}};
+      .numbers = tells ? std::vector<FindingNumber>{{"cracks_alone", judgement.cracks_alone()}}
+                       : std::vector<FindingNumber>{}};
 }
 
 // Of a specimen that is loaded again nothing drops where it slipped or cracked before.
@@ -915,7 +916,7 @@ constexpr std::array rules{
     Rule{Group::alone, "drops_differ", drops_differ},
     Rule{Group::alone, "coloured_noise", coloured_noise},
     Rule{Group::alone, "unstable", unstable},
-    Rule{Group::alone, "loops_differ", loops_differ},
+    Rule{Group::alone, "passes_apart", passes_apart, false},
     Rule{Group::alone, "filtered_force", filtered_force, false},
     Rule{Group::alone, "gap_in_stage", gap_in_stage, false},
     Rule{Group::alone, "few_rows", few_rows},

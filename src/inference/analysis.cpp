@@ -137,6 +137,14 @@ void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
   point.stage -= shift.deflection + shift.force / analysis.rig.stiffness;
 }
 
+// The share of friction in the work is that of the specimen without its losses: they lower both alike.
+void share_as_unharmed(MeasuredEnergy& energy, const MeasuredEnergy& unharmed) {
+  const double less = energy.work_of_fracture / unharmed.work_of_fracture;
+  energy.friction_share = unharmed.friction_share;
+  energy.account.friction = less * unharmed.account.friction;
+  energy.account.snaps = less * unharmed.account.snaps;
+}
+
 // In units of the nominal bending stiffness.
 MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) {
   MeasuredEnergy energy{};
@@ -347,7 +355,12 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.most_friction = options.most_friction;
   const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
   stages.enter("friction", 0.8);
-  analysis.fit = fit_friction(problem, options.fit);
+  analysis.passes = description.passes;
+  const auto are_fitted = [&] { return analysis.passes && analysis.passes->status == PassesStatus::ok; };
+  if (are_fitted()) analysis.fit = fit_evaluated(problem, *analysis.passes, options.fit);
+  if (are_fitted() && analysis.fit.status != FrictionFitStatus::ok)
+    analysis.passes->status = PassesStatus::not_explained;
+  if (!are_fitted()) analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
     analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::bent_too_little;
@@ -366,6 +379,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.replay = replay_of(analysis);
   // What work was measured is a matter of what was read.
   analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
+  if (are_fitted()) share_as_unharmed(analysis.energy, measured_energy(fitted, analysis.drops.drops));
   const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis);
   if (!tells_work) analysis.energy.friction_share = not_a_number;
   if (tells_work && analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);

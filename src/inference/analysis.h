@@ -15,6 +15,7 @@
 #include "data/scales.h"
 #include "inference/checks.h"
 #include "inference/fit.h"
+#include "inference/passes.h"
 #include "inference/profile.h"
 #include "inference/slip_or_crack.h"
 #include "numerics/elementary.h"
@@ -65,6 +66,7 @@ struct TestDescription {
   std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: usual_contact_error
   Fibre fibre{};                          // on its supports
   RigErrors rig_errors{};
+  std::optional<PassesFit> passes{};  // of all passes of the record, where it has several
 };
 
 struct AnalysisOptions {
@@ -141,6 +143,7 @@ struct TestAnalysis {
   std::optional<SlipsOfABar> slips_of_bar{};  // of such a bar that has drops
   double most_friction = infinity;            // [1] as in the options
   SlipSummary slip_summary{};
+  std::optional<PassesFit> passes{};  // as in the description
   SlipOrCrack slip_or_crack{};
   SuspectReport suspects{};
   FrictionFit fit{};

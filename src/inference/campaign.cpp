@@ -82,7 +82,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
   TestSummary summary{.name = name,
                       .category = analysis.category,
                       .drops_verdict = judgement.drops,
-                      .cracks_alone = judgement.cracks_alone,
+                      .cracks_alone = judgement.cracks_alone(),
                       .model = fit.model,
                       .mu0 = fit.mu0,
                       .mu0_is_bound = fit.mu0_is_bound,

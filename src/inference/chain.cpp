@@ -83,7 +83,7 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
 }
 
 template <int M>
-Few<M> product(const States<M, M>& matrix, const Few<M>& v) {  // of a symmetric matrix
+Few<M> times_state(const States<M, M>& matrix, const Few<M>& v) {  // of a symmetric matrix
   Few<M> out{};
   for (int i = 0; i < M; ++i) add(v[i], matrix[i], out);
   return out;
@@ -235,7 +235,7 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
         states = step.series;
         continue;
       }
-      const Few<M> H = seen_by<M>(observation), PH = product<M>(step.predicted, H);
+      const Few<M> H = seen_by<M>(observation), PH = times_state<M>(step.predicted, H);
       const double variance = dot(H, PH) + observation.variance, deviation = std::sqrt(variance);
       step.scale = 1 / deviation;
       for (int i = 0; i < M; ++i) step.gain[i] = PH[i] / variance;
@@ -356,7 +356,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
               for (std::size_t s = 0; s < chain::most_series; ++s) v[s] = step.scale * white_[k][s];
               for (int i = 0; i < M; ++i) add(-step.gain[i], of_columns[i], v);
               for (int i = 0; i < M; ++i) add(H[i], v, of_columns[i]);
-              const Few<M> with_gain = product<M>(N, step.gain);
+              const Few<M> with_gain = times_state<M>(N, step.gain);
               const double information = dot(step.gain, with_gain) + step.scale * step.scale;
               for (int i = 0; i < M; ++i)
                 for (int j = 0; j < M; ++j)
@@ -377,7 +377,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
             Coefficients left = h;
             if constexpr (M > 1) {
               const auto& with_g = step.predicted[0];
-              own = with_g[0] - dot(with_g, product<M>(N, with_g));
+              own = with_g[0] - dot(with_g, times_state<M>(N, with_g));
               for (std::size_t c = 0; c < columns; ++c) {
                 double& of = left[static_cast<Index>(c)];
                 of -= step.series[0][c];
@@ -463,7 +463,7 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
       }
       for (int i = 0; i < M; ++i) add(-H[i], v_bar, states_bar[i]);
       // K = P H/s, P - K s K', s = H'P H + variance
-      const Few<M> with_gain = product<M>(P_bar, step.gain);
+      const Few<M> with_gain = times_state<M>(P_bar, step.gain);
       const double s_bar =
           (1 - dot(weighted, white) - dot(gain_bar, step.gain)) * precision + dot(step.gain, with_gain);
       Few<M> across;

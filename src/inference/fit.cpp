@@ -168,28 +168,6 @@ Estimate estimate_of(std::vector<WeightedDraw> draws) {
   return {quantile(0.5), std::sqrt(squares / total), quantile(0.025), quantile(0.975)};
 }
 
-// Friction is not negative: what is known of a mean that may be near zero.
-struct MeanFriction {
-  Estimate estimate;
-  bool is_bound;
-};
-
-MeanFriction mean_friction(const NormalMixture& mixture) {
-  const double negative = probability_below(mixture, 0);
-  if (negative < 0.025) return {estimate_of(mixture), false};
-  // Given that it is not negative: the median, the deviation about it, and one-sided 95 %.
-  const auto quantile = [&](double probability) {
-    return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0);
-  };
-  const double median = quantile(0.5);
-  return {{median, 0.5 * (quantile(0.84) - quantile(0.16)), 0, quantile(0.95)}, true};
-}
-
-NormalMixture widened(NormalMixture mixture, double by) {
-  for (NormalPart& part : mixture) part.deviation = elementary::length(part.deviation, by);
-  return mixture;
-}
-
 // What a soft rig hides of the mean is an error of its own, as what turns a drift round is a sign.
 std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_by_rig, bool rolls_back) {
   for (JointPart& part : parts) {
@@ -296,6 +274,17 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
 }
 
 }  // namespace
+
+MeanFriction mean_friction(const NormalMixture& mixture) {
+  const double negative = probability_below(mixture, 0);
+  if (negative < 0.025) return {estimate_of(mixture), false};
+  // Given that it is not negative: the median, the deviation about it, and one-sided 95 %.
+  const auto quantile = [&](double probability) {
+    return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0);
+  };
+  const double median = quantile(0.5);
+  return {{median, 0.5 * (quantile(0.84) - quantile(0.16)), 0, quantile(0.95)}, true};
+}
 
 double hidden_by_soft_rig(double stiffness) {
   constexpr double most = 0.13, hides_all = 10, hides_none = 20;

@@ -25,8 +25,6 @@
 
 namespace flexslip {
 
-// Ways in which friction along a fibre may explain a record, and what comes of them together.
-
 // Of the logarithm of the evidence: what one wave more must bring to be claimed.
 inline constexpr double claiming_gain = 3;
 
@@ -65,8 +63,6 @@ struct ProfileBand {
   std::vector<double> mean, deviation;  // [1]
 };
 
-// What is fitted: a record, the rig it was taken on, and what limits its accuracy.
-
 // [L] Sagitta of a specimen that is called straight. It reads as a preload: the specimen lies as one bent so far, and bears nothing.
 inline constexpr double usual_bow = 0.003;
 
@@ -100,14 +96,12 @@ FitProblem usable_part(const FitProblem& whole);
 std::size_t thinning_of(std::size_t points);
 FitProblem thinned(const FitProblem& problem);
 
-// Constant friction by least squares in the force at the measured deflections.
-
 struct ConstantFit {
   double mu0;             // [1]
   double standard_error;  // [1] of the residuals, allowing for their correlation, and of the bending stiffness
 };
 
-// The bending stiffness is taken as nominal, and its error carried into the interval: given the freedom, a constant would bend
+// Constant friction by least squares in the force at the measured deflections. The bending stiffness is taken as nominal, and its error carried into the interval: given the freedom, a constant would bend
 // it to suit the roughness.
 // Domain:     as fit_friction.
 // Method:     Gauss-Newton; autocovariance of the scores tapered (Newey & West) over a tenth of the record.
@@ -122,7 +116,6 @@ enum class ProfileModel {
 };
 
 std::string_view name_of(ProfileModel model);
-
 struct FitOptions {
   ProfileModel model = ProfileModel::roughness;
   SearchOptions search{};
@@ -185,6 +178,13 @@ struct FrictionFit {
   double between_contacts(double S) const { return along.length_at(along.at(S)); }
 };
 
+// Friction is not negative: what is known of a mean that may be near zero. A bound is an upper limit of 95 %.
+struct MeanFriction {
+  Estimate estimate;
+  bool is_bound;
+};
+MeanFriction mean_friction(const NormalMixture& mixture);
+
 // The weight of the explanations without roughness; 0 of a model that has none by itself.
 double weight_without_roughness(const FrictionFit& fit);
 
@@ -192,7 +192,7 @@ double weight_without_roughness(const FrictionFit& fit);
 // than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
 bool tells_lengths(const FrictionFit& fit);
 
-// Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most max_stiffness_error; std::invalid_argument otherwise.
+// Domain:     as usable_part.
 // Fails:      too_few_points, not_explained. Of more than 1200 points every so many are fitted.
 // Cost:       0.1 s at most for 200 points (bench/analyses).
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options = {});

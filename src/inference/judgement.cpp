@@ -1,11 +1,11 @@
 #include "inference/judgement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "bending_test/equilibrium.h"
-#include "data/loading_stiffness.h"
+#include "inference/cause_coefficients.h"
 #include "inference/checks.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -15,8 +15,6 @@ namespace {
 
 // Neither possible nor too short to judge.
 bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible && verdict != SlipVerdict::too_short; }
-
-constexpr double one_sided_95 = 1.645;
 
 std::size_t impossible_drops(const TestAnalysis& analysis) {
   return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(),
@@ -31,68 +29,31 @@ bool friction_falls(const FrictionFit& fit) {
   return surely && -fit.drift.value * passed > much * fit.mu0.value;
 }
 
-// Has the force at a drop left the window in which loadings are compared? A crack before that is in the reference, too.
-bool is_compared(const TestAnalysis& analysis, const Drop& drop) {
-  const auto& force = analysis.record.force;
-  return force[drop.before] > loading_window_up_to * *std::max_element(force.begin(), force.end());
-}
-
-// [1] Of the bending stiffness, that would be left if every drop were a crack at the mean friction of the fit; at most, for the noise of the force.
-double left_by_drops(const TestAnalysis& analysis) {
-  const ReducedRecord& record = analysis.reduced;
-  constexpr int enough = 200;  // of the force, to 1e-4
-  const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  const auto uncracked = sliding_up_to(deepest, std::max(analysis.fit.mu0.value, 0.0), enough, analysis.rig.fibre);
-  double log_left = 0, variance = 0;
-  for (const Drop& drop : analysis.drops.drops) {
-    if (!is_compared(analysis, drop)) continue;
-    const auto apparent = [&](std::size_t row) {
-      return record.force[row] / force_at(uncracked, record.deflection[row]);
-    };
-    const double ratio = apparent(drop.after) / apparent(drop.before);
-    if (!(ratio < 1)) continue;
-    constexpr double nothing = 1e-6;  // of a specimen that broke
-    log_left += elementary::log(std::max(ratio, nothing));
-    variance += 2 * std::pow(analysis.force_noise / record.force[drop.before], 2);
-  }
-  return std::min(elementary::exp(log_left + one_sided_95 * std::sqrt(variance)), 1.0);
-}
-
-// What all cracks together would leave that the reload can have seen: by the rises between the drops or, where these are too few or some drop
-// comes before the loadings are compared, by the drops themselves.
-double left_by_cracks(const TestAnalysis& analysis) {
-  const SlipOrCrack& rises = analysis.slip_or_crack;
-  const auto& drops = analysis.drops.drops;
-  const bool all_compared =
-      std::all_of(drops.begin(), drops.end(), [&](const Drop& drop) { return is_compared(analysis, drop); });
-  return rises.judged && all_compared
-             ? std::max({rises.cracks.left, rises.cracks_constant.left, rises.cracks_running.left})
-             : left_by_drops(analysis);
-}
-
 // None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
-double cracks_alone(const TestAnalysis& analysis, const ReloadChange& reload, const Judgement& judgement) {
-  double probability = analysis.slip_or_crack.cracks_alone;
-  if (reload.comes_after)
-    probability = with_reload(probability, {judgement.loss_needed, reload.loss, reload.loss_error});
-  const bool outside =
-      most_are_impossible(judgement.impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
+double by_one_loading(const TestAnalysis& analysis, std::size_t impossible) {
+  const double probability = analysis.slip_or_crack.cracks_alone;
+  const bool outside = most_are_impossible(impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
   return outside && verdict_of(probability) != CrackVerdict::cracks ? not_a_number : probability;
 }
 
-// [1] Of stiffness, at 95 %.
-double most_lost(const ReloadChange& reload) { return reload.loss + one_sided_95 * reload.loss_error; }
+// [1] Of a reload, besides its own errors: passes of sound specimens differ by as much.
+constexpr double usual_difference = 0.02;
 
-CrackVerdict verdict_on(const Judgement& judgement, const ReloadChange& reload) {
-  if (lost_stiffness(reload)) return CrackVerdict::cracks;
-  if (std::isfinite(judgement.cracks_alone)) return verdict_of(judgement.cracks_alone);
-  return judgement.impossible == 0 && judgement.loss_needed > most_lost(reload) ? CrackVerdict::not_by_cracks_alone
-                                                                                : CrackVerdict::cannot_be_told;
+double log_loss_of(const PassesFit& passes) { return -elementary::log(1 - passes.loss.value); }
+double log_loss_error(const PassesFit& passes) {
+  return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
 }
 
-std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis, const ReloadChange& reload) {
-  std::vector<double> losses{0.1, 0.2};
-  if (reload.comes_after) losses = {std::clamp(most_lost(reload), 0.0, losses.back())};
+Causes causes_by_reload(const TestAnalysis& analysis) {
+  const PassesFit& passes = *analysis.passes;
+  return causes_of({.log_loss = log_loss_of(passes),
+                    .error = log_loss_error(passes),
+                    .log_needed = -elementary::log(1 - passes.loss_needed),
+                    .cracks_alone = analysis.slip_or_crack.cracks_alone});
+}
+
+std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
+  const std::vector<double> losses{0.1, 0.2};
   const Estimate& told = analysis.fit.mu0;
   std::vector<FrictionIfLost> all;
   for (const double loss : losses) {
@@ -114,18 +75,75 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
   return drops >= enough && 2 * impossible >= drops;
 }
 
-Judgement judge(const TestAnalysis& analysis, const ReloadChange& reload) {
+Causes causes_of(const DropsAndLoss& features) {
+  namespace fitted = cause_coefficients;
+  constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
+  const double z = features.log_loss / features.error;
+  const double c =
+      (features.log_needed - features.log_loss) / elementary::length(features.error, of_needed * features.log_needed);
+  const auto squashed = [](double x) { return 1 - 2 / (1 + elementary::exp(2 * x)); };  // tanh
+  constexpr double surest = 0.98;                                                       // one loading is no surer
+  const double alone = std::isnan(features.cracks_alone) ? 0.5 : std::clamp(features.cracks_alone, 1 - surest, surest);
+  const std::array inputs{1.0,
+                          squashed(z / 3),
+                          squashed(z / 8),
+                          squashed(c / 3),
+                          squashed(c / 8),
+                          squashed((z * z - c * c) / 12),
+                          elementary::log(alone / (1 - alone))};
+  const auto weight = [&](const std::array<double, inputs.size()>& of) {
+    double sum = 0;
+    for (std::size_t i = 0; i < of.size(); ++i) sum += of[i] * inputs[i];
+    return elementary::exp(sum);
+  };
+  const double cracks = weight(fitted::cracks), both = weight(fitted::both), all = 1 + cracks + both;
+  return {.slips = 1 / all, .cracks = cracks / all, .both = both / all};
+}
+
+bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }
+
+bool allows_for_losses(const TestAnalysis& analysis) {
+  return is_reloaded(analysis) && analysis.passes->status == PassesStatus::ok;
+}
+
+bool is_lost(const PassesFit& passes) {
+  constexpr double errors = 3;
+  return passes.is_reloaded && log_loss_of(passes) > errors * log_loss_error(passes);
+}
+
+bool is_gained(const PassesFit& passes) {
+  constexpr double errors = 2;
+  return passes.is_reloaded && log_loss_of(passes) < -errors * log_loss_error(passes);
+}
+
+bool is_settled(const PassesFit& passes) {
+  constexpr double errors = 3, least = 0.0005, errors_of_loss = 2;  // [1], [L], [1]
+  const Estimate& settled = passes.settled;
+  return passes.is_reloaded && settled.value > errors * elementary::length(settled.standard_error, least) &&
+         log_loss_of(passes) < errors_of_loss * log_loss_error(passes);
+}
+
+Judgement judge(const TestAnalysis& analysis) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
   Judgement judgement{.drops = CrackVerdict::cannot_be_told,
+                      .causes = {},
                       .impossible = impossible_drops(analysis),
                       .friction_falls = friction_falls(analysis.fit)};
-  if (reload.comes_after) judgement.loss_needed = 1 - left_by_cracks(analysis);
-  judgement.cracks_alone = cracks_alone(analysis, reload, judgement);
-  judgement.drops = verdict_on(judgement, reload);
-  judgement.drops_are_cracks =
-      !analysis.drops.drops.empty() && !lost_stiffness(reload) && judgement.drops == CrackVerdict::cracks;
-  judgement.lost_stiffness = lost_stiffness(reload) || judgement.drops_are_cracks;
-  if (!judgement.lost_stiffness) judgement.if_lost = friction_if_lost(analysis, reload);
+  const bool has_drops = !analysis.drops.drops.empty();
+  if (is_reloaded(analysis)) {
+    const PassesFit& passes = *analysis.passes;
+    if (has_drops && passes.loss_needed > 0) judgement.causes = causes_by_reload(analysis);
+    constexpr double surely = 0.05;
+    const bool lost = std::isfinite(judgement.causes.slips) ? judgement.causes.slips < surely : is_lost(passes);
+    judgement.damage = is_settled(passes) ? Damage::settled : lost ? Damage::lost : Damage::not_told;
+  } else {
+    judgement.causes.cracks = by_one_loading(analysis, judgement.impossible);
+  }
+  judgement.drops = verdict_of(judgement.causes.cracks);
+  judgement.drops_are_cracks = has_drops && !is_reloaded(analysis) && judgement.drops == CrackVerdict::cracks;
+  judgement.lost_stiffness =
+      judgement.drops_are_cracks || (judgement.damage == Damage::lost && !allows_for_losses(analysis));
+  if (!judgement.lost_stiffness && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
   return judgement;
 }
 

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "data/loading_stiffness.h"
 #include "inference/analysis.h"
 #include "numerics/elementary.h"
 
@@ -14,20 +13,55 @@ struct FrictionIfLost {
   double loss, friction;  // [1]
 };
 
+// [1] Probabilities of what made the drops. Without a reload, slips cannot be told from slips and cracks, and `slips` and `both` are NaN.
+struct Causes {
+  double slips = not_a_number, cracks = not_a_number, both = not_a_number;
+};
+
+// What a reload shows of the drops of a loading before it.
+struct DropsAndLoss {
+  double log_loss, error;  // of the stiffness, as -ln of what is left
+  double log_needed;       // likewise by the drops, if they were cracks only
+  double cracks_alone;     // [1] probability of that by one loading alone; NaN where it tells nothing
+};
+
+// Slips, cracks and both being as likely beforehand.
+// Domain:     error >= 0, log_needed > 0.
+// Method:     multinomial logistic regression on simulated records (bench/reload; docs/theory.md, "A reload").
+Causes causes_of(const DropsAndLoss& features);
+
+// What may have become of the specimen.
+enum class Damage {
+  not_told,  // nothing shows it; a reload may show that it is small
+  lost,      // stiffness was lost
+  settled,   // the specimen or a support gave way for good, and no stiffness was lost
+};
+
 struct Judgement {
   CrackVerdict drops;  // by the rises, and by the reload where there is one
-  double cracks_alone =
-      not_a_number;               // [1] probability that they alone made the drops, likewise; NaN where nothing tells
-  bool drops_are_cracks = false;  // there are some, and they are
-  bool lost_stiffness = false;    // a reload, or the rises between the drops, show it: no friction can be read off
+  Causes causes;
+  Damage damage = Damage::not_told;
+  bool drops_are_cracks = false;  // there are some, and they are, and no reload tells more
+  bool lost_stiffness = false;    // it did, and the friction told does not allow for it: none can be read off
   std::size_t impossible = 0;     // drops that cannot be slips
-  double loss_needed =
-      not_a_number;  // [1] of stiffness, by cracks alone to make the drops; NaN where no loading comes after that analysed
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
-  // For losses of a tenth and a fifth, or for what the reload leaves open; none of a specimen that lost stiffness.
+  // For losses of a tenth and a fifth; none where a reload tells the loss, or of a specimen that lost stiffness.
   std::vector<FrictionIfLost> if_lost{};
+
+  double cracks_alone() const { return causes.cracks; }
 };
+
+// Does a loading after the evaluated one tell what was lost?
+bool is_reloaded(const TestAnalysis& analysis);
+
+// Does the friction told allow for all that was lost?
+bool allows_for_losses(const TestAnalysis& analysis);
+
+// Is the loss beyond its errors, or, negative, the gain? It allows for passes that differ by 2 % for other reasons.
+bool is_lost(const PassesFit& passes);
+bool is_gained(const PassesFit& passes);
+bool is_settled(const PassesFit& passes);
 
 // Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted (checks.h, stiffness_errors)? A load train
 // stated too stiff makes it do that.
@@ -36,10 +70,9 @@ bool stiffness_is_off(const TestAnalysis& analysis);
 // Of three drops or more half or more that cannot be slips: the load train is not as stated, before anything else.
 bool most_are_impossible(std::size_t impossible, std::size_t drops);
 
-// A reload that is softer says cracks. One that lost less than cracks alone would need to make the drops makes these less probable; where the rises
-// tell nothing, by more than its error at 95 %, it says that they were not cracks alone. Where half of three drops or more cannot be slips, or the
-// bending stiffness is off (stiffness_is_off), there is no probability, unless it is one of cracks. Drops are not asked about where there are none.
-// Domain:     analysis.status is ok; std::invalid_argument otherwise. reload: of the loading that was analysed.
-Judgement judge(const TestAnalysis& analysis, const ReloadChange& reload = {});
+// By a reload, causes_of. Without one, where half of three drops or more cannot be slips, or the bending stiffness is off (stiffness_is_off), there is no
+// probability, unless it is one of cracks. Drops are not asked about where there are none.
+// Domain:     analysis.status is ok; std::invalid_argument otherwise.
+Judgement judge(const TestAnalysis& analysis);
 
 }  // namespace flexslip

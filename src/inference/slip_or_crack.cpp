@@ -579,15 +579,6 @@ double cracks_alone(const RiseFeatures& features) {
   return 1 / (1 + elementary::exp(-rises * of_a_rise));
 }
 
-double with_reload(double cracks_alone, const ReloadedLoss& loss) {
-  namespace fitted = verdict_coefficients;
-  constexpr double most = 3;  // [1] errors: beyond, the simulated tests tell nothing more
-  const double error = elementary::length(loss.error, fitted::reload_width * loss.needed);
-  const double missing = std::clamp((loss.needed - loss.shown) / error, -most, most);
-  const double odds = cracks_alone / (1 - cracks_alone);
-  return 1 / (1 + elementary::exp(-(fitted::reload_constant + fitted::of_reload * missing)) / odds);
-}
-
 SlipOrCrack slip_or_crack(const ReducedRecord& record, const Rig& rig, std::span<const Drop> drops) {
   SlipOrCrack out{};
   constexpr std::size_t least = 3;

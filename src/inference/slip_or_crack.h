@@ -55,13 +55,6 @@ struct RiseFeatures {
 // Method:     logistic regression on simulated tests (tools/calibrate-verdict; docs/theory.md, "Slip or crack").
 double cracks_alone(const RiseFeatures& features);
 
-// The same with a reload, by how much less it shows than cracks alone would need to make the drops.
-// Domain:     error > 0. NaN stays NaN.
-struct ReloadedLoss {
-  double needed, shown, error;  // [1] of the bending stiffness
-};
-double with_reload(double cracks_alone, const ReloadedLoss& loss);
-
 struct SlipOrCrack {
   bool judged;  // three rises of three rows or more after drops: nothing below is valid otherwise
   CrackVerdict verdict = CrackVerdict::cannot_be_told;

@@ -20,11 +20,6 @@ inline constexpr double friction_needed_width = 0.4;
 inline constexpr double margin_width = 15;
 inline constexpr double loss_margin_width = 10;
 
-// Of what a reload adds to them, by how much less was lost than cracks alone need, in errors of both; that of what they need is a share of it.
-inline constexpr double reload_constant = -0.351;
-inline constexpr double of_reload = -0.725;
-inline constexpr double reload_width = 0.300;
-
 // What the simulated tests range over.
 inline constexpr std::size_t fewest_rows = 60;
 inline constexpr std::size_t most_rows = 2000;

@@ -1,5 +1,8 @@
 #include "numerics/dense.h"
 
+#include <cmath>
+#include <limits>
+
 #include <Eigen/Dense>
 
 #include "numerics/elementary.h"
@@ -26,6 +29,18 @@ MatrixXd cholesky_root(const MatrixView& positive) {
 
 double square_in(const MatrixView& positive, const VectorView& a) {
   return Eigen::LLT<MatrixXd>{MatrixXd(positive)}.matrixL().solve(a).squaredNorm();
+}
+
+Positive::Positive(const MatrixView& positive) {
+  const Eigen::LLT<MatrixXd> factor{MatrixXd(positive)};
+  root_ = factor.matrixL();
+  for (Index i = 0; i < root_.rows(); ++i) log_determinant_ += 2 * elementary::log(root_(i, i));
+  if (factor.info() != Eigen::Success) log_determinant_ = std::numeric_limits<double>::quiet_NaN();
+}
+
+VectorXd Positive::solved(const VectorView& right) const {
+  const auto lower = root_.triangularView<Eigen::Lower>();
+  return lower.transpose().solve(VectorXd(lower.solve(right)));
 }
 
 Symmetric::Symmetric(const MatrixView& symmetric) : matrix_(symmetric), log_determinant_(0) {

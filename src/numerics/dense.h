@@ -1,6 +1,8 @@
 // Decompositions of dense matrices and their products: those of Eigen, compiled once, as each takes seconds wherever it is compiled.
 #pragma once
 
+#include <cmath>
+
 #include <Eigen/Core>
 
 namespace flexslip {
@@ -23,6 +25,19 @@ Eigen::MatrixXd cholesky_root(const MatrixView& positive);
 
 // a' A^-1 a of a positive definite A, of which the lower triangle is read.
 double square_in(const MatrixView& positive, const VectorView& a);
+
+// Systems of a positive definite A, of which the lower triangle is read.
+class Positive {
+ public:
+  explicit Positive(const MatrixView& positive);
+  bool is_definite() const { return std::isfinite(log_determinant_); }
+  Eigen::VectorXd solved(const VectorView& right) const;
+  double log_determinant() const { return log_determinant_; }  // NaN where it is not positive definite
+
+ private:
+  Eigen::MatrixXd root_;
+  double log_determinant_ = 0;
+};
 
 // Systems and the inverse of A, which is symmetric and not singular, be it positive or not (L D L').
 class Symmetric {

@@ -183,6 +183,11 @@ double mean_of(const NormalMixture& mixture) {
   return sum / weight;
 }
 
+NormalMixture widened(NormalMixture mixture, double by) {
+  for (NormalPart& part : mixture) part.deviation = elementary::length(part.deviation, by);
+  return mixture;
+}
+
 double deviation_of(const NormalMixture& mixture) {
   const double mean = mean_of(mixture);
   double weight = 0, sum = 0;

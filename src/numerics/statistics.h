@@ -142,6 +142,7 @@ using NormalMixture = std::vector<NormalPart>;
 
 double mean_of(const NormalMixture& mixture);
 double deviation_of(const NormalMixture& mixture);
+NormalMixture widened(NormalMixture mixture, double by);  // with an independent error besides
 
 // P(number < x).
 double probability_below(const NormalMixture& mixture, double x);

@@ -32,11 +32,10 @@ bool has_waves(const FittedTest& test);  // is one claimed, or would any of thos
 // deflections and without friction. Domain: analysis.status is not_explained.
 Plot record_figure(const FittedTest& test);
 
-// A test that unloads. Force there and back, and the forces of one friction profile for all loops; the loops as boxes in length and mobilised
-// friction, and the friction of both directions on one axis, loop by loop: the first four of them. Domain: has_loops.
-Plot loops_figure(const FittedTest& test);
+// The force of all passes of a test that was unloaded, and the friction of each. Domain: has_passes.
+Plot passes_figure(const FittedTest& test);
 Plot boxes_figure(const FittedTest& test);
-bool has_loops(const FittedTest& test);
+bool has_passes(const FittedTest& test);
 
 // Wavelength and friction by test, a panel a category that there is, with the means and the literature's band, as Fig. 9 of the paper.
 // Domain: at least one test has a summary; std::invalid_argument otherwise.

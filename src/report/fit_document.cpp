@@ -28,7 +28,7 @@ Pictures picture(Plot (*drawn)(T), T test) {
 
 std::string_view colour_of(VerdictCode code) {
   constexpr auto green = "\x1b[1;32m", yellow = "\x1b[1;33m", red = "\x1b[1;31m";
-  return name_in_order<VerdictCode::no_answer>(code, {green, yellow, red, green, red, red});
+  return name_in_order<VerdictCode::no_answer>(code, {green, yellow, yellow, red, yellow, green, red, red});
 }
 
 std::string coloured(std::string line, const std::string& name, const Verdict& verdict) {
@@ -213,53 +213,21 @@ Chapter drops_chapter(T test, const Answer& answer) {
 
 // ---- Loading and unloading
 
-Chapter cycles_chapter(T test) {
-  Chapter chapter{"Load and unload", {}};
-  if (has_loops(test))
-    chapter.blocks.emplace_back(Pictures{[&test] { return std::vector{loops_figure(test), boxes_figure(test)}; }});
+Chapter passes_chapter(T test) {
+  Chapter chapter{"Loading, unloading and loading again", {}};
+  if (has_passes(test))
+    chapter.blocks.emplace_back(Pictures{[&test] { return std::vector{passes_figure(test), boxes_figure(test)}; }});
   chapter.blocks.insert(
       chapter.blocks.end(),
-      {numbers(test, "cycles"),
-       "EI and contacts are those with which sliding in and sliding out mirror each other; that the means agree is "
-       "no evidence, and other points to compare change EI by another 1 to 2 % in the authors' tests. Bumps that "
-       "correlate belong, in part at least, to the specimen's surface; where friction is high in one direction and "
-       "low in the other, an error that depends only on the deflection is at work. The fit assumes full friction "
-       "from the beginning of sliding.",
-       listed(test, "cycles.loops",
-              {{"Loop", ""},
-               {"Rows loading", "loading"},
-               {"unloading", "unloading"},
-               {"μ sliding in", "mu_in"},
-               {"μ sliding out", "mu_out"}}),
-       listed(test, "cycles.loops",
-              {{"Loop", ""},
-               {"Put in", "energy.loading"},
-               {"Given back", "energy.unloading"},
-               {"Lost", "energy.lost"},
-               {"by friction", "energy.friction"},
-               {.heading = "Replay, rms (%)", .field = "replay_rms", .digits = 2, .factor = 100}}),
-       listed(test, "cycles.loading_stiffness",
-              {{"Loading", ""},
-               {"ratio to the first", "ratio"},
-               {"error from the window", "ratio_systematic", 2},
-               {.heading = "Verdict", .field = "verdict", .in_words = {{"not_damaged", "not damaged"}}},
-               {.heading = "Remark",
-                .field = "status",
-                .in_words = {{"ok", ""},
-                             {"reference", "the reference"},
-                             {"loaded_too_little", "not loaded far enough"},
-                             {"window_not_covered", "not unloaded far enough"},
-                             {"too_few_points", "too few rows"},
-                             {"not_rising", "the force does not rise"},
-                             {"still_drawn_in", "friction still holds the length pulled in"},
-                             {"no_reference", "the first loading has no slope"}}}}),
-       test.cycles->stiffness.size() < 2
-           ? std::string()
-           : fmt::format("Damage lowers the initial stiffness of a reload; friction does not. The verdicts are on "
-                         "a loss of {:.0f} % or more, at {:.0f} %, by the slope between {:.0f} and {:.0f} % of the "
-                         "smallest peak force; a contact that settles differently is not in the errors.",
-                         100 * relevant_loss, 100 * loading_confidence, 100 * loading_window_from,
-                         100 * loading_window_up_to)});
+      {numbers(test, "passes"),
+       "All passes are fitted together: one bending stiffness, one rig, and one friction along the specimen that may "
+       "wear from pass to pass. Lost stiffness lowers the force of both directions alike; friction moves them apart.",
+       listed(test, "passes.passes",
+              {{"Pass", ""},
+               {.heading = "Direction", .field = "direction"},
+               {"Rows", "rows"},
+               {"Rows that slide", "sliding_rows"},
+               {"Friction", "friction"}})});
   return chapter;
 }
 
@@ -322,8 +290,8 @@ std::vector<Chapter> document_of(const FittedTest& test) {
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),
-          test.cycles ? cycles_chapter(test) : Chapter{},
-          trusted ? Chapter{test.cycles ? "Where the work of this loading went" : "Where the work went",
+          test.passes ? passes_chapter(test) : Chapter{},
+          trusted ? Chapter{test.passes ? "Where the work of this loading went" : "Where the work went",
                             {caution_of(test, answer), open_numbers(test, "energy")}}
                   : Chapter{},
           small_deflection_chapter(test),

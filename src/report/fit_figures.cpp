@@ -306,128 +306,88 @@ Plot record_figure(const FittedTest& test) {
                       .marks = std::move(marks)}}};
 }
 
-bool has_loops(const FittedTest& test) {
-  if (!test.cycles) return false;
-  const CyclesStatus status = test.cycles->friction.status;
-  return status == CyclesStatus::ok || status == CyclesStatus::no_mirror;
+bool has_passes(const FittedTest& test) { return test.passes && test.passes->status == PassesStatus::ok; }
+
+namespace {
+
+// Of the passes that are drawn, each with a colour of its own.
+constexpr std::array pass_colours{colours::blue, colours::vermillion, colours::sky, colours::orange};
+
+// "Pass 1, in"
+std::string pass_title(const PassFriction& pass, std::size_t number) {
+  return fmt::format("Pass {}, {}", number + 1, pass.rows.direction == Direction::loading ? "in" : "out");
 }
 
-Plot loops_figure(const FittedTest& test) {
-  const auto& cycles = *test.cycles;
+}  // namespace
+
+Plot passes_figure(const FittedTest& test) {
   const Record& record = *test.measurement.cycles;
   const PlotUnits units = plot_units(test);
   const Scales& scales = units.scales;
   const ForcePlane plane = force_plane(units, scales.reduced_length(largest(record.deflection)),
                                        scales.reduced_force(largest(record.force)));
-  const auto at = [&](double deflection, double force) { return std::vector{plane.w(deflection), plane.F(force)}; };
-  PlotTable loading = plane.table("loading"), unloading = plane.table("unloading"), forward = plane.table("forward");
-  for (const Leg& leg : cycles.friction.legs) {
-    auto& rows = (leg.direction == Direction::loading ? loading : unloading).rows;
-    for (std::size_t i = leg.first > 0 ? leg.first - 1 : 0; i < leg.last; ++i)  // the turning point belongs to both
-      rows.push_back(at(scales.reduced_length(record.deflection[i]), scales.reduced_force(record.force[i])));
-    rows.emplace_back();
+  std::vector<PlotTable> tables;
+  std::vector<Mark> marks;
+  for (std::size_t number = 0; number < test.passes->passes.size(); ++number) {
+    const PassFriction& pass = test.passes->passes[number];
+    PlotTable& table = tables.emplace_back(plane.table(fmt::format("pass {}", number + 1)));
+    for (std::size_t i = pass.rows.first > 0 ? pass.rows.first - 1 : 0; i < pass.rows.last; ++i)  // from the turn on
+      table.rows.push_back(
+          {plane.w(scales.reduced_length(record.deflection[i])), plane.F(scales.reduced_force(record.force[i]))});
+    const bool is_told = number < pass_colours.size();
+    marks.push_back({Mark::line,
+                     table.name,
+                     {0, 1},
+                     {pass_colours[number % pass_colours.size()], 1.2},
+                     is_told ? pass_title(pass, number) : ""});
   }
-  for (std::size_t i = 0; i < cycles.replay.force.size(); ++i) {
-    const double force = cycles.replay.force[i];
-    // At the stage position imposed, so that the load train gives the deflection that goes with this force.
-    const double fall = (scales.reduced_force(record.force[i]) - force) / test.analysis.rig.stiffness;
-    if (std::isfinite(force))
-      forward.rows.push_back(at(scales.reduced_length(record.deflection[i]) + fall, force));
-    else if (!forward.rows.empty() && !forward.rows.back().empty())
-      forward.rows.emplace_back();
-  }
-  return {.name = "loops",
-          .title = "Loading and unloading: " + test.name,
-          .caption =
-              "Force against deflection at midspan, as measured in loading (blue) and unloading (red-orange). Black: "
-              "one friction profile for all loops and both directions, run forward over the stage positions.",
+  return {.name = "passes",
+          .title = "Loading, unloading and loading again: " + test.name,
+          .caption = "Force against deflection at midspan, pass by pass.",
           .width = two_columns,
           .height = 96,
-          .data = {std::move(loading), std::move(unloading), std::move(forward)},
-          .panels = {{.x = plane.x(1.03),
-                      .y = plane.y(1.06),
-                      .marks = {{Mark::line, "loading", {0, 1}, {colours::blue, 1.8}, "Loading"},
-                                {Mark::line, "unloading", {0, 1}, {colours::vermillion, 1.8}, "Unloading"},
-                                {Mark::line, "forward", {0, 1}, {colours::black, 0.6}, "Profile, run forward"}}}}};
+          .data = std::move(tables),
+          .panels = {{.x = plane.x(1.03), .y = plane.y(1.06), .marks = std::move(marks)}}};
 }
 
 Plot boxes_figure(const FittedTest& test) {
-  constexpr std::size_t max_drawn_loops = 4;
-  const CyclicFriction& friction = test.cycles->friction;
+  const PassesFit& passes = *test.passes;
   const Slid slid = slid_of(test);
-  const auto loop_of = [&](std::size_t leg) {
-    return std::find_if(friction.loops.begin(), friction.loops.end(),
-                        [&](const FrictionLoop& loop) { return loop.loading == leg || loop.unloading == leg; }) -
-           friction.loops.begin();
-  };
-  PlotTable points{"points", {slid.column(), "q", "mu", "mu low", "mu high", "motion (0 in; 1 out; 2 stuck)", "loop"}};
-  PlotTable path{"path", {slid.column(), "q"}}, profile{"profile", {slid.column(), "mu"}};
+  PlotTable points{"points", {slid.column(), "q", "pass", "slides (1) or sticks (0)"}};
   std::vector<double> sizes;
   double x_max = 0;
-  const CyclicPoint* before = nullptr;
-  for (const CyclicPoint& point : friction.points) {
-    const double x = slid(point.S), error = two_sided_95 * point.standard_error;
-    const double motion = point.motion == LegMotion::in ? 0 : point.motion == LegMotion::out ? 1 : 2;
-    const double mu = motion == 0 ? point.q : motion == 1 ? -point.q : not_a_number;
-    points.rows.push_back(
-        {x, point.q, mu, mu - error, mu + error, motion, static_cast<double>(loop_of(point.leg) + 1)});
-    x_max = std::max(x_max, x);
+  for (const PassPoint& point : passes.points) {
+    points.rows.push_back({slid(point.S), point.q, static_cast<double>(point.pass), point.slides ? 1.0 : 0.0});
+    x_max = std::max(x_max, slid(point.S));
     sizes.push_back(std::abs(point.q));
-    if (before && loop_of(before->leg) != loop_of(point.leg)) path.rows.emplace_back();
-    path.rows.push_back({x, point.q});
-    before = &point;
   }
-  for (std::size_t i = 0; i < friction.table.S.size(); ++i)
-    profile.rows.push_back({slid(friction.table.S[i]), friction.table.mu[i]});
-  // Bands are drawn along the length, loop by loop.
-  PlotTable along{"bands", points.titles, points.rows};
-  std::stable_sort(along.rows.begin(), along.rows.end(), [](const auto& a, const auto& b) {
-    return std::tuple(a[6], a[5], a[0]) < std::tuple(b[6], b[5], b[0]);
-  });
-  // What the noise throws far off where deflection begins would flatten all else.
-  const double top = std::max(1.25 * most_of(0.98, sizes), 1e-3);
-
-  const Axis x{slid_label, slid.unit.unit, 0, 1.02 * x_max};
-  const auto dots = [](Colour colour) { return styles::mark(Symbol::disc, colour, 1.4, 0.5); };
-  constexpr Style profile_look{.width = 0.9};
-  std::vector<Panel> panels{
-      {.x = x,
-       .y = {"Mobilised friction *q*", "", -top, top},
-       .marks =
-           {level(0, styles::zero),
-            {Mark::line, "path", {0, 1}, {colours::silver, 0.4}},
-            {Mark::points, "points", {0, 1}, dots(colours::blue), "In: *q* = *μ*", {{5, 0}}},
-            {Mark::points, "points", {0, 1}, dots(colours::vermillion), "Out: *q* = −*μ*", {{5, 1}}},
-            {Mark::points, "points", {0, 1}, styles::mark(Symbol::circle, colours::black, 2, 0.7), "Stuck", {{5, 2}}},
-            {.kind = Mark::band, .style = styles::fill(colours::grey, 0.3), .title = "95 %"},
-            {.style = profile_look, .title = "All loops"}},
-       .share = 1.7}};
-  const std::size_t drawn = std::min(friction.loops.size(), max_drawn_loops);
-  for (std::size_t i = 0; i < drawn; ++i) {
-    const Condition loop{6, static_cast<double>(i + 1)};
-    panels.push_back(
-        {.x = x,
-         .y = {friction_label, "", 0, top},
-         .marks = {{Mark::band, "bands", {0, 3, 4}, styles::fill(colours::blue, 0.2), "", {{5, 0}, loop}},
-                   {Mark::band, "bands", {0, 3, 4}, styles::fill(colours::vermillion, 0.2), "", {{5, 1}, loop}},
-                   {Mark::points, "points", {0, 2}, dots(colours::blue), "", {{5, 0}, loop}},
-                   {Mark::points, "points", {0, 2}, dots(colours::vermillion), "", {{5, 1}, loop}},
-                   {Mark::line, "profile", {0, 1}, profile_look}}});
-    if (friction.loops.size() > 1) panels.back().marks.push_back(label(edge, edge, fmt::format("loop {}", i + 1)));
+  const double top = std::max(1.25 * most_of(0.98, sizes), 1e-3);  // noise throws some points far off
+  std::vector<Mark> marks{level(0, styles::zero)};
+  for (std::size_t number = 0; number < passes.passes.size(); ++number) {
+    const Colour colour = pass_colours[number % pass_colours.size()];
+    const Condition of_pass{2, static_cast<double>(number)};
+    const bool is_told = number < pass_colours.size();
+    marks.push_back({Mark::points,
+                     "points",
+                     {0, 1},
+                     styles::mark(Symbol::disc, colour, 1.4, 0.5),
+                     is_told ? pass_title(passes.passes[number], number) : "",
+                     {of_pass, {3, 1}}});
+    marks.push_back(
+        {Mark::points, "points", {0, 1}, styles::mark(Symbol::circle, colour, 1.2, 0.3), "", {of_pass, {3, 0}}});
   }
   return {.name = "boxes",
-          .title = "Friction in both directions: " + test.name,
-          .caption = fmt::format(
-              "Top: mobilised friction against the length slid over one support; each loop is a box. The specimen "
-              "slides in along its upper side (blue), sticks while the stage turns back (circles), and slides out "
-              "along its lower side (red-orange). Below{}: friction of both directions at the same points of the "
-              "specimen. Bands: 95 % intervals from noise, bending stiffness and contact; the last two move a whole "
-              "band. Black: one profile for all loops. Points that noise throws beyond the axis are not shown.",
-              friction.loops.size() > drawn ? fmt::format(", the first {} loops", drawn) : ""),
+          .title = "Friction of each pass: " + test.name,
+          .caption =
+              "Mobilised friction against the length slid over one support, at the bending stiffness of the fit. "
+              "The specimen slides in along +*μ*, sticks while the stage turns back (open circles), and slides "
+              "out along −*μ*. Points that noise throws beyond the axis are not shown.",
           .width = two_columns,
-          .height = 64 + 31 * static_cast<double>(drawn),
-          .data = {std::move(points), std::move(along), std::move(path), std::move(profile)},
-          .panels = std::move(panels)};
+          .height = 78,
+          .data = {std::move(points)},
+          .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * x_max},
+                      .y = {"Mobilised friction *q*", "", -top, top},
+                      .marks = std::move(marks)}}};
 }
 
 }  // namespace flexslip

@@ -9,8 +9,8 @@ using namespace flexslip;
 
 namespace {
 
-constexpr double train = 100;  // [N/m]
-constexpr double step = 1e-6;  // [m] of the stage
+constexpr double train = 100;        // [N/m]
+constexpr double stage_step = 1e-6;  // [m] of the stage
 
 // A specimen of 10 N/m that loses a fifth of its force at every fortieth row, on a load train that follows: the stage moves evenly.
 struct Sawtooth {
@@ -23,7 +23,7 @@ Sawtooth sawtooth(std::size_t rows) {
   double held = 1;
   for (std::size_t i = 0; i < rows; ++i) {
     if (i % 40 == 39) held *= 0.8;
-    const double stage = step * static_cast<double>(i + 1);
+    const double stage = stage_step * static_cast<double>(i + 1);
     const double deflection = stage / (1 + held * 10 / train);
     made.record.stage.push_back(stage);
     made.record.deflection.push_back(deflection);
@@ -65,13 +65,13 @@ TEST_CASE("record statistics: rows between drops, of three drops or more (by han
   CHECK(std::isnan(statistics_of(made.record, {made.drops[0], made.drops[1]}, train).rows_between_drops));
 }
 
-TEST_CASE("record statistics: the widest step of the stage, and where it lies (by hand)") {
+TEST_CASE("record statistics: the widest stage_step of the stage, and where it lies (by hand)") {
   Sawtooth made = sawtooth(101);
-  for (std::size_t i = 50; i < 101; ++i) made.record.stage[i] += 99 * step;
+  for (std::size_t i = 50; i < 101; ++i) made.record.stage[i] += 99 * stage_step;
   const WidestStep widest = statistics_of(made.record, made.drops, train).widest_step;
   CHECK(widest.behind == 49);
-  CHECK(widest.length == doctest::Approx(100 * step));
-  CHECK(widest.usual == doctest::Approx(step));
+  CHECK(widest.length == doctest::Approx(100 * stage_step));
+  CHECK(widest.usual == doctest::Approx(stage_step));
   CHECK(widest.share_of_travel == doctest::Approx(100.0 / 199));
 }
 

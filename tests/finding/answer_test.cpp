@@ -272,21 +272,6 @@ TEST_CASE("wrong load train: named before the bending stiffness, with that which
   CHECK(has(sentence_of(by_drops.verdict), "as on 91 N/m."));
 }
 
-TEST_CASE("stiffness: that of the loops is not called stated") {
-  const Test stiff =
-      read_case(FLEXSLIP_SOURCE_DIR "/examples/simulated/case.toml", std::vector<std::string>{"rig.stiffness=\"inf\""});
-  const FittedTest off_by_units = changed([](FittedTest& test) {
-    test.analysis.stiffness_implausible = true;
-    test.analysis.stiffness_over_slope = 16;
-  });
-  for (auto [code, test] :
-       {std::pair{"wrong_load_train", fit_test(stiff, {})}, std::pair{"wrong_stiffness", off_by_units}}) {
-    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness stated is"));
-    test.stiffness = StiffnessSource::mirror;
-    CHECK(has(found(answer_of(test), code)->sentence, "bending stiffness of the loops is"));
-  }
-}
-
 TEST_CASE("remedies: in keys of a case, or in flags for who states the test by these") {
   std::size_t told = 0;
   for (Situation& each : situations()) {
@@ -373,7 +358,7 @@ TEST_CASE("supports that are not stated: friction is told for both, and a verdic
   const Answer cracks = answer_of(on_unknown_supports([](FittedTest& rollers) {
     rollers.judgement->drops = CrackVerdict::cracks;
     rollers.judgement->drops_are_cracks = rollers.judgement->lost_stiffness = true;
-    rollers.judgement->cracks_alone = 0.99;
+    rollers.judgement->causes.cracks = 0.99;
   }));
   CHECK(cracks.verdict.code == VerdictCode::undecided);
   CHECK(cracks.verdict.finding == "supports_not_stated");

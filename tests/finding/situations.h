@@ -104,17 +104,22 @@ inline std::vector<Situation> situations() {
   });
   add("not_explained", Severity::refusal,
       [](FittedTest& test) { test.analysis.status = AnalysisStatus::not_explained; });
-  const auto reloaded = [](double loss, StiffnessChange change) {
+  const auto reloaded = [](double loss, double settled) {
     return [=](FittedTest& test) {
-      test.reload = {loss, 0.01, true, change};
-      test.judgement->lost_stiffness = lost_stiffness(test.reload);
+      PassesFit passes{};
+      passes.status = PassesStatus::ok;
+      passes.is_reloaded = passes.is_followed = true;
+      passes.loss = normal_estimate(loss, 0.01);
+      passes.settled = normal_estimate(settled, 0.0001);
+      test.passes = test.analysis.passes = passes;
     };
   };
-  add("changed_reload", Severity::suspicion, reloaded(0.2, StiffnessChange::softer));
+  add("changed_reload", Severity::note, reloaded(0.2, 0));
+  add("changed_reload", Severity::note, reloaded(0, 0.01));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
     test.judgement->drops_are_cracks = test.judgement->lost_stiffness = true;
     test.judgement->drops = CrackVerdict::cracks;
-    test.judgement->cracks_alone = 0.98;
+    test.judgement->causes.cracks = 0.98;
   });
   add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
   add("not_explained", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
@@ -130,18 +135,16 @@ inline std::vector<Situation> situations() {
         {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
   });
   add("changing_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
-  add("changed_reload", Severity::doubt, reloaded(-0.2, StiffnessChange::stiffer));
-  add("changed_reload", Severity::doubt, reloaded(0.07, StiffnessChange::slightly_softer));
+  add("changed_reload", Severity::doubt, reloaded(-0.2, 0));
   add("drops_elsewhere", Severity::doubt, [](FittedTest& test) {
     test.analysis.drops.drops.clear();
     test.analysis.slips.clear();
     test.drops_elsewhere = {6, {10, 120}};
   });
-  add("loops_differ", Severity::doubt, [](FittedTest& test) {
-    static const FittedTest cyclic = example("cyclic");
-    test.cycles = cyclic.cycles;  // of a friction of 0.5
-    test.analysis.fit.mu0 = normal_estimate(0.3, 0.02);
-  });
+  add("passes_apart", Severity::condition,
+      [](FittedTest& test) { test.passes = PassesFit{.status = PassesStatus::not_sliding_out, .sliding_out = 7}; });
+  add("passes_apart", Severity::condition,
+      [](FittedTest& test) { test.passes = PassesFit{.status = PassesStatus::not_explained}; });
   add("filtered_force", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rounded.lag = 1.2; });
   add("filtered_force", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rounded.spread = 4.5; });
   add("gap_in_stage", Severity::doubt, [](FittedTest& test) {
@@ -149,7 +152,7 @@ inline std::vector<Situation> situations() {
   });
   add("undecided_drops", Severity::condition, [](FittedTest& test) {
     test.judgement->drops = CrackVerdict::cannot_be_told;
-    test.judgement->cracks_alone = 0.35;
+    test.judgement->causes.cracks = 0.35;
   });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rows_between_drops = 4; });
   add("implausible_friction", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });

@@ -24,15 +24,15 @@ TestAnalysis slipping() {
       {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = soft, .noise = 0.01, .seed = 5}));
 }
 
-// Loaded twice, the second time so much softer.
-ReloadChange reloaded(double ratio, double error) {
-  LoadingStiffness first{};
-  first.status = LoadingStatus::ok;
-  first.ratio.value = 1;
-  LoadingStiffness second = first;
-  second.ratio.value = ratio;
-  second.ratio.standard_error = error;
-  return reload_change({first, second}, 0);
+// The same, loaded again with so much less stiffness, where the drops would need so much.
+TestAnalysis reloaded(TestAnalysis analysis, double lost, double error, double needed) {
+  PassesFit passes{};
+  passes.status = PassesStatus::ok;
+  passes.is_reloaded = passes.is_followed = true;
+  passes.loss = normal_estimate(lost, error);
+  passes.loss_needed = needed;
+  analysis.passes = passes;
+  return analysis;
 }
 
 }  // namespace
@@ -48,53 +48,46 @@ TEST_CASE("identity: a test that slips was not made by cracks alone, and one tha
   CHECK(cracks.lost_stiffness);
 }
 
-TEST_CASE("identity: a softer reload comes first, whatever the rises say; a stiff one clears what they leave open") {
-  auto analysis = slipping();
-  const auto softer = reloaded(0.74, 0.02);
-  const auto judgement = judge(analysis, softer);
-  CHECK(judgement.lost_stiffness);
-  CHECK(!judgement.drops_are_cracks);
-  CHECK(judgement.drops == CrackVerdict::cracks);
-  CHECK(!judge(analysis, reloaded(0.93, 0.01)).lost_stiffness);  // as friction that ran in makes it, too
-  CHECK(!judge(analysis, reloaded(1.5, 0.02)).lost_stiffness);
-
-  analysis.slip_or_crack.cracks_alone = 0.3;
-  CHECK(judge(analysis).drops == CrackVerdict::cannot_be_told);
-  const auto as_stiff = reloaded(0.99, 0.01);
-  CHECK(judge(analysis, as_stiff).drops == CrackVerdict::not_by_cracks_alone);
-  analysis.slip_or_crack.cracks.left = 0.99;  // cracks would need no more than was lost
-  CHECK(judge(analysis, as_stiff).drops == CrackVerdict::cannot_be_told);
+TEST_CASE("identity: a reload tells slips, cracks and both, and friction whatever was lost") {
+  const auto analysis = slipping();
+  const auto slips = judge(reloaded(analysis, 0, 0.01, 0.25));
+  CHECK(slips.drops == CrackVerdict::not_by_cracks_alone);
+  CHECK(slips.damage == Damage::not_told);
+  auto like_cracks = analysis;
+  like_cracks.slip_or_crack.cracks_alone = 0.9;
+  const auto cracks = judge(reloaded(like_cracks, 0.25, 0.01, 0.25));
+  CHECK(cracks.causes.slips < 0.05);
+  CHECK(cracks.causes.cracks > cracks.causes.both);
+  CHECK(cracks.damage == Damage::lost);
+  CHECK(!cracks.lost_stiffness);
+  const auto both = judge(reloaded(analysis, 0.12, 0.01, 0.5));
+  CHECK(both.drops == CrackVerdict::not_by_cracks_alone);
+  CHECK(both.damage == Damage::lost);
+  for (const auto& judgement : {slips, cracks, both}) {
+    const auto& [slip, crack, each] = judgement.causes;
+    CHECK(std::abs(slip + crack + each - 1) < 1e-12);
+    CHECK(judgement.if_lost.empty());
+  }
 }
 
-TEST_CASE(
-    "identity: two drops that cracks would have to pay for with a tenth are no cracks where a reload lost a fiftieth") {
+TEST_CASE("limit: a reload that knows nothing decides nothing, and one loading tells no slips from both") {
   auto analysis = slipping();
-  analysis.drops.drops.resize(2);
-  analysis.slip_or_crack = {};
-  double left = 1;  // if friction did not matter, and the deflection hardly changed
-  for (const Drop& drop : analysis.drops.drops)
-    left *= analysis.record.force[drop.after] / analysis.record.force[drop.before];
-  REQUIRE(left < 0.95);
-  CHECK(judge(analysis).drops == CrackVerdict::cannot_be_told);
-  const auto as_stiff = reloaded(0.99, 0.01), as_soft = reloaded(left, 0.05);
-  CHECK(judge(analysis, as_stiff).drops == CrackVerdict::not_by_cracks_alone);
-  CHECK(judge(analysis, as_soft).drops == CrackVerdict::cannot_be_told);
+  analysis.slip_or_crack.cracks_alone = NAN;
+  const auto open = judge(reloaded(analysis, 0.1, 0.3, 0.25));
+  CHECK(open.drops == CrackVerdict::cannot_be_told);
+  CHECK(open.damage == Damage::not_told);
+  CHECK(std::isnan(judge(analysis).causes.slips));
+  CHECK(std::isnan(judge(analysis).causes.both));
 }
 
-TEST_CASE("limit: a reload clears no drop below the forces that it compares, and none that cannot be a slip") {
+TEST_CASE("limit: a loss without drops counts beyond three errors and what passes differ by, settling beside it") {
   auto analysis = slipping();
-  analysis.drops.drops.resize(2);
-  analysis.slips.resize(2);
-  analysis.slip_or_crack = {};
-  const auto as_stiff = reloaded(0.99, 0.01);
-  REQUIRE(judge(analysis, as_stiff).drops == CrackVerdict::not_by_cracks_alone);
-  auto impossible = analysis;
-  impossible.slips.front().verdict = SlipVerdict::unexplained;
-  CHECK(judge(impossible, as_stiff).drops == CrackVerdict::cannot_be_told);
-  auto early = analysis;
-  early.record.force.push_back(100 * *std::max_element(early.record.force.begin(), early.record.force.end()));
-  CHECK(judge(early, as_stiff).loss_needed == 0);
-  CHECK(judge(early, as_stiff).drops == CrackVerdict::cannot_be_told);
+  analysis.drops.drops.clear();
+  CHECK(judge(reloaded(analysis, 0.05, 0.01, 0)).damage == Damage::not_told);
+  CHECK(judge(reloaded(analysis, 0.08, 0.01, 0)).damage == Damage::lost);
+  auto settled = reloaded(analysis, 0.01, 0.01, 0);
+  settled.passes->settled = normal_estimate(0.01, 0.001);
+  CHECK(judge(settled).damage == Damage::settled);
 }
 
 TEST_CASE("identity: friction that surely decreases by a third of its mean is said to") {
@@ -108,7 +101,7 @@ TEST_CASE("identity: friction that surely decreases by a third of its mean is sa
 TEST_CASE("identity: where half of the drops cannot be slips there is no probability, but for one of cracks") {
   auto analysis = slipping();
   for (Slip& slip : analysis.slips) slip.verdict = SlipVerdict::unexplained;
-  CHECK(std::isnan(judge(analysis).cracks_alone));
+  CHECK(std::isnan(judge(analysis).cracks_alone()));
   CHECK(judge(analysis).drops == CrackVerdict::cannot_be_told);
   analysis.slip_or_crack.cracks_alone = 0.97;
   CHECK(judge(analysis).drops == CrackVerdict::cracks);
@@ -124,7 +117,7 @@ TEST_CASE("identity: where a record contradicts the bending stiffness there is n
   }
   for (const double errors : {-2.1, 2.1}) {
     analysis.fit.bending_stiffness.value = std::exp(errors * error);
-    CHECK(std::isnan(judge(analysis).cracks_alone));
+    CHECK(std::isnan(judge(analysis).cracks_alone()));
     CHECK(judge(analysis).drops == CrackVerdict::cannot_be_told);
   }
   analysis.slip_or_crack.cracks_alone = 0.97;
@@ -151,11 +144,7 @@ TEST_CASE("identity: with the stiffness that was lost given back, the friction o
   CHECK(alone[0].loss == 0.1);
   CHECK(alone[0].friction > sound.fit.mu0.value);
   CHECK(alone[1].friction > alone[0].friction);
-  const auto reload = reloaded(0.99, 0.01);
-  const auto bounded = judge(sound, reload).if_lost;
-  REQUIRE(bounded.size() == 1);
-  CHECK(bounded[0].loss == doctest::Approx(0.01 + 1.645 * 0.01));
-  CHECK(bounded[0].friction < alone[0].friction);
+  CHECK(judge(reloaded(sound, 0.01, 0.01, 0.2)).if_lost.empty());
 }
 
 TEST_CASE("limit: a test without an answer is not judged") {

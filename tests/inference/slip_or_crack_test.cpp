@@ -139,18 +139,6 @@ TEST_CASE("table: probabilities of some features, by the formula of theory.md") 
           doctest::Approx(probability).scale(0).epsilon(2e-4));  // as many digits as are written
 }
 
-TEST_CASE(
-    "identity: a reload that shows less than cracks need makes them less probable, one that shows as much does not; "
-    "nothing stays nothing") {
-  for (const double p : {0.02, 0.5, 0.98}) {
-    CHECK(with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.01}) < p);
-    CHECK(with_reload(p, {.needed = 0.3, .shown = 0.4, .error = 0.01}) > p);
-    CHECK(with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.01}) <
-          with_reload(p, {.needed = 0.3, .shown = 0, .error = 0.3}));
-  }
-  CHECK(std::isnan(with_reload(NAN, {.needed = 0.3, .shown = 0, .error = 0.01})));
-}
-
 TEST_CASE("identity: verdicts are by a probability of 5 and 95 %") {
   CHECK(verdict_of(0.04) == CrackVerdict::not_by_cracks_alone);
   CHECK(verdict_of(0.06) == CrackVerdict::cannot_be_told);

@@ -365,16 +365,12 @@ class Loading(InFolder):
                          "--supports", "edges", "--stiffness", "inf")
 
     def test_truth_a_bar_that_is_softer_when_it_is_loaded_again_lost_stiffness(self):
-        for second, row in ((3.0, "the last that can be compared is 30.0 ±"), (4.4, "that evaluated is 30.0 ±")):
+        for second in 3.0, 4.4:
             fit = self.reloaded(0.7, second=second)
             self.assertEqual(fit["verdict"]["code"], "crack", fit["verdict"])
-            self.assertIn("loaded again, it is 30.0 ±", fit["verdict"]["sentence"])
+            self.assertIn("lost 30.0 ±", fit["verdict"]["sentence"])
             self.assertIn("friction cannot be told", fit["verdict"]["sentence"])
-            self.assertIn("changed_reload", against(fit))
-            self.assertIn(row, next(each["words"] for each in fit["answer"] if each["label"] == "reload"))
-        slightly = self.reloaded(0.93)
-        self.assertEqual(slightly["verdict"]["code"], "crack", slightly["verdict"])
-        self.assertIn("changed_reload", against(slightly))
+            self.assertIn("30.0 ±", next(each["words"] for each in fit["answer"] if each["label"] == "reload"))
         as_stiff = self.reloaded(1)
         self.assertEqual(as_stiff["verdict"]["code"], "no_drops", as_stiff["verdict"])
         self.assertNotIn("changed_reload", against(as_stiff))

@@ -5,6 +5,7 @@ import unittest
 
 from program import SOURCE, InFolder, table
 
+SHARED = SOURCE / "../shared/cases"
 STIFFNESS = 2.1e-9  # N m^2
 SPAN = 1278e-6  # m
 MU0 = 0.35
@@ -37,9 +38,8 @@ file = "{file}"
 {first} = "{first_title}"
 force = "{force_title}"
 """
-CYCLES = {"status", "bending_stiffness", "correlation", "loops", "loading_stiffness"}
-LOOP = {"loading", "unloading", "mu_in", "mu_out", "energy", "replay_rms"}
-LOADING = {"status", "ratio", "ratio_systematic", "verdict"}
+PASSES = {"status", "sliding_out_rows", "settled", "loss_needed", "passes"}
+PASS = {"direction", "rows", "sliding_rows", "friction"}
 
 
 class CyclicRecords(InFolder):
@@ -61,69 +61,61 @@ class Simulated(CyclicRecords):
     def test_truth_of_bending_stiffness_and_friction(self):
         """Fixed draws, so this cannot flicker."""
         for seed in range(1, 6):
-            cycles = self.json("fit", self.record(self.readings(seed=seed)))["cycles"]
-            self.assertEqual(cycles["status"], "ok")
-            low, high = cycles["bending_stiffness"]["interval95"]
-            # Beside what the interval knows, cycles.h allows 1e-4 without noise.
-            self.assertLess(low * (1 - 1e-4), STIFFNESS)
-            self.assertGreater(high * (1 + 1e-4), STIFFNESS)
-            for loop in cycles["loops"]:
-                for mu in (loop["mu_in"], loop["mu_out"]):
-                    # A wave of at least two periods, not a whole number of them, shifts the mean by at most A/(2 π).
-                    self.assertAlmostEqual(mu["value"], MU0, delta=0.1 * MU0 / 6 + 3 * mu["standard_error"])
-                self.assertLess(loop["replay_rms"], 0.01)  # noise is 5 uN of some 12 mN
-
-    def test_truth_of_the_bumps(self):
-        cycles = self.json("fit", self.record(self.readings()))["cycles"]
-        self.assertGreater(cycles["correlation"]["low"], 0.9)  # the wave is the same both ways
-        self.assertLessEqual(cycles["correlation"]["high"], 1)
+            fit = self.json("fit", self.record(self.readings(seed=seed)))
+            self.assertEqual(fit["passes"]["status"], "ok")
+            stiffness = fit["parameters"]["bending_stiffness"]
+            self.assertAlmostEqual(stiffness["value"], STIFFNESS, delta=3 * stiffness["standard_error"])
+            for each in fit["passes"]["passes"]:
+                # A wave of at least two periods, not a whole number of them, shifts the mean by at most A/(2 π).
+                mu = each["friction"]
+                self.assertAlmostEqual(mu["value"], MU0, delta=0.1 * MU0 / 6 + 3 * mu["standard_error"])
+            lost = fit["judgement"]
+            self.assertAlmostEqual(lost["stiffness_lost"], 0, delta=3 * lost["stiffness_lost_error"])
 
     def test_schema(self):
-        readings = self.readings()
-        fit = self.json("fit", self.record(readings))
-        cycles = fit["cycles"]
-        self.assertEqual(set(cycles), CYCLES)
-        self.assertEqual(len(cycles["loops"]), 2)
-        for loop in cycles["loops"]:
-            self.assertEqual(set(loop), LOOP)
-            self.assertEqual(set(loop["energy"]), {"loading", "unloading", "lost", "friction"})
-        for loading in cycles["loading_stiffness"]:
-            self.assertEqual(set(loading), LOADING)
-        self.assertEqual(fit["nominal_bending_stiffness"]["source"], "mirror_symmetry")
+        fit = self.json("fit", self.record(self.readings()))
+        self.assertEqual(set(fit["passes"]), PASSES)
+        self.assertEqual([each["direction"] for each in fit["passes"]["passes"]], ["in", "out", "in", "out"])
+        for each in fit["passes"]["passes"]:
+            self.assertEqual(set(each), PASS)
+        self.assertEqual(fit["nominal_bending_stiffness"]["source"], "initial_slope")
 
     def test_identity_rows_are_those_of_the_file(self):
         readings = self.readings()
-        loops = self.json("fit", self.record(readings))["cycles"]["loops"]
+        passes = self.json("fit", self.record(readings))["passes"]["passes"]
         farthest = max(stage for stage, _ in readings)
-        for loop in loops:
-            self.assertEqual(loop["unloading"][0], loop["loading"][1] + 1)
-            self.assertEqual(readings[loop["loading"][1] - 1][0], farthest)
-        self.assertEqual((loops[0]["loading"][0], loops[-1]["unloading"][1]), (1, len(readings)))
+        self.assertEqual((passes[0]["rows"][0], passes[-1]["rows"][1]), (1, len(readings)))
+        for before, after in zip(passes, passes[1:]):
+            self.assertEqual(after["rows"][0], before["rows"][1] + 1)
+        for loading in passes[::2]:
+            self.assertEqual(readings[loading["rows"][1] - 1][0], farthest)
 
     def test_identity_reduced_record_says_the_same(self):
         readings = self.readings()
-        fit = self.json("fit", self.record(readings))["cycles"]
+        fit = self.json("fit", self.record(readings))
         unit = STIFFNESS / SPAN**2
         scaled = [(stage / SPAN, force / unit) for stage, force in readings]
         case = self.record(scaled, titles=("s", "F"))
         text = case.read_text(encoding="utf-8").replace('span = "1278 um"\n', "")
         case.write_text("reduced = true\n" + text.replace('"90.65 N/m"', repr(90.65 * SPAN**3 / STIFFNESS)), encoding="utf-8")
-        reduced = self.json("fit", case)["cycles"]
-        close = 1e-6  # the iteration ends where a step is smaller than that
-        value = reduced["bending_stiffness"]["value"]
-        self.assertAlmostEqual(value, fit["bending_stiffness"]["value"] / STIFFNESS, delta=close)
-        for a, b in zip(reduced["loops"], fit["loops"]):
-            self.assertAlmostEqual(a["mu_in"]["value"], b["mu_in"]["value"], delta=close)
-            self.assertAlmostEqual(a["energy"]["lost"], b["energy"]["lost"] / (unit * SPAN), delta=close)
+        reduced = self.json("fit", case)
+        close = 1e-6  # rounding, through rounds of linearisation
+        for a, b in zip(reduced["passes"]["passes"], fit["passes"]["passes"]):
+            self.assertAlmostEqual(a["friction"]["value"], b["friction"]["value"], delta=close)
 
-    def test_truth_damage_is_told_from_friction(self):
+    def test_truth_a_loss_of_stiffness_is_told_from_friction(self):
+        """The second loading is of another specimen, less stiff, on more friction; nothing else differs."""
         first = self.readings(UP_AND_DOWN)
-        for stiffness, verdict in ((STIFFNESS, "not_damaged"), (0.7 * STIFFNESS, "damaged")):
+        for stiffness in STIFFNESS, 0.7 * STIFFNESS:
             again = self.readings(UP_AND_DOWN, stiffness, seed=2)[1:]
-            loadings = self.json("fit", self.record(first + again))["cycles"]["loading_stiffness"]
-            self.assertEqual([loading["verdict"] for loading in loadings], [None, verdict])
-            error = (loadings[1]["ratio"]["standard_error"] ** 2 + loadings[1]["ratio_systematic"] ** 2) ** 0.5
-            self.assertAlmostEqual(loadings[1]["ratio"]["value"], stiffness / STIFFNESS, delta=3 * error)  # three standard errors
+            lost = self.json("fit", self.record(first + again))["judgement"]
+            self.assertAlmostEqual(lost["stiffness_lost"], 1 - stiffness / STIFFNESS, delta=3 * lost["stiffness_lost_error"])
+
+    @unittest.skipUnless((SHARED / "wear_between_loadings").is_dir(), "no shared cases")
+    def test_truth_friction_that_wears_is_no_loss(self):
+        fit = self.json("fit", SHARED / "wear_between_loadings/wear.toml")
+        self.assertEqual(fit["verdict"]["code"], "slip", fit["verdict"])
+        self.assertLess(fit["judgement"]["stiffness_lost"], 2 * fit["judgement"]["stiffness_lost_error"])
 
     def test_a_record_that_begins_by_unloading_is_evaluated_from_its_loading_on(self):
         turned = self.readings(UP_AND_DOWN)
@@ -135,17 +127,17 @@ class Simulated(CyclicRecords):
     def test_text_and_report(self):
         case = self.record(self.readings())
         text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
-        for words in ("2 loadings: friction", "\nLoad and unload\n", "\nWhere the work of this loading went\n"):
+        for words in ("4 passes: friction", "\nLoading, unloading and loading again\n", "\nWhere the work of this loading went\n"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
-        self.assertIn("<h2>Load and unload</h2>", page)
-        for figure in ("loops", "boxes"):
+        self.assertIn("<h2>Loading, unloading and loading again</h2>", page)
+        for figure in ("passes", "boxes"):
             self.assertTrue((self.folder / f"report/figures/{figure}.gp").exists())
 
 
 class OneLoading(InFolder):
-    def test_has_no_cycles(self):
-        self.assertIsNone(self.json("fit", SOURCE / "examples/simulated/case.toml")["cycles"])
+    def test_has_no_passes_to_compare(self):
+        self.assertIsNone(self.json("fit", SOURCE / "examples/simulated/case.toml")["passes"])
 
 
 class Measured(CyclicRecords):
@@ -159,7 +151,7 @@ class Measured(CyclicRecords):
                 rows = [tuple(map(float, row)) for row in list(csv.reader(file))[1:]]
             readings += rows[1:] if readings else rows  # a cycle begins with the last row of the one before
         fit = self.json("fit", self.record(readings, titles=("w0_m [m]", "F_N [N]"), rig="119.0364 N/m"))
-        self.assertEqual((fit["status"], fit["cycles"]["status"], len(fit["cycles"]["loops"])), ("ok", "ok", 3))
+        self.assertEqual((fit["status"], fit["passes"]["status"], len(fit["passes"]["passes"])), ("ok", "ok", 6))
 
 
 if __name__ == "__main__":

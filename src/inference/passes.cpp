@@ -1,0 +1,852 @@
+#include "inference/passes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include <Eigen/Core>
+
+#include "inference/pass_rows.h"
+#include "inference/pass_unknowns.h"
+#include "numerics/dense.h"
+#include "numerics/elementary.h"
+#include "numerics/statistics.h"
+
+namespace flexslip {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+// Friction along the fibre as values at nodes, and its prior.
+
+// How rough friction is: its standard deviation [1] and length [L] of S.
+struct Roughness {
+  double size, length;
+};
+constexpr std::array sizes_of_roughness{0.008, 0.03, 0.07, 0.13};
+constexpr std::array lengths_of_roughness{0.006, 0.015, 0.04};
+
+class Nodes {
+ public:
+  // From the straight fibre to a length [L].
+  Nodes(const PassesOptions& options, double longest)
+      : options_(options),
+        size_(static_cast<Index>(std::clamp(std::ceil((longest - 1) / options.spacing), 30.0, options.most_nodes))),
+        spacing_((longest - 1) / static_cast<double>(size_ - 1)) {}
+
+  Index size() const { return size_; }
+  double S(Index j) const { return 1 + spacing_ * static_cast<double>(j); }
+  double last() const { return S(size() - 1); }
+
+  // The two nodes beside a length, and how far it is from the first to the second.
+  struct Place {
+    Index first;
+    double part;
+  };
+  Place place(double length) const {
+    const double where = std::clamp((length - 1) / spacing_, 0.0, static_cast<double>(size()) - 1.001);
+    const auto first = static_cast<Index>(where);
+    return {first, where - static_cast<double>(first)};
+  }
+  static double between(const Place& at, const VectorXd& values) {
+    return (1 - at.part) * values[at.first] + at.part * values[at.first + 1];
+  }
+
+  VectorXd slopes(const VectorXd& values) const {
+    VectorXd slopes(size());
+    for (Index j = 0; j < size(); ++j) {
+      const Index before = std::max<Index>(j - 1, 0), after = std::min(j + 1, size() - 1);
+      slopes[j] = (values[after] - values[before]) / (spacing_ * static_cast<double>(after - before));
+    }
+    return slopes;
+  }
+
+  // Of friction: its mean and trend, and its slow and its rough variation.
+  MatrixXd covariance(const Roughness& rough) const { return covariance(options_.slow_friction, rough); }
+  // Of its mean and its trend alone.
+  MatrixXd covariance_of_trend() const { return covariance(0, {0, 1}); }
+
+ private:
+  MatrixXd covariance(double slow, const Roughness& rough) const {
+    constexpr double nugget = 1e-6;  // of the variance: nodes of a smooth process can hardly be told apart
+    const double range = last() - 1;
+    const auto matern = [](double distance) {
+      const double r = std::sqrt(3.0) * distance;
+      return (1 + r) * elementary::exp(-r);
+    };
+    // It depends on the distance of two nodes, but for the trend.
+    VectorXd by_distance(size());
+    for (Index d = 0; d < size(); ++d) {
+      const double apart = spacing_ * static_cast<double>(d);
+      by_distance[d] = options_.friction_error * options_.friction_error + slow * slow * matern(3 * apart / range) +
+                       rough.size * rough.size * matern(apart / rough.length);
+    }
+    by_distance[0] += nugget;
+    MatrixXd K(size(), size());
+    for (Index i = 0; i < size(); ++i)
+      for (Index j = 0; j <= i; ++j) {
+        const double trend = (2 * (S(i) - 1) / range - 1) * (2 * (S(j) - 1) / range - 1);
+        K(i, j) = K(j, i) = by_distance[i - j] + options_.friction_trend * options_.friction_trend * trend;
+      }
+    return K;
+  }
+
+  const PassesOptions& options_;
+  Index size_;
+  double spacing_;
+};
+
+// Rows linearised about a state of all unknowns: force = by_friction μ(place) + by_unknowns θ + amplification · noise.
+struct Linear {
+  std::vector<Index> row;  // of PassRows
+  std::vector<Nodes::Place> place;
+  VectorXd by_friction, amplification, force;
+  MatrixXd by_unknowns;
+  MatrixXd log_gain_by;  // d ln(by_friction/amplification)/dθ, the readings as they are
+
+  Index size() const { return force.size(); }
+};
+
+// The normal equations of linearised rows: A x = b, and Σ weight · force².
+struct Normal {
+  MatrixXd A;
+  VectorXd b;
+  double square = 0;
+};
+
+Normal normal_of(const Linear& at, const VectorXd& weight, Index nodes) {
+  const Index unknowns = at.by_unknowns.cols(), size = nodes + unknowns;
+  Normal normal{MatrixXd::Zero(size, size), VectorXd::Zero(size)};
+  const MatrixXd weighted = weight.asDiagonal() * at.by_unknowns;
+  normal.A.bottomRightCorner(unknowns, unknowns) = product(MatrixXd(weighted.transpose()), at.by_unknowns);
+  for (Index i = 0; i < at.size(); ++i) {
+    const auto [j, part] = at.place[static_cast<std::size_t>(i)];
+    const double first = at.by_friction[i] * (1 - part), second = at.by_friction[i] * part, w = weight[i];
+    normal.A(j, j) += w * first * first;
+    normal.A(j + 1, j) += w * first * second;
+    normal.A(j + 1, j + 1) += w * second * second;
+    normal.A.col(j).tail(unknowns) += first * weighted.row(i).transpose();
+    normal.A.col(j + 1).tail(unknowns) += second * weighted.row(i).transpose();
+    normal.b.tail(unknowns) += at.force[i] * weighted.row(i).transpose();
+    normal.b[j] += w * first * at.force[i];
+    normal.b[j + 1] += w * second * at.force[i];
+    normal.square += w * at.force[i] * at.force[i];
+  }
+  normal.A.triangularView<Eigen::StrictlyUpper>() = normal.A.transpose();
+  return normal;
+}
+
+// The fit as it goes on.
+class PassesFitter {
+ public:
+  PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows, const PassStates& read,
+               const PassUnknowns& unknowns, std::vector<char> stuck, double longest);
+
+  // The best of all rounds; false if too few rows show what could be fitted.
+  bool run();
+
+  struct Best {
+    double score = infinity;
+    VectorXd solution;  // friction at the nodes, then the unknowns
+    MatrixXd covariance;
+    double noise = 0;  // [EI/L^2]
+    VectorXd S, q;     // [L], [1] of each row
+    std::vector<Index> used;
+  };
+  const Best& best() const { return best_; }
+  const Nodes& nodes() const { return nodes_; }
+
+ private:
+  bool linearise();
+  void choose_roughness(int round);
+  void solve(int round);
+  void weigh();
+  void keep(int round);
+
+  VectorXd pull(const Normal& normal) const;
+  VectorXd leverage(const MatrixXd& A, const MatrixXd& prior) const;
+  MatrixXd prior_precision(const MatrixXd& covariance_of_friction) const;
+  double scatter_of(std::size_t pass, std::size_t least) const;
+  std::size_t pass_of(Index k) const {
+    return rows_.pass[static_cast<std::size_t>(linear_.row[static_cast<std::size_t>(k)])];
+  }
+
+  const PassesProblem& problem_;
+  const PassesOptions& options_;
+  const std::vector<Leg>& legs_;
+  const PassRows& rows_;
+  const PassUnknowns& unknowns_;
+  const std::vector<char> stuck_;
+  const Nodes nodes_;
+  const double compliance_, greatest_, least_noise_;
+
+  VectorXd mu_, theta_;                   // where the rows are linearised
+  double noise_, correlation_ = 0;        // of one row [EI/L^2]; of neighbours
+  Roughness rough_{0.06, 0.012};          // to begin with
+  VectorXd prior_mean_, robust_;          // of all unknowns; of all rows
+  MatrixXd trend_precision_, precision_;  // of friction without roughness; of all unknowns
+  Linear linear_;
+  VectorXd weight_, residual_;  // of the linearised rows, over their amplification
+  VectorXd solution_, S_, q_;
+  MatrixXd covariance_;
+  Best best_;
+};
+
+// The noise is lowered by these steps [maximum force]: with its true size at once, the fit ends in a wrong place.
+constexpr std::array noise_steps{.03, .02, .012, .008, .005, .004, .003, .002, .0015, .001};
+constexpr int best_from = 6;  // the round from which on the best is kept
+constexpr std::size_t min_rows = 20;
+
+PassesFitter::PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
+                           const PassStates&, const PassUnknowns& unknowns, std::vector<char> stuck, double longest)
+    : problem_(problem),
+      options_(problem.options),
+      legs_(legs),
+      rows_(rows),
+      unknowns_(unknowns),
+      stuck_(std::move(stuck)),
+      nodes_(problem.options, longest),
+      compliance_(1 / problem.rig.stiffness),
+      greatest_(*std::max_element(problem.record.force.begin(), problem.record.force.end())),
+      least_noise_(noise_of_second_differences(second_differences(problem.record.force))),
+      mu_(VectorXd::Constant(nodes_.size(), options_.friction)),
+      theta_(unknowns.mean),
+      noise_(noise_steps[0] * greatest_),
+      prior_mean_(nodes_.size() + unknowns.size()),
+      robust_(VectorXd::Ones(index_of(rows.size()))),
+      trend_precision_(Symmetric(nodes_.covariance_of_trend()).inverse()) {
+  prior_mean_ << mu_, unknowns.mean;
+}
+
+bool PassesFitter::run() {
+  for (int round = 0; round < options_.rounds; ++round) {
+    if (!linearise()) return false;
+    weigh();
+    choose_roughness(round);
+    solve(round);
+    keep(round);
+  }
+  return std::isfinite(best_.score);
+}
+
+bool PassesFitter::linearise() {
+  const Index n = index_of(rows_.size());
+  const Fibre& fibre = problem_.rig.fibre;
+  const VectorXd w = rows_.w + unknowns_.W * theta_, F = rows_.F + unknowns_.G * theta_;
+  VectorXd e(n), times(n);
+  const VectorXd log_e = unknowns_.E * theta_, level = unknowns_.L * theta_;
+  for (Index i = 0; i < n; ++i) {
+    e[i] = elementary::exp(log_e[i]);
+    times[i] = rows_.side[static_cast<std::size_t>(i)] * elementary::exp(level[i]);
+  }
+  const VectorXd reduced = F.cwiseQuotient(e);
+  const PassStates read = states_read(w, reduced, fibre);
+
+  // Where each row slides: by what was read and, hardly bent, by what is fitted.
+  constexpr double by_fit_up_to = 0.04, by_reading_from = 0.08;  // [L] of deflection
+  constexpr double wrong_way = -0.2;                             // [1] friction that no sliding reads
+  S_.resize(n);
+  q_.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    S_[i] = read.S[i];
+    q_[i] = times[i] * Nodes::between(nodes_.place(S_[i]), mu_);
+    if (!read.is_read(i)) continue;
+    const double by_reading = rows_.side[static_cast<std::size_t>(i)] * read.q[i] > wrong_way
+                                  ? std::clamp((w[i] - by_fit_up_to) / (by_reading_from - by_fit_up_to), 0.0, 1.0)
+                                  : 0;
+    for (int again = 0; again < 3; ++again) {
+      const double here = by_reading * read.q[i] + (1 - by_reading) * q_[i];
+      S_[i] = std::max(read.S[i] + read.S_q[i] * (here - read.q[i]), 1.0);
+      q_[i] = times[i] * Nodes::between(nodes_.place(S_[i]), mu_);
+    }
+  }
+  const PassForces modelled = forces_modelled(w, q_, read, fibre);
+  linear_ = {};
+  for (Index i = 0; i < n; ++i)
+    if (!stuck_[static_cast<std::size_t>(i)] && read.is_read(i) && std::isfinite(modelled.F[i]) &&
+        S_[i] < nodes_.last())
+      linear_.row.push_back(i);
+  if (linear_.row.size() < min_rows) return false;
+
+  const auto [W, G] = unknowns_.at(w, modelled.F.cwiseProduct(e));
+  const VectorXd slope = nodes_.slopes(mu_);
+  // The gain of friction at deflections and forces a little larger.
+  constexpr double dw = 1e-5, dF = 2e-4;
+  const PassStates deeper = states_read(w.array() + dw, reduced, fibre);
+  const PassStates stronger = states_read(w, reduced.array() + dF, fibre);
+  const auto log_gain = [&](const PassStates& at, Index i) {
+    constexpr double least = 1e-6;
+    return elementary::log(std::max(at.F_q[i], least) / std::max(1 + e[i] * at.F_w[i] * compliance_, least));
+  };
+  const Index m = index_of(linear_.row.size());
+  for (VectorXd* column : {&linear_.by_friction, &linear_.amplification, &linear_.force}) column->resize(m);
+  linear_.by_unknowns.resize(m, unknowns_.size());
+  linear_.log_gain_by.setZero(m, unknowns_.size());
+  for (Index k = 0; k < m; ++k) {
+    const Index i = linear_.row[static_cast<std::size_t>(k)];
+    const double F_q = e[i] * modelled.F_q[i], F_w = e[i] * modelled.F_w[i];
+    const Nodes::Place place = nodes_.place(S_[i]);
+    linear_.place.push_back(place);
+    linear_.by_friction[k] = F_q * times[i];
+    // An error of the rig or of the force moves the place that is read as well; friction rises there along the way.
+    constexpr double most = 6;  // times as uncertain as at constant friction: beyond, the place is a crest
+    const double plain = 1 + F_w * compliance_;
+    const double moved = std::max(F_q * modelled.S_w[i] * compliance_ - plain * modelled.S_q[i], 1e-9);
+    const double rise =
+        std::clamp(times[i] * Nodes::between(place, slope), 0.0, std::max((most - 1) * plain / moved, 0.0));
+    const double held = 1 - rise * modelled.S_q[i];
+    linear_.amplification[k] = plain * held + F_q * rise * modelled.S_w[i] * compliance_;
+    linear_.by_unknowns.row(k) = -held * G.row(i) + (held * F_w + F_q * rise * modelled.S_w[i]) * W.row(i) +
+                                 held * e[i] * modelled.F[i] * unknowns_.E.row(i) + F_q * q_[i] * unknowns_.L.row(i);
+    linear_.force[k] = F[i] - e[i] * modelled.F[i] + linear_.by_friction[k] * Nodes::between(place, mu_) +
+                       linear_.by_unknowns.row(k).dot(theta_);
+    const double here = log_gain(read, i);
+    const double by_w = (log_gain(deeper, i) - here) / dw, by_F = (log_gain(stronger, i) - here) / dF;
+    if (std::isfinite(by_w) && std::isfinite(by_F))
+      linear_.log_gain_by.row(k) =
+          by_w * W.row(i) + by_F / e[i] * G.row(i) + (1 - by_F * reduced[i]) * unknowns_.E.row(i) + unknowns_.L.row(i);
+  }
+  return true;
+}
+
+MatrixXd PassesFitter::prior_precision(const MatrixXd& covariance_of_friction) const {
+  constexpr double exact = 1e-9;  // a deviation so small is none
+  MatrixXd precision = MatrixXd::Zero(prior_mean_.size(), prior_mean_.size());
+  precision.topLeftCorner(nodes_.size(), nodes_.size()) = Symmetric(covariance_of_friction).inverse();
+  VectorXd deviation = unknowns_.deviation.cwiseMax(exact);
+  for (Index j = 0; j < deviation.size(); ++j)
+    if (unknowns_.settled[j] != 0 && theta_[j] < 0) deviation[j] = options_.rising;
+  precision.diagonal().tail(unknowns_.size()) = deviation.cwiseAbs2().cwiseInverse();
+  return precision;
+}
+
+// Neighbouring rows that err alike are worth fewer.
+void PassesFitter::weigh() {
+  constexpr double most = 12;
+  const double inflation = std::min((1 + correlation_) / (1 - correlation_), most);
+  weight_.resize(linear_.size());
+  for (Index k = 0; k < linear_.size(); ++k)
+    weight_[k] = robust_[linear_.row[static_cast<std::size_t>(k)]] /
+                 (std::pow(noise_ * linear_.amplification[k], 2) * inflation);
+}
+
+// How much of what friction leaves is noise, and how much is roughness: by the evidence. First among some of each; then the size alone, which has to be
+// right where `pull` weighs roughness against errors of the rig.
+void PassesFitter::choose_roughness(int round) {
+  VectorXd plain(linear_.size());
+  double count = 0;
+  for (Index k = 0; k < linear_.size(); ++k) {
+    const double robust = robust_[linear_.row[static_cast<std::size_t>(k)]];
+    plain[k] = robust / std::pow(linear_.amplification[k], 2);
+    count += robust;
+  }
+  const Normal normal = normal_of(linear_, plain, nodes_.size());
+  const auto evidence = [&](const Roughness& rough, std::span<const double> noises) {
+    const MatrixXd K = nodes_.covariance(rough), precision = prior_precision(K);
+    const VectorXd from_prior = precision * prior_mean_;
+    const double of_prior = prior_mean_.dot(from_prior) + Positive(K).log_determinant();
+    std::pair<double, double> best{-infinity, noise_};
+    for (const double noise : noises) {
+      const double weight = 1 / (noise * noise);
+      const Positive A(MatrixXd(weight * normal.A + precision));
+      const VectorXd b = weight * normal.b + from_prior;
+      const double value = 0.5 * (b.dot(A.solved(b)) - weight * normal.square - of_prior - A.log_determinant()) -
+                           count * elementary::log(noise);
+      best = std::max(best, std::pair(value, noise));
+    }
+    return best;
+  };
+  constexpr int among_some = 5, again = 8;
+  if (round == among_some || round == again) {
+    constexpr double least = 0.001;  // [maximum force] of the noise
+    std::vector<double> noises;
+    for (double noise = std::max(least_noise_, least * greatest_);
+         noise < 1.5 * std::max(noise_, 1.1 * least * greatest_); noise *= 2)
+      noises.push_back(noise);
+    std::pair<double, double> most{-infinity, noise_};
+    for (const double size : sizes_of_roughness)
+      for (const double length : lengths_of_roughness)
+        if (const auto here = evidence({size, length}, noises); here > most) {
+          most = here;
+          rough_ = {size, length};
+        }
+    weight_ *= noise_ * noise_ / (most.second * most.second);
+    noise_ = most.second;
+  }
+  if (round < among_some) return;
+  constexpr double factor = 1.4, smallest = 0.002, largest = 0.3;
+  const std::array noise{noise_};
+  const auto at = [&](double times) { return evidence({times * rough_.size, rough_.length}, noise).first; };
+  const double below = at(1 / factor), here = at(1), above = at(factor);
+  const double curvature = 2 * here - below - above;
+  const double steps = curvature > 0   ? std::clamp(0.5 * (above - below) / curvature, -2.0, 2.0)
+                       : above > below ? 2
+                                       : -2;
+  rough_.size = std::clamp(rough_.size * elementary::exp(steps * elementary::log(factor)), smallest, largest);
+}
+
+// Of friction at the places of the rows: how much of each the row itself tells.
+VectorXd PassesFitter::leverage(const MatrixXd& A, const MatrixXd& prior) const {
+  const MatrixXd inverse = Symmetric(MatrixXd(A.topLeftCorner(nodes_.size(), nodes_.size()) + prior)).inverse();
+  VectorXd leverage(linear_.size());
+  for (Index k = 0; k < leverage.size(); ++k) {
+    const auto [j, part] = linear_.place[static_cast<std::size_t>(k)];
+    const double first = 1 - part, gain = linear_.by_friction[k];
+    leverage[k] =
+        weight_[k] * gain * gain *
+        (first * first * inverse(j, j) + 2 * first * part * inverse(j + 1, j) + part * part * inverse(j + 1, j + 1));
+  }
+  return leverage;
+}
+
+// A rig by which the same readings need less roughness would always be likelier, as a density of friction and rig together: the volume of friction
+// that explains the readings shrinks with it. What counts is the density of the rig alone, over all friction.
+VectorXd PassesFitter::pull(const Normal& normal) const {
+  const Index n = nodes_.size();
+  return -(linear_.log_gain_by.transpose() *
+           (leverage(normal.A, precision_.topLeftCorner(n, n)) - leverage(normal.A, trend_precision_)));
+}
+
+// [EI/L^2] Of a pass, by the median; 0 of one with too few rows.
+double PassesFitter::scatter_of(std::size_t pass, std::size_t least) const {
+  std::vector<double> sizes;
+  for (Index k = 0; k < linear_.size(); ++k)
+    if (pass_of(k) == pass) sizes.push_back(std::abs(residual_[k]));
+  return sizes.size() > least ? deviation_by_median * median_of(std::move(sizes)) : 0;
+}
+
+void PassesFitter::solve(int round) {
+  precision_ = prior_precision(nodes_.covariance(rough_));
+  const Index unknowns = unknowns_.size();
+  const VectorXd from_prior = precision_ * prior_mean_, plain = weight_;
+  const auto solve_once = [&] {
+    const Normal normal = normal_of(linear_, weight_, nodes_.size());
+    const Symmetric A(MatrixXd(normal.A + precision_));
+    VectorXd b = normal.b + from_prior;
+    b.tail(unknowns) += pull(normal);
+    covariance_ = A.inverse();
+    solution_ = A.solved(b);
+    residual_.resize(linear_.size());
+    for (Index k = 0; k < linear_.size(); ++k)
+      residual_[k] = (linear_.force[k] - linear_.by_unknowns.row(k).dot(solution_.tail(unknowns)) -
+                      linear_.by_friction[k] * Nodes::between(linear_.place[static_cast<std::size_t>(k)], solution_)) /
+                     linear_.amplification[k];
+  };
+  solve_once();
+  // Robust weights, by the scatter of each pass: with one for all, a pass that fits badly at first would count no more.
+  constexpr double linear_beyond = 2;  // [scatter] residuals count by their size beyond, not by their square
+  constexpr int often = 3, early = 5;
+  for (int again = 0; again < (round < early ? often : 1); ++again) {
+    std::vector<double> scatter;
+    for (std::size_t pass = 0; pass < legs_.size(); ++pass) scatter.push_back(std::max(scatter_of(pass, 4), noise_));
+    for (Index k = 0; k < linear_.size(); ++k)
+      weight_[k] =
+          plain[k] * std::min(1.0, linear_beyond * scatter[pass_of(k)] / std::max(std::abs(residual_[k]), 1e-12));
+    solve_once();
+  }
+}
+
+void PassesFitter::keep(int round) {
+  const Index nodes = nodes_.size(), unknowns = unknowns_.size();
+  const double step = round == 0 ? 1 : round < best_from ? 0.8 : 0.6;
+  constexpr double most_friction = 2, farthest = 3.5;  // [1]; [prior deviations]
+  for (Index j = 0; j < nodes; ++j) mu_[j] = std::clamp(mu_[j] + step * (solution_[j] - mu_[j]), 0.0, most_friction);
+  for (Index j = 0; j < unknowns; ++j) {
+    const double deviation = unknowns_.deviation[j], longest = 0.3 * std::max(1.0, deviation);
+    theta_[j] += step * std::clamp(solution_[nodes + j] - theta_[j], -longest, longest);
+    theta_[j] =
+        std::clamp(theta_[j], unknowns_.mean[j] - farthest * deviation, unknowns_.mean[j] + farthest * deviation);
+  }
+
+  double widest = 0;
+  for (std::size_t pass = 0; pass < legs_.size(); ++pass) widest = std::max(widest, scatter_of(pass, 8));
+  const auto next = std::min(static_cast<std::size_t>(round) + 1, noise_steps.size() - 1);
+  noise_ = std::max({widest, 0.8 * least_noise_, noise_steps[next] * greatest_});
+  constexpr int robust_from = 4;
+  constexpr Index reach = 4;
+  if (round >= robust_from)
+    for (Index k = 0; k < linear_.size(); ++k) {
+      std::vector<double> near;
+      for (Index l = std::max<Index>(k - reach, 0); l <= std::min(k + reach, linear_.size() - 1); ++l)
+        near.push_back(residual_[l]);
+      const double away = (residual_[k] - median_of(std::move(near))) / (4 * noise_);
+      robust_[linear_.row[static_cast<std::size_t>(k)]] = 1 / (1 + away * away);
+    }
+  double squares = 0, products = 0, clipped = 0, before = 0;
+  for (Index k = 0; k < linear_.size(); ++k) {
+    const double here = std::clamp(residual_[k], -4 * noise_, 4 * noise_);
+    squares += here * here;
+    products += here * before;
+    clipped += std::min(residual_[k] * residual_[k], 9 * noise_ * noise_);
+    before = here;
+  }
+  constexpr double most_correlated = 0.9;
+  correlation_ = std::clamp(products / std::max(squares, 1e-300), 0.0, most_correlated);
+
+  constexpr double nothing = 3e-4;  // [maximum force] residuals so small say nothing more
+  constexpr double most_inflation = 12;
+  const auto m = static_cast<double>(linear_.size());
+  const double inflation = std::min((1 + correlation_) / (1 - correlation_), most_inflation);
+  double score = m / inflation * elementary::log(std::sqrt(clipped / m) + nothing * greatest_);
+  for (Index j = 0; j < unknowns; ++j)
+    if (unknowns_.deviation[j] > 0)
+      score += 0.5 * std::pow((solution_[nodes + j] - unknowns_.mean[j]) / unknowns_.deviation[j], 2);
+  if (round >= best_from && score < best_.score) best_ = {score, solution_, covariance_, noise_, S_, q_, linear_.row};
+}
+
+// ---- What is told of it
+
+// A functional of all unknowns with its error.
+class Told {
+ public:
+  explicit Told(const PassesFitter::Best& best) : best_(best) {}
+
+  double value(const VectorXd& of) const { return of.dot(best_.solution); }
+  double deviation(const VectorXd& of) const { return std::sqrt(std::max(of.dot(best_.covariance * of), 0.0)); }
+  Estimate estimate(const VectorXd& of) const { return normal_estimate(value(of), widened * deviation(of)); }
+
+  // What linearisation, outliers and correlated errors add to the errors of a Gaussian (bench/reload).
+  static constexpr double widened = 1.2;
+
+ private:
+  const PassesFitter::Best& best_;
+};
+
+// [1] Mean of friction from one length to another.
+VectorXd mean_between(const Nodes& nodes, Index size, double S_first, double S_last) {
+  VectorXd mean = VectorXd::Zero(size);
+  double count = 0;
+  for (Index j = 0; j < nodes.size(); ++j)
+    if (nodes.S(j) >= S_first && nodes.S(j) <= S_last) {
+      mean[j] = 1;
+      ++count;
+    }
+  return count > 0 ? VectorXd(mean / count) : mean;
+}
+
+struct SlidOver {
+  double first = infinity, last = 0;  // [L]
+  void add(double S) {
+    first = std::min(first, S);
+    last = std::max(last, S);
+  }
+};
+
+// [1] Of the loss, besides its own error: what a ramp in the greatest deflection leaves of how it came.
+constexpr double loss_of_loss = 0.06;
+
+// [L] Beyond, one pass alone shows the fibre, and says nothing that the others could be compared with.
+double length_passed_twice(const PassRows& rows, const PassStates& read, std::size_t passes) {
+  constexpr double beside = 1.04, least = 0.005;  // [1], [L] what is a little farther is compared, too
+  std::vector<double> farthest(passes, 1);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (read.is_read(index_of(i))) farthest[rows.pass[i]] = std::max(farthest[rows.pass[i]], read.S[index_of(i)]);
+  std::nth_element(farthest.begin(), farthest.begin() + 1, farthest.end(), std::greater<>());
+  return 1 + std::max(beside * (farthest[1] - 1), least);
+}
+
+RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>& legs,
+                            const std::vector<NeededLoss>& needed, const VectorXd& theta) {
+  const PassRows rows = rows_evaluated(problem, legs);
+  const PassUnknowns unknowns(problem, legs, needed, rows, states_read(rows.w, rows.F, problem.rig.fibre));
+  const VectorXd moved = unknowns.W * theta, more = unknowns.G * theta;
+  const VectorXd lost = unknowns.E * theta;
+  const double compliance = 1 / problem.rig.stiffness;
+  std::vector<double> stage;
+  std::vector<Shift> shift;
+  double advanced = 0;
+  for (Index i = 0; i < rows.w.size(); ++i) {
+    if (!stage.empty() && !(rows.stage[i] > stage.back())) continue;
+    const double unharmed = (rows.F[i] + more[i]) * elementary::exp(theta[PassUnknowns::stiffness] - lost[i]);
+    Shift at{moved[i], unharmed - rows.F[i]};
+    // The stage of the loading only advances, whatever the errors of the losses.
+    advanced = std::max(advanced, rows.stage[i] + at.deflection + compliance * at.force);
+    at.deflection = advanced - rows.stage[i] - compliance * at.force;
+    stage.push_back(rows.stage[i]);
+    shift.push_back(at);
+  }
+  return {std::move(stage), std::move(shift), compliance};
+}
+
+// [1] From one length [L] to another; that of all where it has no place between them.
+double mean_of_band(const ProfileBand& band, double S_first, double S_last) {
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < band.S.size(); ++i)
+    if (band.S[i] >= S_first && band.S[i] <= S_last) {
+      sum += band.mean[i];
+      ++count;
+    }
+  return count > 0 ? sum / count : mean_of(band.mean);
+}
+
+// [EI/L^2] The mean force of a pass near a deflection [L]; NaN where it has no row there.
+double force_near(const ReducedRecord& record, const Leg& leg, double w, double reach,
+                  const std::vector<char>& left_out) {
+  double sum = 0, count = 0;
+  for (std::size_t i = leg.first; i < leg.last; ++i)
+    if (!left_out[i] && std::abs(record.deflection[i] - w) < reach) {
+      sum += record.force[i];
+      ++count;
+    }
+  return count > 0 ? sum / count : not_a_number;
+}
+
+// The loss between two loadings by their forces at the same deflections, friction being what it was: ln(F2/F1) = ln(1 - loss) + c/w, c being the
+// difference of the contacts.
+std::optional<Estimate> loss_by_forces(const PassesProblem& problem, const Leg& before, const Leg& after,
+                                       const std::vector<char>& left_out) {
+  const ReducedRecord& record = problem.record;
+  const auto deepest = [&](const Leg& leg) {
+    const auto begin = record.deflection.begin();
+    return *std::max_element(begin + static_cast<std::ptrdiff_t>(leg.first),
+                             begin + static_cast<std::ptrdiff_t>(leg.last));
+  };
+  const double common = std::min(deepest(before), deepest(after));
+  constexpr double from = 0.3, up_to = 0.95;  // [common deflection]
+  constexpr int places = 30, independent = 8;
+  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  double squares = 0, count = 0;
+  for (int i = 0; i < places; ++i) {
+    const double w = common * (from + (up_to - from) * (i + 0.5) / places), reach = common * (up_to - from) / places;
+    const double ratio = force_near(record, after, w, reach, left_out) / force_near(record, before, w, reach, left_out);
+    if (!(ratio > 0)) continue;
+    const Eigen::Vector2d of_row(1, 1 / w);
+    const double y = elementary::log(ratio);
+    A += of_row * of_row.transpose();
+    b += y * of_row;
+    squares += y * y;
+    ++count;
+  }
+  if (count < independent) return std::nullopt;
+  constexpr double least = 0.003;  // [1] of the scatter
+  const double of_contact = problem.options.contact_change;
+  double variance = least * least;
+  Eigen::Vector2d solution;
+  Eigen::Matrix2d covariance;
+  for (int again = 0; again < 3; ++again) {
+    Eigen::Matrix2d precision = A * (independent / count / variance);
+    precision(1, 1) += 1 / (of_contact * of_contact);
+    const double determinant = precision(0, 0) * precision(1, 1) - precision(0, 1) * precision(1, 0);
+    covariance << precision(1, 1), -precision(0, 1), -precision(1, 0), precision(0, 0);
+    covariance /= determinant;
+    solution = covariance * b * (independent / count / variance);
+    const double left_over = squares - 2 * solution.dot(b) + solution.dot(A * solution);
+    variance = std::max(left_over / count, least * least);
+  }
+  const double left = elementary::exp(solution[0]);
+  return normal_estimate(1 - left, left * elementary::length(std::sqrt(covariance(0, 0)), problem.options.of_forces));
+}
+
+// Between the evaluated loading and the last after it, or else between the first and the evaluated one.
+void compare_forces(PassesFit& fit, const PassesProblem& problem, const std::vector<Leg>& legs,
+                    const std::vector<char>& left_out) {
+  constexpr std::size_t enough = 10;  // rows of a loading
+  const Leg* evaluated = nullptr;
+  const Leg* other = nullptr;
+  for (const Leg& leg : legs) {
+    if (leg.direction != Direction::loading || leg.last - leg.first < enough) continue;
+    if (is_in(leg, problem.first))
+      evaluated = &leg;
+    else if (evaluated || !other)
+      other = &leg;
+  }
+  if (!evaluated || !other) return;
+  const bool is_followed = other->first > evaluated->first;
+  const auto loss = is_followed ? loss_by_forces(problem, *evaluated, *other, left_out)
+                                : loss_by_forces(problem, *other, *evaluated, left_out);
+  if (!loss) return;
+  fit.is_reloaded = true;
+  fit.is_followed = is_followed;
+  fit.loss = *loss;
+  double needs = 0;
+  for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
+    if (is_in(*evaluated, drop.before)) needs += drop.log_loss;
+  fit.loss_needed = is_followed ? 1 - elementary::exp(-needs) : 0;
+}
+
+// Of a mean friction whose error is one of its own and one in common with the bending stiffness.
+std::vector<Correlation> with_common_error(std::vector<Correlation> all, double own, double common,
+                                           double correlation) {
+  const std::string_view mean = JointPart::parameter_names[JointPart::mu0];
+  const std::string_view stiffness = JointPart::parameter_names[JointPart::bending_stiffness];
+  const double whole = elementary::length(own, common);
+  std::erase_if(all, [&](const Correlation& each) { return each.of == stiffness || each.with == stiffness; });
+  for (Correlation& each : all)
+    if (each.of == mean || each.with == mean) each.value *= own / whole;
+  all.push_back({mean, stiffness, correlation * common / whole});
+  return all;
+}
+
+}  // namespace
+
+double sliding_out_force(const Fibre& fibre, double S, double friction) {
+  const FibreState state = fibre.state(S, -friction);
+  return std::isfinite(state.F) ? std::max(state.F, 0.0) : 0;
+}
+
+PassesFit fit_passes(const PassesProblem& problem) {
+  require_readings(problem.record);
+  if (!(problem.rig.stiffness > 0))
+    throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(problem.rig.stiffness));
+  const std::vector<Leg> legs = find_legs(problem.record.stage);
+  if (legs.size() < 2) throw std::invalid_argument("a record of one pass has none to be compared with");
+  PassesFit fit;
+  const PassRows rows = rows_of(problem, legs);
+  fit.status = PassesStatus::not_sliding_out;
+  const double greatest = *std::max_element(problem.record.force.begin(), problem.record.force.end());
+  std::vector<char> left_out;  // without contact, or where the specimen sticks
+  for (const double force : problem.record.force) left_out.push_back(force < problem.options.min_force * greatest);
+  if (rows.size() < min_rows) {
+    compare_forces(fit, problem, legs, left_out);
+    return fit;
+  }
+  const double force_noise = noise_of_second_differences(second_differences(problem.record.force));
+  const PassStates stated = states_read(rows.w, rows.F, problem.rig.fibre);
+  const auto stuck = stuck_rows(rows, stated, 1 / problem.rig.stiffness, force_noise);
+  const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
+  if (deepest > judged_from)  // less deep, friction holds hardly any of the force
+    for (std::size_t i = 0; i < rows.size(); ++i) left_out[rows.row[i]] = stuck[i];
+  compare_forces(fit, problem, legs, left_out);
+  const double longest = length_passed_twice(rows, stated, legs.size());
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    fit.sliding_out += !stuck[i] && rows.side[i] < 0 && stated.is_read(index_of(i));
+  if (fit.sliding_out < min_rows) return fit;
+  fit.status = PassesStatus::not_explained;
+  const auto needed = losses_needed(problem.record, problem.drops, problem.rig.fibre);
+  const PassUnknowns unknowns(problem, legs, needed, rows, stated);
+  PassesFitter fitter(problem, legs, rows, stated, unknowns, stuck, longest);
+  if (!fitter.run()) return fit;
+  const PassesFitter::Best& best = fitter.best();
+  constexpr double explained = 5, least_explained = 0.01;  // [noise]; [maximum force]
+  if (best.noise > std::max(explained * force_noise, least_explained * greatest)) return fit;
+
+  fit.status = PassesStatus::ok;
+  const Told told(best);
+  const Nodes& nodes = fitter.nodes();
+  const Index all = best.solution.size();
+  std::vector<SlidOver> slid(legs.size());
+  std::vector<std::size_t> sliding(legs.size(), 0);
+  SlidOver evaluated;
+  std::vector<char> is_used(rows.size(), 0);
+  fit.sliding_out = 0;
+  for (const Index i : best.used) {
+    const auto row = static_cast<std::size_t>(i);
+    const std::size_t pass = rows.pass[row];
+    is_used[row] = 1;
+    slid[pass].add(best.S[i]);
+    ++sliding[pass];
+    fit.sliding_out += rows.side[row] < 0;
+    if (rows.row[row] >= problem.first && rows.row[row] < problem.last && rows.w[i] > friction_shows_from)
+      evaluated.add(best.S[i]);
+  }
+  fit.S_first = evaluated.first;
+  fit.S_last = evaluated.last;
+  const VectorXd mean = mean_between(nodes, all, evaluated.first, evaluated.last);
+  fit.mean_friction = told.estimate(mean);
+  VectorXd stiffness = VectorXd::Zero(all);
+  stiffness[nodes.size() + PassUnknowns::stiffness] = 1;
+  fit.log_stiffness = told.estimate(stiffness);
+  fit.correlation = mean.dot(best.covariance * stiffness) / (told.deviation(mean) * told.deviation(stiffness));
+  for (const StatedQuantity quantity : stated_quantities) {
+    const Index column = nodes.size() + unknowns.of(quantity);
+    const double deviation = unknowns.deviations[quantity];
+    const double in_prior = quantity == StatedQuantity::bending_stiffness ? deviation * deviation : deviation;
+    fit.friction_by[quantity] = in_prior > 0 ? mean.dot(best.covariance.col(column)) / in_prior : 0;
+    fit.log_stiffness_by[quantity] = in_prior > 0 ? stiffness.dot(best.covariance.col(column)) / in_prior : 0;
+  }
+
+  const auto of_unknowns = [&](const VectorXd& coefficients) {
+    VectorXd functional = VectorXd::Zero(all);
+    functional.tail(unknowns.size()) = coefficients;
+    return functional;
+  };
+  std::size_t loadings = 0;
+  fit.is_followed = false;
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    const bool slides_in = legs[leg].direction == Direction::loading && sliding[leg] >= min_rows / 2;
+    loadings += slides_in;
+    fit.is_followed = fit.is_followed || (slides_in && legs[leg].first >= problem.last);
+  }
+  fit.is_reloaded = loadings > 1;
+  const Estimate lost = told.estimate(of_unknowns(unknowns.log_loss));
+  const double left = elementary::exp(-lost.value);
+  fit.loss = normal_estimate(1 - left, left * elementary::length(lost.standard_error, loss_of_loss * lost.value));
+  double needs = 0;
+  for (const NeededLoss& drop : needed)
+    if (drop.before < legs.back().first) needs += drop.log_loss;
+  fit.loss_needed = 1 - elementary::exp(-needs);
+  fit.settled = told.estimate(of_unknowns(unknowns.settled));
+
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    PassFriction pass{.rows = legs[leg], .sliding = sliding[leg], .friction = {}};
+    pass.friction.value = pass.friction.standard_error = pass.friction.low = pass.friction.high = not_a_number;
+    double level = 0;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (is_used[i] && rows.pass[i] == leg)
+        level += unknowns.L.row(index_of(i)).dot(best.solution.tail(unknowns.size()));
+    if (sliding[leg] > 2)
+      pass.friction = told.estimate(mean_between(nodes, all, slid[leg].first, slid[leg].last) *
+                                    elementary::exp(level / static_cast<double>(sliding[leg])));
+    fit.passes.push_back(pass);
+  }
+  const VectorXd theta = best.solution.tail(unknowns.size());
+  VectorXd reduced = rows.F + unknowns.G * theta;
+  const VectorXd log_e = unknowns.E * theta;
+  for (Index i = 0; i < reduced.size(); ++i) reduced[i] *= elementary::exp(-log_e[i]);
+  const PassStates read = states_read(rows.w + unknowns.W * theta, reduced, problem.rig.fibre);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (read.is_read(index_of(i)))
+      fit.points.push_back({rows.row[i], rows.pass[i], read.S[index_of(i)], read.q[index_of(i)], is_used[i] != 0});
+  fit.correction = correction_of(problem, legs, needed, theta);
+  return fit;
+}
+
+FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, const FitOptions& options) {
+  if (passes.status != PassesStatus::ok) throw std::invalid_argument("no passes were fitted");
+  const double stiffening = elementary::exp(passes.log_stiffness.value);
+  FitProblem known = whole;
+  known.record = passes.correction.corrected(std::move(known.record));
+  known.record.stage = advancing(known.record.stage);
+  known = restated(std::move(known), StatedQuantity::bending_stiffness, stiffening - 1);
+  known.errors.force /= stiffening;
+  known.errors.bending_stiffness = known.errors.contact = 0;
+  known.rig_errors = {0, 0, 0, 0, 0, 0, 0};
+  FrictionFit fit = fit_friction(known, options);
+  if (fit.status != FrictionFitStatus::ok) return fit;
+
+  const auto scaled = [](Estimate estimate, double by) {
+    return Estimate{by * estimate.value, by * estimate.standard_error, by * estimate.low, by * estimate.high};
+  };
+  fit.bending_stiffness = exponential(passes.log_stiffness);
+  fit.noise = scaled(fit.noise, stiffening);
+  fit.residual_rms *= stiffening;
+  fit.correction = passes.correction;
+  for (std::size_t i = 0; i < fit.force.size(); ++i)
+    fit.force[i] = stiffening * fit.force[i] - fit.correction.at(whole.record.stage[i]).force;
+  for (double& each : fit.draw_stiffness) each *= stiffening;
+  fit.friction_by = passes.friction_by;
+  fit.log_stiffness_by = passes.log_stiffness_by;
+  const double common = passes.mean_friction.standard_error;  // of all places alike
+  const double beside = passes.mean_friction.value - mean_of_band(fit.band, passes.S_first, passes.S_last);
+  for (NormalPart& part : fit.of_mu0.posterior) part.mean += beside;
+  fit.of_mu0.posterior = widened(std::move(fit.of_mu0.posterior), common);
+  const double alone = fit.mu0.standard_error;
+  const MeanFriction mean = mean_friction(fit.of_mu0.posterior);
+  fit.mu0 = mean.estimate;
+  fit.mu0_is_bound = mean.is_bound;
+  for (double& each : fit.band.deviation) each = elementary::length(each, common);
+  fit.correlations = with_common_error(std::move(fit.correlations), alone, common, passes.correlation);
+  for (WaveEstimate& wave : fit.waves)
+    wave.correlations = with_common_error(std::move(wave.correlations), alone, common, passes.correlation);
+  return fit;
+}
+
+}  // namespace flexslip
