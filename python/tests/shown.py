@@ -84,7 +84,7 @@ class Figures(unittest.TestCase):
         figures = {figure["name"]: figure for figure in fit._part("figures")}
         data = {name: figure["data"] for name, figure in figures.items()}
         drawn = [line.get_xydata() for line in fit.plot("passes").lines]
-        for which in "pass 1", "pass 2", "pass 3":
+        for which in "pass_1", "pass_2", "pass_3":
             wanted = np.column_stack(list(data["passes"][which].values()))
             self.assertTrue(any(each.shape == wanted.shape and np.array_equal(each, wanted, equal_nan=True) for each in drawn), which)
         self.assertEqual(len(fit.passes.passes), 3)

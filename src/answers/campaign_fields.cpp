@@ -33,7 +33,8 @@ Fields<CampaignTest> name_fields() {
       .words("name", "name of the test", &CampaignTest::name)
       .titled("test")
       .words("status", "whether the test has an answer: a status of fit, or failed", &CampaignTest::status)
-      .words("verdict", "SLIP, UNDECIDED, CRACK, NO DROPS, CHECK INPUT or NO ANSWER", &CampaignTest::verdict);
+      .words("verdict", "SLIP, SLIP AND DAMAGE, UNDECIDED, CRACK, SETTLED, NO DROPS, CHECK INPUT or NO ANSWER",
+             &CampaignTest::verdict);
 }
 
 Fields<TestSummary> verdict_fields() {
@@ -54,6 +55,11 @@ Fields<TestSummary> verdict_fields() {
 }
 
 Fields<TestSummary> number_fields() {
+  const auto of_loss = [](double LostStiffness::*part) {
+    return [part](const TestSummary& test) { return test.loss ? std::optional((*test.loss).*part) : std::nullopt; };
+  };
+  const auto lost = of_loss(&LostStiffness::lost), lost_error = of_loss(&LostStiffness::error),
+             needed = of_loss(&LostStiffness::needed);
   return Fields<TestSummary>()
       .own("residual_rms", kind::force,
            "root mean square difference between the measured force and the mean of the fit run forward",
@@ -64,7 +70,12 @@ Fields<TestSummary> number_fields() {
       .number(
           "friction_share",
           "share of the work that went into friction and snaps; null if the test is not trusted or gives only a limit",
-          &TestSummary::friction_share);
+          &TestSummary::friction_share)
+      .number("stiffness_lost", "share of the stiffness lost to the next loading; null without one", lost)
+      .number("stiffness_lost_error", "standard error of stiffness_lost", lost_error)
+      .number("loss_needed",
+              "share of the stiffness that the drops would need if they were cracks only; null without a reload",
+              needed);
 }
 
 // What the bending standards read off, and what friction at the supports adds.

@@ -54,6 +54,9 @@ constexpr std::tuple parts_of<MeasuredFriction>{Part{"mu0", &MeasuredFriction::m
                                                 Part{"log_roughness", &MeasuredFriction::log_roughness},
                                                 Part{"log_length", &MeasuredFriction::log_length}};
 template <>
+constexpr std::tuple parts_of<LostStiffness>{Part{"lost", &LostStiffness::lost}, Part{"error", &LostStiffness::error},
+                                             Part{"needed", &LostStiffness::needed}};
+template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
@@ -77,7 +80,8 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
-                                           Part{"measured", &TestSummary::measured}};
+                                           Part{"measured", &TestSummary::measured},
+                                           Part{"loss", &TestSummary::loss}};
 template <>
 constexpr std::tuple parts_of<Supports>{Part{"radius", &Supports::radius}, Part{"half_depth", &Supports::half_depth}};
 template <>

@@ -411,7 +411,8 @@ bool begin_beyond_friction(T test) {
 
 // The load train is not as stated, before anything else.
 bool are_most_drops_impossible(T test) {
-  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->lost_stiffness;
+  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->lost_stiffness &&
+         !allows_for_losses(test.analysis);
 }
 
 Found most_drops_impossible(T test) {

@@ -96,6 +96,9 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, co
                       .friction_share = analysis.energy.friction_share,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .measured = measured_friction(fit, scales)};
+  if (is_reloaded(analysis))
+    summary.loss =
+        LostStiffness{analysis.passes->loss.value, analysis.passes->loss.standard_error, analysis.passes->loss_needed};
   if (const auto& by = fit.friction_by) {
     summary.mu0_by_load_train = (*by)[StatedQuantity::load_train] * analysis.rig_errors.load_train;
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;

@@ -19,6 +19,12 @@ struct MeasuredFriction {
   std::optional<Measured> mu0, log_roughness, log_length;
 };
 
+// What a reload shows of the stiffness lost in a test.
+struct LostStiffness {
+  double lost, error;  // [1]
+  double needed;       // [1] by its drops, if they were cracks only
+};
+
 // A test in a line. Units: SI.
 struct TestSummary {
   std::string name;
@@ -47,6 +53,7 @@ struct TestSummary {
   // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
   double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
   MeasuredFriction measured;
+  std::optional<LostStiffness> loss{};  // of a test that was loaded again
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.

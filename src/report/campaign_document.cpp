@@ -109,6 +109,9 @@ std::string verdicts_in_words(const Campaign& campaign) {
   std::string words =
       fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
                   count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
+  if (const auto both = count(VerdictCode::slip_and_damage); both > 0)
+    words += fmt::format(", {} slip and damage", both);
+  if (const auto settled = count(VerdictCode::settled); settled > 0) words += fmt::format(", {} settled", settled);
   if (const auto wrong = count(VerdictCode::check_input); wrong > 0)
     words += fmt::format(", {} to check the input of", wrong);
   if (const auto none = count(VerdictCode::no_answer); none > 0) words += fmt::format(", {} without an answer", none);
@@ -370,7 +373,13 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
   const bool has_answers = !tests.rows.empty();
   std::vector<Chapter> chapters;
   if (has_answers)
-    chapters = {{"", {Pictures{[&campaign] { return std::vector{distribution_figure(campaign)}; }}, tests}},
+    chapters = {{"",
+                 {Pictures{[&campaign] {
+                    std::vector figures{distribution_figure(campaign)};
+                    if (has_losses(campaign)) figures.push_back(losses_figure(campaign));
+                    return figures;
+                  }},
+                  tests}},
                 {"By category: mean (smallest to largest)",
                  {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
                 {"Between specimens", {specimen_rows(campaign)}}};

@@ -66,6 +66,51 @@ double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> categor
 
 }  // namespace
 
+namespace {
+
+bool tells_loss(const CampaignTest& test) {
+  return test.summary && test.summary->loss && test.summary->loss->needed > 0;
+}
+
+}  // namespace
+
+bool has_losses(const Campaign& campaign) {
+  return std::any_of(campaign.tests.begin(), campaign.tests.end(), tells_loss);
+}
+
+Plot losses_figure(const Campaign& campaign) {
+  if (!has_losses(campaign)) throw std::invalid_argument("losses_figure: no test with drops was loaded again");
+  constexpr double percent = 100;
+  PlotTable tests{"tests", {"needed (%)", "lost (%)", "low (%)", "high (%)"}};
+  double most = 10;
+  for (const CampaignTest& test : campaign.tests) {
+    if (!tells_loss(test)) continue;
+    const auto& [lost, error, needed] = *test.summary->loss;
+    const double reach = two_sided_95 * error;
+    tests.rows.push_back({percent * needed, percent * lost, percent * (lost - reach), percent * (lost + reach)});
+    most = std::max({most, percent * needed, percent * (lost + reach)});
+  }
+  const Axis x{"Loss of stiffness that the drops need", "%", 0, 1.05 * most},
+      y{"Loss of stiffness", "%", -0.2 * most, 1.05 * most};
+  return {.name = "losses",
+          .title = "Slips or cracks, by the reload",
+          .caption =
+              "Loss of stiffness between a loading and the next, with 95 % intervals, against the loss that the "
+              "drops of the loading would need if they were cracks only. Slips lie on the level line, cracks on "
+              "the diagonal; a specimen that does both lies between.",
+          .width = one_column,
+          .height = 78,
+          .data = {std::move(tests)},
+          .panels = {{.x = x,
+                      .y = y,
+                      .marks = {level(0, styles::zero),
+                                {.style = styles::zero, .title = "", .at = {0, 0, 1.05 * most, 1.05 * most}},
+                                {Mark::bars, "tests", {0, 2, 3}, {.colour = colours::grey}},
+                                {Mark::points, "tests", {0, 1}, styles::mark(Symbol::disc, colours::black, 3.5)},
+                                label(0.98 * most, 0.03 * most, "slips"),
+                                label(0.9 * most, 0.97 * most, "cracks")}}}};
+}
+
 Plot distribution_figure(const Campaign& campaign) {
   if (std::none_of(campaign.tests.begin(), campaign.tests.end(),
                    [](const auto& test) { return test.summary.has_value(); }))

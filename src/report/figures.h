@@ -41,6 +41,11 @@ bool has_passes(const FittedTest& test);
 // Domain: at least one test has a summary; std::invalid_argument otherwise.
 Plot distribution_figure(const Campaign& campaign);
 
+// Stiffness lost to the next loading against the stiffness that the drops would need if they were cracks only: slips lie at zero, cracks on the diagonal.
+// Domain: has_losses.
+Plot losses_figure(const Campaign& campaign);
+bool has_losses(const Campaign& campaign);  // was a test that has drops loaded again?
+
 // Force curves of all tests, as Figs. 10 to 13, on pages of at most 20 panels: clear, nominal, none, then the suspect tests once more. A test
 // without curves has no panel.
 std::vector<Plot> atlas_pages(const Campaign& campaign);

@@ -330,7 +330,7 @@ Plot passes_figure(const FittedTest& test) {
   std::vector<Mark> marks;
   for (std::size_t number = 0; number < test.passes->passes.size(); ++number) {
     const PassFriction& pass = test.passes->passes[number];
-    PlotTable& table = tables.emplace_back(plane.table(fmt::format("pass {}", number + 1)));
+    PlotTable& table = tables.emplace_back(plane.table(fmt::format("pass_{}", number + 1)));
     for (std::size_t i = pass.rows.first > 0 ? pass.rows.first - 1 : 0; i < pass.rows.last; ++i)  // from the turn on
       table.rows.push_back(
           {plane.w(scales.reduced_length(record.deflection[i])), plane.F(scales.reduced_force(record.force[i]))});
@@ -376,18 +376,20 @@ Plot boxes_figure(const FittedTest& test) {
     marks.push_back(
         {Mark::points, "points", {0, 1}, styles::mark(Symbol::circle, colour, 1.2, 0.3), "", {of_pass, {3, 0}}});
   }
-  return {.name = "boxes",
-          .title = "Friction of each pass: " + test.name,
-          .caption =
-              "Mobilised friction against the length slid over one support, at the bending stiffness of the fit. "
-              "The specimen slides in along +*μ*, sticks while the stage turns back (open circles), and slides "
-              "out along −*μ*. Points that noise throws beyond the axis are not shown.",
-          .width = two_columns,
-          .height = 78,
-          .data = {std::move(points)},
-          .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * x_max},
-                      .y = {"Mobilised friction *q*", "", -top, top},
-                      .marks = std::move(marks)}}};
+  return {
+      .name = "boxes",
+      .title = "Friction of each pass: " + test.name,
+      .caption =
+          "Mobilised friction against the length slid over one support, at the bending stiffness of the fit. "
+          "The specimen slides in along +*μ*, sticks while the stage turns back, and slides out along −*μ*. Open "
+          "circles: it sticks there, or one pass alone came so far. Points that noise throws beyond the axis are not "
+          "shown.",
+      .width = two_columns,
+      .height = 78,
+      .data = {std::move(points)},
+      .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * x_max},
+                  .y = {"Mobilised friction *q*", "", -top, top},
+                  .marks = std::move(marks)}}};
 }
 
 }  // namespace flexslip
