@@ -164,3 +164,18 @@ TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
   CHECK(svg.find("A &lt;b> &amp; 50%_ü") != std::string::npos);
   CHECK(svg.find("it's {/=50 big}^2") != std::string::npos);
 }
+
+TEST_CASE("losses: a test that was loaded again and has drops lies where its loss and what its drops need say") {
+  Campaign campaign = some_campaign();
+  CHECK(!has_losses(campaign));
+  CHECK_THROWS_AS(losses_figure(campaign), std::invalid_argument);
+  const auto with_summary = std::find_if(campaign.tests.begin(), campaign.tests.end(),
+                                         [](const CampaignTest& test) { return test.summary.has_value(); });
+  REQUIRE(with_summary != campaign.tests.end());
+  with_summary->summary->loss = LostStiffness{.lost = 0.1, .error = 0.02, .needed = 0.3};
+  REQUIRE(has_losses(campaign));
+  const Plot figure = losses_figure(campaign);
+  REQUIRE(figure.data[0].rows.size() == 1);
+  CHECK(figure.data[0].rows[0][0] == doctest::Approx(30));
+  CHECK(figure.data[0].rows[0][1] == doctest::Approx(10));
+}
