@@ -177,6 +177,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
       measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
   stages.enter("", 0.95);
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
+  std::optional<PassesFit> passes = analysis.passes;  // which may turn out not to explain the evaluated loading
   stages.enter("verdict", 0.05);
   std::optional<Judgement> judgement;
   if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis);
@@ -214,7 +215,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
           .geometry = geometry,
           .small_deflection = standard,
           .analysis = std::move(analysis),
-          .passes = std::move(description.passes),
+          .passes = std::move(passes),
           .drops_elsewhere = drops_elsewhere,
           .imaged = std::move(imaged),
           .judgement = std::move(judgement),

@@ -36,23 +36,19 @@ FitProblem as_fit_problem(const PassesProblem& problem) {
   return {problem.record, problem.rig, problem.errors, problem.rig_errors};
 }
 
-// How much of the deflection that a leg reaches beyond all before it has been reached, row by row; empty if it goes no farther.
-struct Fresh {
-  std::vector<double> part;  // [1] of each row of the record
-};
-
-Fresh fresh_part(const ReducedRecord& record, const Leg& leg, double farthest, double reached) {
+// [1] How much of the deflection that a leg reaches beyond all before it has been reached, at each row of the record; empty if it goes no farther.
+std::vector<double> fresh_part(const ReducedRecord& record, const Leg& leg, double farthest, double reached) {
   constexpr double worth_it = 0.02;    // [L] beyond
   constexpr double shows_from = 0.06;  // [L] below, hardly a loss shows
   if (!is_inwards(leg) || !(reached > farthest + worth_it)) return {};
   const double from = std::max(farthest, std::min(shows_from, 0.5 * reached));
-  Fresh fresh{std::vector<double>(record.deflection.size(), 0)};
+  std::vector<double> part(record.deflection.size(), 0);
   double most = farthest;
-  for (std::size_t i = leg.first; i < fresh.part.size(); ++i) {
+  for (std::size_t i = leg.first; i < part.size(); ++i) {
     if (i < leg.last) most = std::max(most, record.deflection[i]);
-    fresh.part[i] = std::clamp((most - from) / (reached - from), 0.0, 1.0);
+    part[i] = std::clamp((most - from) / (reached - from), 0.0, 1.0);
   }
-  return fresh;
+  return part;
 }
 
 }  // namespace
@@ -85,7 +81,7 @@ PassUnknowns::PassUnknowns(const PassesProblem& problem, const std::vector<Leg>&
   for (MatrixXd* map : {&W, &G, &E, &L}) map->resize(index_of(rows.size()), 0);
   deviations = deviations_beforehand(problem.errors, problem.rig_errors, problem.rig.fibre.supports());
   E.col(add(0, problem.errors.bending_stiffness)).setOnes();
-  add_rig(problem, rows);
+  add_rig(rows);
   add_zero(problem, rows);
   add_wear(problem.options, legs, rows, read);
   add_losses(problem, legs, needed, rows);
@@ -104,7 +100,7 @@ Index PassUnknowns::add(double prior_mean, double prior_deviation) {
   return column;
 }
 
-void PassUnknowns::add_rig(const PassesProblem&, const PassRows& rows) {
+void PassUnknowns::add_rig(const PassRows& rows) {
   const std::size_t count = in_.deviations(0, 0).size();
   for (std::size_t i = 0; i < count; ++i) add(0, 1);
   auto [moved_w, moved_F] = at(rows.w, rows.F);
@@ -170,10 +166,10 @@ void PassUnknowns::add_losses(const PassesProblem& problem, const std::vector<Le
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i)
       reached = std::max(reached, problem.record.deflection[i]);
     const double is_followed = leg + 1 < legs.size() ? 1 : 0;  // by a pass that shows what was lost
-    const Fresh fresh = fresh_part(problem.record, legs[leg], farthest, reached);
+    const std::vector<double> fresh = fresh_part(problem.record, legs[leg], farthest, reached);
     farthest = reached;
-    if (!fresh.part.empty() && is_followed > 0) {
-      const VectorXd gradually = column_of(rows, [&](std::size_t i) { return fresh.part[rows.row[i]]; });
+    if (!fresh.empty() && is_followed > 0) {
+      const VectorXd gradually = column_of(rows, [&](std::size_t i) { return fresh[rows.row[i]]; });
       double whole = 0;
       VectorXd in_drops = VectorXd::Zero(gradually.size());
       for (const NeededLoss& drop : needed) {

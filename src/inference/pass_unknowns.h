@@ -48,9 +48,8 @@ class PassUnknowns {
   PerQuantity<double> deviations;
 
  private:
-  enum class Map { W, G, E, L };
   Eigen::Index add(double prior_mean, double prior_deviation);
-  void add_rig(const PassesProblem& problem, const PassRows& rows);
+  void add_rig(const PassRows& rows);
   void add_zero(const PassesProblem& problem, const PassRows& rows);
   void add_wear(const PassesOptions& options, const std::vector<Leg>& legs, const PassRows& rows,
                 const PassStates& read);

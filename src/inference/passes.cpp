@@ -146,7 +146,7 @@ Normal normal_of(const Linear& at, const VectorXd& weight, Index nodes) {
 // The fit as it goes on.
 class PassesFitter {
  public:
-  PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows, const PassStates& read,
+  PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
                const PassUnknowns& unknowns, std::vector<char> stuck, double longest);
 
   // The best of all rounds; false if too few rows show what could be fitted.
@@ -157,7 +157,7 @@ class PassesFitter {
     VectorXd solution;  // friction at the nodes, then the unknowns
     MatrixXd covariance;
     double noise = 0;  // [EI/L^2]
-    VectorXd S, q;     // [L], [1] of each row
+    VectorXd S;        // [L] of each row
     std::vector<Index> used;
   };
   const Best& best() const { return best_; }
@@ -174,6 +174,11 @@ class PassesFitter {
   VectorXd leverage(const MatrixXd& A, const MatrixXd& prior) const;
   MatrixXd prior_precision(const MatrixXd& covariance_of_friction) const;
   double scatter_of(std::size_t pass, std::size_t least) const;
+  // [1] How many neighbouring rows are worth one, as they err alike.
+  double inflation() const {
+    constexpr double most = 12;
+    return std::min((1 + correlation_) / (1 - correlation_), most);
+  }
   std::size_t pass_of(Index k) const {
     return rows_.pass[static_cast<std::size_t>(linear_.row[static_cast<std::size_t>(k)])];
   }
@@ -205,7 +210,7 @@ constexpr int best_from = 6;  // the round from which on the best is kept
 constexpr std::size_t min_rows = 20;
 
 PassesFitter::PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
-                           const PassStates&, const PassUnknowns& unknowns, std::vector<char> stuck, double longest)
+                           const PassUnknowns& unknowns, std::vector<char> stuck, double longest)
     : problem_(problem),
       options_(problem.options),
       legs_(legs),
@@ -329,12 +334,10 @@ MatrixXd PassesFitter::prior_precision(const MatrixXd& covariance_of_friction) c
 
 // Neighbouring rows that err alike are worth fewer.
 void PassesFitter::weigh() {
-  constexpr double most = 12;
-  const double inflation = std::min((1 + correlation_) / (1 - correlation_), most);
   weight_.resize(linear_.size());
   for (Index k = 0; k < linear_.size(); ++k)
     weight_[k] = robust_[linear_.row[static_cast<std::size_t>(k)]] /
-                 (std::pow(noise_ * linear_.amplification[k], 2) * inflation);
+                 (std::pow(noise_ * linear_.amplification[k], 2) * inflation());
 }
 
 // How much of what friction leaves is noise, and how much is roughness: by the evidence. First among some of each; then the size alone, which has to be
@@ -491,14 +494,12 @@ void PassesFitter::keep(int round) {
   correlation_ = std::clamp(products / std::max(squares, 1e-300), 0.0, most_correlated);
 
   constexpr double nothing = 3e-4;  // [maximum force] residuals so small say nothing more
-  constexpr double most_inflation = 12;
   const auto m = static_cast<double>(linear_.size());
-  const double inflation = std::min((1 + correlation_) / (1 - correlation_), most_inflation);
-  double score = m / inflation * elementary::log(std::sqrt(clipped / m) + nothing * greatest_);
+  double score = m / inflation() * elementary::log(std::sqrt(clipped / m) + nothing * greatest_);
   for (Index j = 0; j < unknowns; ++j)
     if (unknowns_.deviation[j] > 0)
       score += 0.5 * std::pow((solution_[nodes + j] - unknowns_.mean[j]) / unknowns_.deviation[j], 2);
-  if (round >= best_from && score < best_.score) best_ = {score, solution_, covariance_, noise_, S_, q_, linear_.row};
+  if (round >= best_from && score < best_.score) best_ = {score, solution_, covariance_, noise_, S_, linear_.row};
 }
 
 // ---- What is told of it
@@ -722,7 +723,7 @@ PassesFit fit_passes(const PassesProblem& problem) {
   fit.status = PassesStatus::not_explained;
   const auto needed = losses_needed(problem.record, problem.drops, problem.rig.fibre);
   const PassUnknowns unknowns(problem, legs, needed, rows, stated);
-  PassesFitter fitter(problem, legs, rows, stated, unknowns, stuck, longest);
+  PassesFitter fitter(problem, legs, rows, unknowns, stuck, longest);
   if (!fitter.run()) return fit;
   const PassesFitter::Best& best = fitter.best();
   constexpr double explained = 5, least_explained = 0.01;  // [noise]; [maximum force]
