@@ -43,14 +43,6 @@ Fields<TestSummary> verdict_fields() {
              [](const TestSummary& test) { return name_of(test.category); })
       .yes_no("suspect", "a finding of severity refusal or suspicion stands against the answer: the means leave it out",
               &TestSummary::suspect)
-      .words(
-          "drops_verdict",
-          "whether cracks alone can make the drops: not_by_cracks_alone, cracks or cannot_be_told; null without drops",
-          [](const TestSummary& test) {
-            return test.drops > 0 ? std::optional(name_of(test.drops_verdict)) : std::nullopt;
-          })
-      .number("cracks_alone", "probability that cracks alone made the drops; null where the record does not tell",
-              &TestSummary::cracks_alone)
       .words("model", "fitted friction model", [](const TestSummary& test) { return name_of(test.model); });
 }
 
@@ -112,8 +104,18 @@ Fields<CampaignTest> remark_fields() {
       .words("file", "file that describes the test", &CampaignTest::file);
 }
 
+Fields<CampaignTest> cause_fields() {
+  using C = const CampaignTest&;
+  return Fields<CampaignTest>()
+      .number("cracks_alone", "probability that the drops are cracks only; null without drops that are judged",
+              [](C test) { return test.causes.cracks; })
+      .number("slips_alone", "probability that they are slips only, reliable below .5 without a reload",
+              [](C test) { return test.causes.slips; });
+}
+
 Fields<CampaignTest> test_fields() {
   return name_fields()
+      .all_of(cause_fields())
       .all_of(verdict_fields(), &CampaignTest::summary)
       .group("parameters", "fitted parameters; null where the fit has none", summary_parameter_fields(),
              &CampaignTest::summary)
@@ -211,6 +213,13 @@ SomeTests tests_of(const Campaign& campaign, bool answered) {
 SomeTests answered_of(const Campaign& campaign) { return tests_of(campaign, true); }
 SomeTests failures_of(const Campaign& campaign) { return tests_of(campaign, false); }
 
+Fields<CauseShares::Share> share_fields() {
+  return Fields<CauseShares::Share>()
+      .number("median", "the likeliest half lies below", &CauseShares::Share::median)
+      .number("low", "lower end of its 95 % interval", &CauseShares::Share::low)
+      .number("high", "upper end of its 95 % interval", &CauseShares::Share::high);
+}
+
 Fields<Campaign> all_fields() {
   return Fields<Campaign>()
       .list("tests", "tests with an answer, in the order of the plan", test_fields(), answered_of)
@@ -221,16 +230,14 @@ Fields<Campaign> all_fields() {
                    categories.emplace_back(key_of(category), CategoryOf{campaign, category});
                  return categories;
                })
-      .group("cracks_alone",
-             "what the drops of all tests say together: whether cracks alone made them; null without a probability",
-             Fields<CracksTogether>()
-                 .count("tests", "tests with a probability", &CracksTogether::tests)
-                 .number("log_odds", "logarithm of the odds that they did in all, each even beforehand",
-                         &CracksTogether::log_odds)
-                 .number("share", "share of specimens in which they did, the median", &CracksTogether::share)
-                 .number("share_low", "95 % of the probability lie above", &CracksTogether::share_low)
-                 .number("share_high", "95 % of the probability lie below", &CracksTogether::share_high),
-             [](const Campaign& campaign) { return campaign.cracks.tests > 0 ? &campaign.cracks : nullptr; })
+      .group("causes",
+             "shares of specimens whose drops are slips only, cracks only or both; null without a probability",
+             Fields<CauseShares>()
+                 .count("tests", "tests with a probability", &CauseShares::tests)
+                 .group("slips", "slips only", share_fields(), &CauseShares::slips)
+                 .group("cracks", "cracks only", share_fields(), &CauseShares::cracks)
+                 .group("both", "slips and cracks", share_fields(), &CauseShares::both),
+             [](const Campaign& campaign) { return campaign.causes.tests > 0 ? &campaign.causes : nullptr; })
       .number("shared_error",
               "standard deviation of the mean friction by load train, span and gain, which tests on one rig share",
               &Campaign::shared_error)

@@ -49,8 +49,8 @@ Fields<DropOf> drop_fields() {
       .own("force_before", kind::force, "force before the drop", before(&Record::force))
       .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
       .words("slip",
-             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative, "
-             "moves_out or too_deep",
+             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
+             "moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
       .words("reading", "what the drop can be, as tables and page print it: slip, crack, either or neither",
              [](D drop) { return reading_of(drop.slip); })
@@ -75,20 +75,6 @@ Fields<TestAnalysis> slips_fields() {
           if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
         return possible;
       });
-}
-
-Fields<SlipOrCrack> slip_or_crack_fields() {
-  return Fields<SlipOrCrack>()
-      .number("cracks_alone", "probability that the drops are cracks only, by the rises alone",
-              &SlipOrCrack::cracks_alone)
-      .number("given_back", "share of the stiffness that the drops seem to take which the rises seem to give back",
-              [](const SlipOrCrack& judged) { return judged.features.given_back; })
-      .number("friction_needed", "constant friction that cracks alone would need; 0 to 1.3",
-              [](const SlipOrCrack& judged) { return judged.features.friction_needed; })
-      .number("margin", "D*: BIC of the best explanation by cracks minus BIC of the best by slips",
-              [](const SlipOrCrack& judged) { return judged.features.margin; })
-      .number("loss_margin", "BIC of slips minus BIC of slips with a loss of stiffness at each drop",
-              [](const SlipOrCrack& judged) { return judged.features.loss_margin; });
 }
 
 // ---- Friction: parameters, waves, explanations, checks
@@ -264,14 +250,18 @@ Fields<Answer> answer_fields() {
 Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
       .number("cracks_alone", "probability that the drops are cracks only: causes.cracks",
-              [](T test) { return test.judgement->cracks_alone(); })
-      .group("causes", "probabilities of what made the drops; they add up to 1 where a reload tells all three",
+              [](T test) { return test.judgement.causes.cracks; })
+      .group("causes", "probabilities of what made the drops; null where no drops are judged",
              Fields<Causes>()
-                 .number("slips", "slips only; null without a reload, which alone tells them from slips and cracks",
-                         &Causes::slips)
-                 .number("cracks", "cracks only; null where nothing tells", &Causes::cracks)
-                 .number("both", "slips and cracks; null without a reload", &Causes::both),
-             [](T test) { return test.judgement->causes; })
+                 .number("slips", "slips only; without a reload it is reliable below .5", &Causes::slips)
+                 .number("cracks", "cracks only", &Causes::cracks)
+                 .number("both", "slips and cracks; null without a reload, which alone tells it from slips only",
+                         &Causes::both),
+             [](T test) {
+               Causes causes = test.judgement.causes;
+               if (!is_reloaded(test.analysis)) causes.both = not_a_number;
+               return causes;
+             })
       .only_where([](T test) { return test.passes && test.passes->is_reloaded; })
       .number("stiffness_lost", "share of the stiffness lost between the first loading and the last pass",
               [](T test) { return test.passes->loss.value; })
@@ -406,10 +396,7 @@ Fields<FittedTest> every_fit_field() {
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
       .group("judgement",
              "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
-             judgement_fields(), [](T test) { return test.judgement ? &test : nullptr; })
-      .group("slip_or_crack", "what the rises between the drops say about slips and cracks; null if there are too few",
-             slip_or_crack_fields(),
-             [](T test) { return test.analysis.slip_or_crack.judged ? &test.analysis.slip_or_crack : nullptr; })
+             judgement_fields(), [](T test) -> const auto& { return test; })
       .list("drops", "drops of the force", drop_fields(),
             [](T test) {
               std::vector<DropOf> drops;

@@ -76,6 +76,7 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                     .reason = {},
                     .file = file,
                     .verdict = std::string(word_of(answer.verdict.code)),
+                    .causes = test.judgement.causes,
                     .summary = {},
                     .curves = {},
                     .remarks = remarks_of(answer),
@@ -87,9 +88,9 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
                       : fmt::format("{} {}", answer.findings.front().sentence, answer.next);
     return kept;
   }
-  TestSummary summary = summary_of(test.name, test.analysis, test.judgement.value());
+  TestSummary summary = summary_of(test.name, test.analysis);
   summary.suspect = is_suspect(answer.findings);
-  const bool tells_friction = !is_refused(answer.findings) && !test.judgement->lost_stiffness;
+  const bool tells_friction = !is_refused(answer.findings) && test.judgement.tells_friction;
   kept.summary = tells_friction ? std::move(summary) : without_friction(std::move(summary));
   kept.curves = curves_of(test.analysis);
   return kept;
@@ -101,6 +102,7 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
           .reason = reason,
           .file = file,
           .verdict = std::string(word_of(VerdictCode::no_answer)),
+          .causes = {},
           .summary = {},
           .curves = {},
           .remarks = {},

@@ -42,6 +42,7 @@ struct CampaignTest {
   std::string reason;                         // why the status is not "ok"; empty if it is
   std::string file;                           // case, data file or line of a table that describes the test
   std::string verdict;                        // in one word: "SLIP"
+  Causes causes;                              // of its drops; NaN of none
   std::optional<TestSummary> summary;         // where the analysis came to a fit
   std::optional<CampaignCurves> curves;       // likewise
   std::vector<std::string> remarks;           // what a reader of the table should know of it
@@ -65,7 +66,7 @@ CampaignTest failed_test(const std::string& name, const std::string& file, const
 struct Campaign {
   std::vector<CampaignTest> tests;  // in the order of the plan
   std::vector<CategorySummary> categories;
-  CracksTogether cracks{};
+  CauseShares causes{};
   double shared_error = 0;         // [1] of mean friction, from the rig that tests share
   std::vector<std::string> notes;  // of its plan: what was left out or counts once
 };

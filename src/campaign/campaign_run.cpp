@@ -60,8 +60,6 @@ template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
-                                           Part{"drops_verdict", &TestSummary::drops_verdict},
-                                           Part{"cracks_alone", &TestSummary::cracks_alone},
                                            Part{"model", &TestSummary::model},
                                            Part{"mu0", &TestSummary::mu0},
                                            Part{"mu0_is_bound", &TestSummary::mu0_is_bound},
@@ -109,10 +107,13 @@ constexpr std::tuple parts_of<StandardSummary>{Part{"modulus", &StandardSummary:
                                                Part{"strength", &StandardSummary::strength},
                                                Part{"friction", &StandardSummary::friction}};
 template <>
+constexpr std::tuple parts_of<Causes>{Part{"slips", &Causes::slips}, Part{"cracks", &Causes::cracks},
+                                      Part{"both", &Causes::both}};
+template <>
 constexpr std::tuple parts_of<CampaignTest>{
     Part{"name", &CampaignTest::name},           Part{"status", &CampaignTest::status},
     Part{"reason", &CampaignTest::reason},       Part{"file", &CampaignTest::file},
-    Part{"verdict", &CampaignTest::verdict},     Part{"summary", &CampaignTest::summary},
+    Part{"verdict", &CampaignTest::verdict},     Part{"causes", &CampaignTest::causes},       Part{"summary", &CampaignTest::summary},
     Part{"curves", &CampaignTest::curves},       Part{"remarks", &CampaignTest::remarks},
     Part{"materials", &CampaignTest::materials}, Part{"standard", &CampaignTest::standard}};
 
@@ -264,7 +265,9 @@ class Runner {
       result.campaign.tests.push_back(std::move(*test));
     }
     result.campaign.categories = summarise(summaries);
-    result.campaign.cracks = cracks_together(summaries);
+    std::vector<Causes> causes;
+    for (const CampaignTest& test : result.campaign.tests) causes.push_back(test.causes);
+    result.campaign.causes = cause_shares(causes);
     result.campaign.shared_error = shared_error_of(summaries);
     return result;
   }

@@ -154,11 +154,8 @@ std::string name_of_test(const std::string& file) {
   return path.stem() == "case" && !folder.empty() ? folder : path.stem().string();
 }
 
-namespace {
-
-FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
-  Stages stages;
-  const Test input = measurement.test;  // completed with what the file says
+DescribedTest describe(const Measurement& measurement, const AnalysisOptions& options) {
+  const Test& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   TestDescription description{.span = span_of(input),
                               .load_train_stiffness = rig_stiffness_of(input),
@@ -170,18 +167,26 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   const Scales scales = scales_of(input, stiffness);  // refuses what is no slender beam
   if (states_stiffness(input)) require_same_world(input, measurement.record, stiffness.value);
   description.passes = fit_all_passes(measurement, description, scales);
+  DescribedTest described{stiffness, std::move(description), options};
+  described.options.drops.halts =
+      measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
+  return described;
+}
+
+namespace {
+
+FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
+  Stages stages;
+  const Test input = measurement.test;  // completed with what the file says
+  const auto [stiffness, description, of_record] = describe(measurement, options);
   const BeamGeometry geometry = geometry_of(input);
   const SmallDeflection standard = small_deflection_of(measurement);
-  AnalysisOptions of_record = options;
-  of_record.drops.halts =
-      measurement.sampling.halts_between(measurement.first, measurement.first + measurement.record.force.size());
   stages.enter("", 0.95);
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
   std::optional<PassesFit> passes = analysis.passes;  // which may turn out not to explain the evaluated loading
   stages.enter("verdict", 0.05);
-  std::optional<Judgement> judgement;
-  if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis);
-  if (judgement && judgement->lost_stiffness) {  // cracks took their part of the work
+  Judgement judgement = judge(analysis);
+  if (!judgement.tells_friction) {  // cracks took their part of the work
     analysis.energy.friction_share = not_a_number;
     analysis.work_by.reset();
   }

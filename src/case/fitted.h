@@ -69,7 +69,7 @@ struct FittedTest {
   std::optional<PassesFit> passes;       // if it was unloaded; in the scales of the analysis
   DropsElsewhere drops_elsewhere;
   std::optional<ImagedLength> imaged;  // if the record has lengths that were imaged, and the analysis an answer
-  std::optional<Judgement> judgement;  // if the analysis has an answer
+  Judgement judgement;                 // whatever the status of the analysis
   std::optional<SurfaceStrain>
       surface;  // of a specimen as stiff as fitted; if the analysis has an answer, and the case a section
   std::optional<double> strain_at_break;  // [1] as the case states it, or its strength
@@ -79,6 +79,16 @@ struct FittedTest {
   // analysis has an answer.
   std::shared_ptr<const FittedTest> on_rollers{};
 };
+
+// A measured test as an analysis takes it.
+struct DescribedTest {
+  BendingStiffnessUsed stiffness;
+  TestDescription description;  // with the fit of all passes, where it was unloaded
+  AnalysisOptions options;      // with the halts of its stage
+};
+
+// Fails:      InputError as scales_of.
+DescribedTest describe(const Measurement& measurement, const AnalysisOptions& options = {});
 
 // The name of the test that a file describes: its own, without folder and ending; that of its folder, which says more, for case.toml.
 std::string name_of_test(const std::string& file);

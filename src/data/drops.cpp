@@ -32,6 +32,17 @@ struct FallingSteps {
   double significance;
 };
 
+// A snap is over within one step, or within two where the force lags behind it.
+bool is_vertical(const std::vector<double>& force, const Drop& drop) {
+  constexpr double of_one = 0.6, of_two = 0.85;  // [fall]
+  double steepest = 0, steepest_two = 0;
+  for (std::size_t i = drop.before; i < drop.after; ++i) {
+    steepest = std::max(steepest, force[i] - force[i + 1]);
+    if (i + 1 < drop.after) steepest_two = std::max(steepest_two, force[i] - force[i + 2]);
+  }
+  return steepest >= of_one * drop.force_fall || steepest_two >= of_two * drop.force_fall;
+}
+
 }  // namespace
 
 Drops find_drops(const Record& record, const DropOptions& options) {
@@ -40,7 +51,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   require_faultless(record);
   const auto& force = record.force;
   const std::size_t points = force.size();
-  if (points < shortest_record) return {DropStatus::too_short, {}, 0};
+  if (points < shortest_record) return {DropStatus::too_short, {}, {}, 0};
 
   double stretches = 0;
   for (std::size_t length = 1; length <= longest_drop; ++length) stretches += static_cast<double>(points - length);
@@ -87,7 +98,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);
   }
 
-  Drops result{.status = DropStatus::ok, .drops = {}, .smallest_fall = std::max(needed * noise_of_a_step, coarse)};
+  Drops result{.status = DropStatus::ok, .drops = {}, .slow_falls = {}, .smallest_fall = std::max(needed * noise_of_a_step, coarse)};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};
@@ -97,7 +108,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     }
     drop.force_fall = force[drop.before] - force[drop.after];
     drop.advance = record.deflection[drop.after] - record.deflection[drop.before];
-    result.drops.push_back(drop);
+    (is_vertical(force, drop) ? result.drops : result.slow_falls).push_back(drop);
   }
   return result;
 }

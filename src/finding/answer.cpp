@@ -16,7 +16,6 @@
 #include "finding/findings.h"
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
-#include "finding/slips_of_a_bar.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -24,14 +23,17 @@ namespace {
 
 using T = const FittedTest&;
 
-bool may_be_cracks(T test) { return drops_of(test) > 0 && test.judgement->drops != CrackVerdict::not_by_cracks_alone; }
-
-// [1] Of the bending stiffness, what the rises say is lost; NaN where they are not judged.
-double lost_by_rises(const SlipOrCrack& rises) {
-  if (!rises.judged) return not_a_number;
-  const auto& best = std::min({rises.cracks, rises.cracks_constant, rises.cracks_running},
-                              [](const auto& a, const auto& b) { return a.bic < b.bic; });
-  return 1 - best.left;
+// "the largest 850 mN", and how many are small beside it, where that is most: "the largest 850 mN, 8 of them below a tenth of that".
+std::string sizes_in_words(T test) {
+  const auto& drops = test.analysis.drops.drops;
+  const auto deepest = std::max_element(drops.begin(), drops.end(),
+                                        [](const Drop& a, const Drop& b) { return a.force_fall < b.force_fall; });
+  constexpr double small = 0.1;
+  const auto small_ones = static_cast<std::size_t>(std::count_if(
+      drops.begin(), drops.end(), [&](const Drop& drop) { return drop.force_fall < small * deepest->force_fall; }));
+  return fmt::format(
+      "the largest {}{}", Print(test).own(deepest->force_fall, kind::force),
+      2 * small_ones > drops.size() ? fmt::format(", {} of them below a tenth of that", small_ones) : "");
 }
 
 // ---- The verdict
@@ -46,26 +48,16 @@ std::string work_in_short(T test) {
                      format_percent(share));
 }
 
-// A sentence as a part of another.
-std::string clause_of(std::string sentence) {
-  if (sentence.ends_with('.')) sentence.pop_back();
-  return sentence;
-}
+std::string count_of_drops(T test) { return format_count(drops_of(test), "drop", "drops"); }
 
-// "35 drops, 2 of them no slip"
-std::string drops_by_kind(T test) {
-  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
-  const std::string all = format_count(drops, "drop", "drops");
-  if (impossible == 0) return all;
-  return impossible == drops ? fmt::format("{}, none of them a slip", all)
-                             : fmt::format("{}, {} of them no slip", all, impossible);
-}
-
-// Of a bar that is bent too little to tell friction, and that lost stiffness until it was loaded again.
-std::optional<Verdict> verdict_on_reloaded_bar(T test, const std::vector<Finding>& findings) {
-  const Finding* changed = finding_in(findings, "changed_reload");
-  if (!changed || !is_lost(*test.passes)) return std::nullopt;
-  return Verdict{VerdictCode::crack, {clause_of(changed->sentence), std::string(no_friction_of_a_bar)}, changed->code};
+// "friction 0.47 ± 0.06 if no stiffness was lost", or that none is told.
+std::string friction_in_short(T test, std::string_view condition) {
+  if (!is_fitted(test))
+    return test.analysis.status == AnalysisStatus::bent_too_little ? "friction cannot be told at so small a deflection"
+                                                                   : "no friction can be read off";
+  if (!test.judgement.tells_friction) return "no friction can be read off";
+  const FrictionFit& fit = test.analysis.fit;
+  return fmt::format("friction {}{}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "", condition);
 }
 
 // "the drops would need 28 % if they were cracks only"
@@ -73,94 +65,119 @@ std::string need_in_words(const PassesFit& passes) {
   return fmt::format("the drops would need {} if they were cracks only", format_percent(passes.loss_needed));
 }
 
-// Of a specimen that was loaded again: what made its drops, and whether it lost stiffness.
-Verdict verdict_by_reload(T test, const std::vector<Finding>& findings) {
-  const Judgement& judgement = *test.judgement;
-  const PassesFit& passes = *test.analysis.passes;
-  const std::string friction =
-      fmt::format("friction {}{}", mean_friction(test.analysis.fit), test.analysis.fit.mu0_is_bound ? " (95 %)" : "");
-  const std::string lost = loss_in_words(passes) + " of the stiffness was lost";
-  const bool has_drops = drops_of(test) > 0, slipped = has_drops && judgement.causes.cracks < 0.05;
-  if (judgement.damage == Damage::settled)
-    return {VerdictCode::settled,
-            {fmt::format("the specimen or a support gave way by {} for good; no stiffness was lost",
-                         readable(test.analysis.scales.physical_length(passes.settled.value),
-                                  test.analysis.scales.physical_length(passes.settled.standard_error),
-                                  Print(test).as(kind::length))),
-             friction},
-            "changed_reload"};
-  if (judgement.damage == Damage::lost && slipped)
-    return {VerdictCode::slip_and_damage, {lost, need_in_words(passes), friction}, "changed_reload"};
-  if (judgement.damage == Damage::lost) {
-    Verdict verdict{VerdictCode::crack, {lost}, "changed_reload"};
-    if (!has_drops) verdict.parts.emplace_back("without a drop to be seen");
-    if (has_drops && judgement.causes.cracks < 0.95) verdict.parts.emplace_back("some of the drops may be slips");
-    verdict.parts.push_back(friction);
+void add(std::vector<std::string>& parts, std::string part) {
+  if (!part.empty()) parts.push_back(std::move(part));
+}
+
+Verdict verdict_of_no_drops(T test, const std::vector<Finding>& findings) {
+  const std::string_view condition = may_have_lost_stiffness(test) ? " if no stiffness was lost" : "";
+  if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
+    return {VerdictCode::undecided, {friction_in_short(test, condition), elsewhere->short_form}, elsewhere->code};
+  Verdict verdict{VerdictCode::no_drops, {friction_in_short(test, condition)}};
+  add(verdict.parts, work_in_short(test));
+  return verdict;
+}
+
+Verdict verdict_of_slips(T test) {
+  Verdict verdict{VerdictCode::slip,
+                  {friction_in_short(test, may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
+  add(verdict.parts, work_in_short(test));
+  add(verdict.parts, causes_in_words(test));
+  constexpr double worth_saying = 0.03;  // [1] of a loss that the reload leaves open
+  if (is_reloaded(test.analysis) && test.passes->loss.high > worth_saying)
+    verdict.parts.push_back(
+        fmt::format("it may have lost up to {} of its stiffness", format_percent(test.passes->loss.high)));
+  return verdict;
+}
+
+Verdict verdict_of_cracks(T test) {
+  const bool has_drops = test.analysis.drop_features.drops > 0;
+  if (!is_reloaded(test.analysis)) {
+    Verdict verdict{VerdictCode::crack, {}, "cracks"};
+    if (has_drops && loses_at_all(test.judgement.causes, false))
+      verdict.parts = {count_of_drops(test),
+                       fmt::format("the specimen lost {} of its stiffness if they are cracks, or settled",
+                                   loss_by_drops_in_words(test)),
+                       causes_in_words(test)};
+    else
+      verdict.parts = {"the force fell by more than any friction can hold"};
+    verdict.parts.push_back(friction_in_short(test, ""));
     return verdict;
   }
-  if (!has_drops || slipped) {
-    Verdict verdict{has_drops ? VerdictCode::slip : VerdictCode::no_drops, {friction}};
-    if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
-    if (has_drops) verdict.parts.push_back(cracks_in_words(test));
-    constexpr double worth_saying = 0.03;  // [1] of a loss that the reload leaves open
-    if (passes.loss.high > worth_saying)
-      verdict.parts.push_back(
-          fmt::format("it may have lost up to {} of its stiffness", format_percent(passes.loss.high)));
-    return verdict;
+  Verdict verdict{VerdictCode::crack, {loss_in_words(*test.passes) + " of the stiffness was lost"}, "changed_reload"};
+  if (!has_drops) verdict.parts.emplace_back("without a drop to be seen");
+  if (has_drops && test.judgement.causes.cracks < 0.95) verdict.parts.emplace_back("some of the drops may be slips");
+  verdict.parts.push_back(friction_in_short(test, ""));
+  return verdict;
+}
+
+Verdict verdict_of_slips_and_damage(T test) {
+  return {VerdictCode::slip_and_damage,
+          {loss_in_words(*test.passes) + " of the stiffness was lost", need_in_words(*test.passes),
+           friction_in_short(test, "")},
+          "changed_reload"};
+}
+
+Verdict verdict_of_settled(T test) {
+  const Estimate& settled = test.passes->settled;
+  const Scales& scales = test.analysis.scales;
+  return {VerdictCode::settled,
+          {fmt::format("the specimen or a support gave way by {} for good; no stiffness was lost",
+                       readable(scales.physical_length(settled.value), scales.physical_length(settled.standard_error),
+                                Print(test).as(kind::length))),
+           friction_in_short(test, "")},
+          "changed_reload"};
+}
+
+Verdict verdict_of_undecided(T test, const std::vector<Finding>& findings) {
+  if (drops_of(test) == 0) {  // it sinks slowly
+    const Finding* sinks = finding_in(findings, "sinks");
+    return {VerdictCode::undecided,
+            {(sinks ? sinks->short_form : "the force sinks") + " without a drop", friction_in_short(test, "")},
+            sinks ? sinks->code : std::string_view()};
   }
-  Verdict verdict{VerdictCode::undecided, {friction, drops_by_kind(test)}, {}};
-  if (std::isfinite(judgement.causes.cracks)) verdict.parts.push_back(cracks_in_words(test));
-  if (const Finding* open = finding_in(findings, "undecided_drops")) verdict.finding = open->code;
+  const Finding* open = finding_in(findings, "undecided_drops");
+  Verdict verdict{VerdictCode::undecided,
+                  {friction_in_short(test, is_reloaded(test.analysis)
+                                               ? ""
+                                               : " if the drops are slips and no stiffness was lost"),
+                   count_of_drops(test)},
+                  open ? open->code : std::string_view()};
+  add(verdict.parts, causes_in_words(test));
   return verdict;
 }
 
 // What a test comes to that is not what was stated of it.
 constexpr std::array wrong_inputs{"not_bent",        "deflection_for_stage", "wrong_load_train",
-                                  "wrong_stiffness", "impossible_modulus",   "most_drops_impossible"};
+                                  "wrong_stiffness", "impossible_modulus"};
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   const Finding* refusal = is_refused(findings) ? &findings.front() : nullptr;  // the rules begin with those
   if (refusal && std::find(wrong_inputs.begin(), wrong_inputs.end(), refusal->code) != wrong_inputs.end())
     return {VerdictCode::check_input, {refusal->sentence}, refusal->code};
-  if (!is_fitted(test)) {
-    const bool is_bar = test.analysis.status == AnalysisStatus::bent_too_little && !is_slender(test);
-    if (!is_bar) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
-    if (refusal->code != "gave_way")
-      if (auto softer = verdict_on_reloaded_bar(test, findings)) return *softer;
-    return verdict_of_a_bar(test, findings);
-  }
-  const Judgement& judgement = *test.judgement;
-  if (judgement.drops_are_cracks) {
-    const std::string no_friction = "no friction can be read off";
-    std::vector<std::string> parts{drops_by_kind(test), cracks_in_words(test)};
-    constexpr double worth_saying = 0.03;
-    if (const double lost = lost_by_rises(test.analysis.slip_or_crack); lost > worth_saying)
-      parts.push_back(fmt::format("the stiffness falls by about {}", format_percent(lost)));
-    parts.push_back(no_friction);
-    return {VerdictCode::crack, parts, "cracks"};
-  }
-  if (refusal && !judgement.lost_stiffness) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
-  if (is_reloaded(test.analysis)) return verdict_by_reload(test, findings);
-  const FrictionFit& fit = test.analysis.fit;
-  const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
-  const bool tells = std::isfinite(judgement.cracks_alone());
-  if (drops_of(test) > 0 && (judgement.drops != CrackVerdict::not_by_cracks_alone || judgement.impossible > 0)) {
-    const Finding* open = finding_in(findings, "undecided_drops");
-    Verdict verdict{VerdictCode::undecided,
-                    {friction + " if the drops are slips and no stiffness was lost", drops_by_kind(test)},
-                    open ? open->code : std::string_view()};
-    if (tells) verdict.parts.push_back(cracks_in_words(test));
+  // Where no friction explains the record, nothing but cracks does.
+  if (refusal && refusal->code == "not_explained" && test.judgement.conclusion != Conclusion::cracks &&
+      test.judgement.conclusion != Conclusion::slips_and_damage) {
+    if (drops_of(test) == 0) return {VerdictCode::check_input, {refusal->sentence}, refusal->code};
+    Verdict verdict{VerdictCode::undecided, {refusal->short_form, count_of_drops(test)}, refusal->code};
+    add(verdict.parts, causes_in_words(test));
     return verdict;
   }
-  if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
-    return {VerdictCode::undecided,
-            {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : ""), elsewhere->short_form},
-            elsewhere->code};
-  Verdict verdict{drops_of(test) == 0 ? VerdictCode::no_drops : VerdictCode::slip,
-                  {friction + (may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
-  if (const std::string work = work_in_short(test); !work.empty()) verdict.parts.push_back(work);
-  if (verdict.code == VerdictCode::slip && tells) verdict.parts.push_back(cracks_in_words(test));
-  return verdict;
+  switch (test.judgement.conclusion) {
+    case Conclusion::no_drops:
+      return verdict_of_no_drops(test, findings);
+    case Conclusion::slips:
+      return verdict_of_slips(test);
+    case Conclusion::cracks:
+      return verdict_of_cracks(test);
+    case Conclusion::slips_and_damage:
+      return verdict_of_slips_and_damage(test);
+    case Conclusion::settled:
+      return verdict_of_settled(test);
+    case Conclusion::undecided:
+      break;
+  }
+  return verdict_of_undecided(test, findings);
 }
 
 // What the test comes to on supports that nobody states: "slip on edges (friction 0.53 ± 0.05)".
@@ -237,7 +254,7 @@ std::string drops_in_words(T test) {
                        Print(test).own(analysis.drops.smallest_fall, kind::force), end);
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
-  const bool has_spacing = is_fitted(test) && slips.count >= enough && !test.judgement->lost_stiffness;
+  const bool has_spacing = is_fitted(test) && slips.count >= enough && test.judgement.tells_friction;
   return fmt::format("{} in {}, {}{}{}", drops_of(test), used, sizes_in_words(test),
                      has_spacing ? fmt::format(", one per {} of the specimen",
                                                format_roughly(analysis.scales.physical_length(slips.median_spacing),
@@ -247,42 +264,21 @@ std::string drops_in_words(T test) {
 }
 
 std::string slip_or_crack_in_words(T test) {
-  const TestAnalysis& analysis = test.analysis;
-  const Judgement& judgement = *test.judgement;
-  const SlipOrCrack& rises = analysis.slip_or_crack;
-  const std::size_t drops = drops_of(test), possible = drops - judgement.impossible;
-  const std::string slips = judgement.impossible == 0
-                                ? (drops == 1   ? std::string("the drop can be a slip")
-                                   : drops == 2 ? std::string("both drops can be slips")
-                                                : fmt::format("all {} drops can be slips", drops))
-                                : fmt::format("{} of {} drops can be slips",
-                                              possible == 0 ? std::string("none") : fmt::format("{}", possible), drops);
-  std::vector<std::string> parts;
-  if (std::isfinite(judgement.cracks_alone()))
-    parts.push_back(fmt::format("{}; the rises give back {} of the stiffness that the drops seem to take",
-                                cracks_in_words(test),
-                                format_percent(std::clamp(rises.features.given_back, 0.0, 1.0))));
-  else if (!rises.judged && judgement.drops == CrackVerdict::cannot_be_told)
-    parts.emplace_back("too few drops, or rows between them, for a probability");
-  else if (judgement.drops == CrackVerdict::cannot_be_told)
-    parts.emplace_back(most_are_impossible(judgement.impossible, drops)
-                           ? "no probability while so many drops cannot be slips"
-                       : stiffness_is_off(test.analysis)
-                           ? "no probability while the record has another bending stiffness: check the load train"
-                           : "no probability: such records were not simulated");
-  if (std::isfinite(judgement.causes.both))
-    parts.push_back(fmt::format("slips and cracks: {}; slips only: {}", format_percent(judgement.causes.both),
-                                format_percent(judgement.causes.slips)));
-  if (const double lost = lost_by_rises(rises); judgement.drops_are_cracks && lost > 0)
-    parts.push_back(fmt::format("cracks take about {} of the stiffness", format_percent(lost)));
-  parts.push_back(slips);
-  return fmt::format("{}", fmt::join(parts, "; "));
+  const std::vector<Slip>& slips = test.analysis.slips;
+  const auto impossible = static_cast<std::size_t>(std::count_if(slips.begin(), slips.end(), [](const Slip& slip) {
+    return slip.verdict != SlipVerdict::possible && slip.verdict != SlipVerdict::too_short;
+  }));
+  std::string words = causes_in_words(test);
+  if (words.empty()) words = "the drops are too small, or too near the contact, for a probability";
+  if (impossible > 0) words += fmt::format("; {} of {} cannot be slips", impossible, drops_of(test));
+  if (test.judgement.conclusion == Conclusion::cracks && !is_reloaded(test.analysis))
+    words += fmt::format("; {} of the stiffness lost if they are cracks", loss_by_drops_in_words(test));
+  return words;
 }
 
-// What becomes of the friction told if stiffness was lost: ", if no stiffness was lost (0.55 if a tenth was, 0.64 if a fifth was)".
 std::string if_lost_in_words(T test) {
   std::vector<std::string> parts;
-  for (const auto& [loss, friction] : test.judgement->if_lost) {
+  for (const auto& [loss, friction] : test.judgement.if_lost) {
     constexpr double tenth = 0.1;
     if (may_have_lost_stiffness(test))
       parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
@@ -305,7 +301,7 @@ std::string imaged_length_in_words(T test) {
 
 std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   const FrictionFit& fit = test.analysis.fit;
-  if (test.judgement->lost_stiffness) return "none can be read off a specimen that loses stiffness";
+  if (!test.judgement.tells_friction) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound)
     return fmt::format("{} (95 %){}; it cannot be distinguished from zero", mean_friction(fit), if_lost_in_words(test));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
@@ -342,7 +338,7 @@ std::string work_in_words(T test) {
   return fmt::format("{}{} of {} ({}) went into friction{}", may_have_lost_stiffness(test) ? "at least " : "",
                      print.energy(energy.account.friction + energy.account.snaps),
                      print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
-                     may_be_cracks(test) ? " if the drops are slips" : "");
+                     drops_of(test) > 0 && !slips_at_all(test.judgement.causes) ? " if the drops are slips" : "");
 }
 
 std::string_view source_of(StiffnessSource source) {
@@ -438,16 +434,15 @@ std::string reload_in_words(T test) {
 std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, VerdictCode verdict) {
   std::vector<AnswerRow> rows{{"drops", drops_in_words(test)}};
   const bool tells = is_fitted(test) && (!is_refused(findings) || verdict == VerdictCode::crack);
+  if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
   if (tells) {
-    if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
     rows.push_back({"friction", friction_in_words(test, findings)});
     if (tells_work(test)) rows.push_back({"work", work_in_words(test)});
   }
-  if (test.analysis.slips_of_bar) rows.push_back({"slip or crack", slips_of_a_bar_in_words(test)});
   const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
     rows.push_back({"reload", reload});
-  const bool tells_friction = tells && !test.judgement->lost_stiffness;
+  const bool tells_friction = tells && test.judgement.tells_friction;
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
     rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace flexslip {
 std::size_t drops_of(const FittedTest& test) { return test.analysis.drops.drops.size(); }
 
 bool may_have_lost_stiffness(const FittedTest& test) {
-  if (!test.judgement || allows_for_losses(test.analysis)) return false;
+  if (!is_fitted(test) || allows_for_losses(test.analysis)) return false;
   const bool is_smooth = weight_without_roughness(test.analysis.fit) > 0.5;
   return drops_of(test) > 0 || test.drops_elsewhere.drops > 0 || !is_smooth;
 }
@@ -34,15 +35,37 @@ std::string unloading_force(const FittedTest& test) {
   return force > 0 ? format_roughly(test.analysis.scales.physical_force(force), Print(test).as(kind::force)) : "";
 }
 
-std::string cracks_in_words(const FittedTest& test) {
-  const double percent = 100 * test.judgement->cracks_alone();
+namespace {
+
+// "cracks only: less than 1 %"
+std::string probability_in_words(std::string_view cause, double probability) {
+  const double percent = 100 * probability;
   constexpr double least = 1, most = 99;  // what simulated tests can tell
   constexpr double unlikely = 5;          // beyond which, on either side, the verdict is decided
   const double beside = std::abs(std::abs(percent - 50) - (50 - unlikely));
-  if (beside < 0.5) return fmt::format("cracks alone: {:.{}f} %", percent, beside < 0.05 ? 2 : 1);
-  return percent < least  ? fmt::format("cracks alone: less than {} %", least)
-         : percent > most ? fmt::format("cracks alone: more than {} %", most)
-                          : fmt::format("cracks alone: {:.0f} %", percent);
+  if (beside < 0.5) return fmt::format("{} only: {:.{}f} %", cause, percent, beside < 0.05 ? 2 : 1);
+  return percent < least  ? fmt::format("{} only: less than {} %", cause, least)
+         : percent > most ? fmt::format("{} only: more than {} %", cause, most)
+                          : fmt::format("{} only: {:.0f} %", cause, percent);
+}
+
+}  // namespace
+
+std::string causes_in_words(const FittedTest& test) {
+  const Causes& causes = test.judgement.causes;
+  if (std::isnan(causes.cracks)) return "";
+  const std::string cracks = probability_in_words("cracks", causes.cracks);
+  constexpr double reliable = 0.5;  // one loading tells slips only from slips and cracks no better
+  return causes.slips < reliable || is_reloaded(test.analysis)
+             ? cracks + ", " + probability_in_words("slips", causes.slips)
+             : cracks;
+}
+
+std::string loss_by_drops_in_words(const FittedTest& test) {
+  const DropFeatures& features = test.analysis.drop_features;
+  const std::string least = format_percent(features.loss_needed - features.loss_recovered);
+  const std::string most = format_percent(features.loss_needed);
+  return least == most ? most : fmt::format("{} to {}", least.substr(0, least.find(' ')), most);
 }
 
 std::string usual_rollers(const FittedTest& test) {

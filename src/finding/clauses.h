@@ -26,8 +26,11 @@ std::string loss_in_words(const PassesFit& passes);
 // slide before the nose leaves it, and of a test without an answer.
 std::string unloading_force(const FittedTest& test);
 
-// "cracks alone: 2 %", of a test that is judged.
-std::string cracks_in_words(const FittedTest& test);
+// "cracks only: 2 %", and of slips where it can be relied on; empty where no drops are judged.
+std::string causes_in_words(const FittedTest& test);
+
+// "8 to 14 %", of the stiffness, what the drops would need if they were cracks: what a hinge gives back as the specimen slides on was not lost.
+std::string loss_by_drops_in_words(const FittedTest& test);
 
 // "rollers of 5 mm", as the case could state them; of a test that was fitted on rollers, too.
 std::string usual_rollers(const FittedTest& test);

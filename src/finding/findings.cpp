@@ -16,7 +16,6 @@
 #include "finding/clauses.h"
 #include "finding/hangs_on.h"
 #include "finding/printed.h"
-#include "finding/slips_of_a_bar.h"
 #include "inference/first_passages.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
@@ -69,7 +68,7 @@ std::string rig_keys(T test, const std::vector<std::string>& names) {
 
 // A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
 bool presumes_too_much(T test) {
-  return contradicts_slope(test) || test.analysis.model_implausible || test.judgement->lost_stiffness;
+  return contradicts_slope(test) || test.analysis.model_implausible || !test.judgement.tells_friction;
 }
 
 Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
@@ -229,7 +228,8 @@ Found not_bent(T test) {
                    .short_form = "nowhere bent",
                    .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
                                          to_find_contact(test))};
-  const bool explains_slope = is_slender(test) || !contradicts_slope(test);
+  constexpr double slender = 1.0 / 400;  // [L] of half of its depth: a span or a unit is wrong where it is bent too little
+  const bool explains_slope = test.analysis.rig.fibre.supports().half_depth <= slender || !contradicts_slope(test);
   if (is_bent_enough(test) || deepest <= max_deflection || !explains_slope) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
@@ -293,22 +293,6 @@ Found too_few_points(T test) {
           "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
           "flexslip modulus evaluates the record without friction.",
       .numbers = {{"deflection_over_span", deepest}}};
-}
-
-// Of a bar that is bent too little to tell friction: a drop is deeper than any slip.
-Found gave_way(T test) {
-  const auto& of_bar = test.analysis.slips_of_bar;
-  if (!of_bar || of_bar->beyond == 0) return std::nullopt;
-  const std::size_t row = file_row(test, test.analysis.slips[of_bar->least_like_a_slip].drop.before);
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("{} than any slip: {}. The specimen gave way.", capitalised(deeper_drops(test)),
-                              most_by_slip_in_words(test)),
-      .short_form = "gave way",
-      .remedy = fmt::format("Use flexslip modulus for stiffness and strength; to end the record before that drop, {}.",
-                            to_say(test.measurement.test, {{"record", "until", fmt::format("{}", row)}})),
-      .numbers = {{"beyond_slips", static_cast<double>(of_bar->beyond)},
-                  {"most_by_slip", most_by_slip(test), kind::force}}};
 }
 
 // Of a test that is bent too little to tell friction: its force sinks by a tenth or more, and not in drops.
@@ -401,47 +385,6 @@ Found not_explained(T test) {
 
 // ---- What stands against an answer
 
-// Are most of the drops that cannot be slips those that would begin at a friction above the limit?
-bool begin_beyond_friction(T test) {
-  const auto& slips = test.analysis.slips;
-  const auto beyond = std::count_if(slips.begin(), slips.end(),
-                                    [](const Slip& slip) { return slip.verdict == SlipVerdict::implausible; });
-  return 2 * static_cast<std::size_t>(beyond) > test.judgement->impossible;
-}
-
-// The load train is not as stated, before anything else.
-bool are_most_drops_impossible(T test) {
-  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->lost_stiffness &&
-         !allows_for_losses(test.analysis);
-}
-
-Found most_drops_impossible(T test) {
-  if (!are_most_drops_impossible(test)) return std::nullopt;
-  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
-  Finding finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("{} of the {} drops cannot be slips on the load train stated ({}).", impossible, drops,
-                              load_train_in_words(test)),
-      .short_form = fmt::format("{} of {} drops are no slips", impossible, drops),
-      .remedy =
-          "Check the stiffness of the load train; if it is right, look for breaks, spikes and cracks at these drops.",
-      .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
-  if (begin_beyond_friction(test)) {
-    const double limit = test.analysis.suspects.limit;
-    finding.sentence = fmt::format("{} of the {} drops cannot be slips: most would begin at a friction above {:.3g}.",
-                                   impossible, drops, limit);
-    const bool is_from_slope = test.stiffness == StiffnessSource::initial_slope;
-    finding.remedy = fmt::format(
-        "{} reads so. If friction above {:.3g} can be, raise the suspect limit{}.",
-        find_contact_or_check(test, is_from_slope ? "where the record begins, and state the modulus: a bending "
-                                                    "stiffness read off too flat a beginning"
-                                                  : "the modulus, the section, the span, the supports and the load "
-                                                    "train: a bending stiffness stated too low"),
-        limit, test.measurement.test.by_flags ? " (--suspect-limit)" : "");
-  }
-  return finding;
-}
-
 // Unloading once more tells slips from cracks, wherever that can still be done.
 std::string reload_remedy(T test) {
   const std::string force = unloading_force(test);
@@ -460,20 +403,24 @@ std::string reload_remedy(T test) {
 }
 
 Found cracks(T test) {
-  if (!test.judgement->drops_are_cracks) return std::nullopt;
-  return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The force rises between the drops as that of a specimen that cracks ({}).",
-                                         cracks_in_words(test)),
-                 .short_form = cracks_in_words(test),
-                 .remedy = reload_remedy(test),
-                 .numbers = {{"cracks_alone", test.judgement->cracks_alone()}}};
+  if (test.judgement.conclusion != Conclusion::cracks || is_reloaded(test.analysis)) return std::nullopt;
+  const DropFeatures& features = test.analysis.drop_features;
+  const std::string causes = causes_in_words(test);
+  const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes, false);
+  return Finding{
+      .severity = Severity::suspicion,
+      .sentence = by_drops ? fmt::format("The specimen lost stiffness in its drops ({}).", causes)
+                           : "The force fell by more than any friction can hold: the specimen lost stiffness or yielded.",
+      .short_form = by_drops ? causes : "lost stiffness",
+      .remedy = reload_remedy(test),
+      .numbers = {{"loss_needed", features.loss_needed}, {"loss_recovered", features.loss_recovered}}};
 }
 
 // What became of the specimen until it was loaded again.
 Found changed_reload(T test) {
   if (!test.passes || !test.passes->is_reloaded) return std::nullopt;
   const PassesFit& passes = *test.passes;
-  const bool is_judged_lost = test.judgement && test.judgement->damage == Damage::lost;
+  const bool is_judged_lost = is_reloaded(test.analysis) && (test.judgement.conclusion == Conclusion::cracks || test.judgement.conclusion == Conclusion::slips_and_damage);
   const std::vector<FindingNumber> numbers{{"loss", passes.loss.value}, {"loss_error", passes.loss.standard_error}};
   if (is_gained(passes))
     return Finding{
@@ -496,25 +443,6 @@ Found changed_reload(T test) {
                  .short_form = fmt::format("{} of the stiffness lost", format_percent(passes.loss.value)),
                  .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
                  .numbers = numbers};
-}
-
-// What cannot be a slip is told at the bending stiffness stated, which may be what is wrong.
-Found impossible_drops(T test) {
-  const std::size_t drops = drops_of(test), impossible = test.judgement->impossible;
-  if (impossible == 0 || are_most_drops_impossible(test)) return std::nullopt;
-  const Check* stiffness = check_of(test, CheckKind::stiffness);
-  const bool is_stiffness_in_doubt = stiffness && stiffness->outcome == CheckOutcome::failed;
-  const std::string can_be = drops == 1            ? "The drop cannot be a slip"
-                             : impossible == drops ? fmt::format("None of the {} drops can be a slip", drops)
-                                                   : fmt::format("{} of the {} drops cannot be {}", impossible, drops,
-                                                                 impossible == 1 ? "a slip" : "slips");
-  return Finding{
-      .severity = 2 * impossible >= drops ? Severity::suspicion : Severity::doubt,
-      .sentence = fmt::format("{}{}.", can_be, is_stiffness_in_doubt ? " at the bending stiffness stated" : ""),
-      .short_form = fmt::format("{} of {} drops no slip", impossible, drops),
-      .remedy = fmt::format("{}Look at what happened there: a break, a spike of the load cell, or a crack.",
-                            is_stiffness_in_doubt ? "Check the bending stiffness, which the fit contradicts. " : ""),
-      .numbers = {{"impossible", static_cast<double>(impossible)}, {"drops", static_cast<double>(drops)}}};
 }
 
 // Above the limit, or below none.
@@ -667,20 +595,16 @@ Found filtered_force(T test) {
 }
 
 Found undecided_drops(T test) {
-  const Judgement& judgement = *test.judgement;
-  if (test.analysis.drops.drops.empty() || judgement.drops != CrackVerdict::cannot_be_told) return std::nullopt;
-  const bool tells = std::isfinite(judgement.cracks_alone());
-  return Finding{
-      .severity = Severity::condition,
-      .sentence = tells ? fmt::format("How the force rises between the drops does not tell slips from cracks ({}).",
-                                      cracks_in_words(test))
-                  : test.analysis.slip_or_crack.judged
-                      ? "No probability of cracks can be told of this record."
-                      : "Fewer than three drops with enough rows between them do not tell slips from cracks.",
-      .short_form = tells ? cracks_in_words(test) : "slips or cracks",
-      .remedy = reload_remedy(test),
-      .numbers = tells ? std::vector<FindingNumber>{{"cracks_alone", judgement.cracks_alone()}}
-                       : std::vector<FindingNumber>{}};
+  if (drops_of(test) == 0 || test.judgement.conclusion != Conclusion::undecided) return std::nullopt;
+  const std::string causes = causes_in_words(test);
+  const bool tells = !causes.empty();
+  return Finding{.severity = Severity::condition,
+                 .sentence = tells ? fmt::format("Slips and cracks can both have made the drops ({}).", causes)
+                                   : "The drops are too small, or too near the contact, to tell slips from cracks.",
+                 .short_form = tells ? causes : "slips or cracks",
+                 .remedy = reload_remedy(test),
+                 .numbers = tells ? std::vector<FindingNumber>{{"cracks_alone", test.judgement.causes.cracks}}
+                                  : std::vector<FindingNumber>{}};
 }
 
 // Of a specimen that is loaded again nothing drops where it slipped or cracked before.
@@ -751,7 +675,7 @@ Found known_roughly(T test) {
   const Estimate& mu0 = test.analysis.fit.mu0;
   constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
   const double half = 0.5 * (mu0.high - mu0.low);
-  if (test.analysis.fit.mu0_is_bound || !(half > rough) || test.judgement->lost_stiffness) return std::nullopt;
+  if (test.analysis.fit.mu0_is_bound || !(half > rough) || !test.judgement.tells_friction) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
                  .remedy = "Bend farther, or state the bending stiffness more exactly.",
@@ -760,7 +684,7 @@ Found known_roughly(T test) {
 
 // Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
 Found no_reload(T test) {
-  if (!may_have_lost_stiffness(test) || test.judgement->lost_stiffness) return std::nullopt;
+  if (!may_have_lost_stiffness(test) || !test.judgement.tells_friction) return std::nullopt;
   const auto& [loading, of] = test.measurement.loading;
   const std::string reload =
       of > 1 ? fmt::format("a reload after loading {}, which is evaluated,", loading) : "a reload";
@@ -790,7 +714,7 @@ Finding length_not_stated(T test, StatedQuantity quantity, double length_in_span
 
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.states_supports() || (test.judgement->lost_stiffness && !test.on_rollers)) return std::nullopt;
+  if (rig.states_supports() || (!test.judgement.tells_friction && !test.on_rollers)) return std::nullopt;
   const std::string taken = "The supports are not stated, and edges are assumed.",
                     remedy = fmt::format("State {}, or {}.",
                                          in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
@@ -816,7 +740,7 @@ Found supports_not_stated(T test) {
 Found thickness_not_stated(T test) {
   const Test& input = test.measurement.test;
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
-      test.judgement->lost_stiffness)
+      !test.judgement.tells_friction)
     return std::nullopt;
   constexpr double usual = 0.02;  // [L] of the authors' spicules, and of many a fibre
   return length_not_stated(test, StatedQuantity::thickness, usual, "No section says how thick the specimen is.",
@@ -827,7 +751,7 @@ Found thickness_not_stated(T test) {
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
 Found changing_friction(T test) {
   const FrictionFit& fit = test.analysis.fit;
-  if (test.judgement->friction_falls)
+  if (test.judgement.friction_falls)
     return Finding{.severity = Severity::doubt,
                    .sentence =
                        "Friction decreases along the record, as it would if stiffness were lost or if rollers "
@@ -838,7 +762,7 @@ Found changing_friction(T test) {
                                                "supports tells.",
                                                rig_keys(test, {"roller_radius"}))
                                  : std::string(image_of_supports)};
-  if (!(weight_without_roughness(fit) > 0.5) || test.judgement->lost_stiffness) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || !test.judgement.tells_friction) return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence =
@@ -860,7 +784,7 @@ Found hidden_waves(T test) {
                    .short_form = "a load train so soft hides some of it",
                    .remedy = "A stiffer rig tells friction better.",
                    .numbers = {{"hidden", hidden, kind::number}}};
-  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || test.judgement->lost_stiffness) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || !test.judgement.tells_friction) return std::nullopt;
   if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
   constexpr double lengths_told_apart = 20;
   const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
@@ -902,13 +826,10 @@ constexpr std::array rules{
     Rule{Group::answer, "wrong_load_train", wrong_load_train, false},
     Rule{Group::answer, "wrong_stiffness", wrong_stiffness, false},
     Rule{Group::answer, "impossible_modulus", impossible_modulus, false},
-    Rule{Group::answer, "most_drops_impossible", most_drops_impossible},
-    Rule{Group::answer, "gave_way", gave_way, false},
     Rule{Group::answer, "too_few_points", too_few_points, false},
     Rule{Group::answer, "not_explained", not_explained, false},
-    Rule{Group::damage, "cracks", cracks},
+    Rule{Group::damage, "cracks", cracks, false},
     Rule{Group::damage, "changed_reload", changed_reload, false},
-    Rule{Group::alone, "impossible_drops", impossible_drops},
     Rule{Group::alone, "implausible_friction", implausible_friction},
     Rule{Group::beginning, "begins_under_force", begins_under_force, false},
     Rule{Group::beginning, "sloping_baseline", sloping_baseline},
@@ -924,7 +845,7 @@ constexpr std::array rules{
     Rule{Group::alone, "sinks", sinks, false},
     Rule{Group::alone, "unexpected_stiffness", unexpected_stiffness},
     Rule{Group::reload, "drops_elsewhere", drops_elsewhere},
-    Rule{Group::reload, "undecided_drops", undecided_drops},
+    Rule{Group::reload, "undecided_drops", undecided_drops, false},
     Rule{Group::reload, "no_reload", no_reload},
     Rule{Group::certainty, "only_a_limit", only_a_limit},
     Rule{Group::certainty, "known_roughly", known_roughly},

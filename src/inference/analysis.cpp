@@ -15,7 +15,6 @@
 #include "inference/beginning.h"
 #include "inference/profile.h"
 #include "inference/rig_shifts.h"
-#include "inference/slip_limit.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/progress.h"
@@ -250,69 +249,14 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
   return checks;
 }
 
-// Would a drop be deeper than any slip if the specimen were so many times as thick?
-bool is_one_beyond(const TestAnalysis& analysis, double times) {
-  Supports supports = analysis.rig.fibre.supports();
-  supports.half_depth *= times;
-  const std::vector<Drop>& drops = analysis.drops.drops;
-  const std::vector<double> most = most_by_slips(analysis.reduced, drops, supports);
-  for (std::size_t i = 0; i < most.size(); ++i)
-    if (is_beyond_slips(analysis.scales.reduced_force(drops[i].force_fall), most[i], analysis.force_noise)) return true;
-  return false;
-}
-
-// The thicker it is, the more a slip can do.
-double turning_thickness(const TestAnalysis& analysis) {
-  constexpr double far = 2;
-  constexpr int halvings = 12;  // to a thousandth
-  const bool is_beyond = is_one_beyond(analysis, 1);
-  double same = 1, other = is_beyond ? far : 1 / far;
-  if (is_one_beyond(analysis, other) == is_beyond) return not_a_number;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = std::midpoint(same, other);
-    (is_one_beyond(analysis, middle) == is_beyond ? same : other) = middle;
-  }
-  return other;
-}
-
-// By what a slip can do, since no friction is told that would say what it did.
-void judge_drops_of_a_bar(TestAnalysis& analysis) {
-  const std::vector<Drop>& drops = analysis.drops.drops;
-  if (drops.empty()) return;
-  const std::vector<double> most = most_by_slips(analysis.reduced, drops, analysis.rig.fibre.supports());
-  SlipsOfABar of_bar{.beyond = 0, .least_like_a_slip = 0, .turning_thickness = turning_thickness(analysis)};
-  double farthest = -infinity;
-  for (std::size_t i = 0; i < drops.size(); ++i) {
-    const double fall = analysis.scales.reduced_force(drops[i].force_fall);
-    const bool is_beyond = is_beyond_slips(fall, most[i], analysis.force_noise);
-    of_bar.beyond += is_beyond;
-    if (fall - most[i] > farthest) {
-      farthest = fall - most[i];
-      of_bar.least_like_a_slip = i;
-    }
-    analysis.slips[i] = {.drop = drops[i],
-                         .verdict = is_beyond ? SlipVerdict::too_deep : SlipVerdict::possible,
-                         .S_before = not_a_number,
-                         .S_after = not_a_number,
-                         .mu_before = not_a_number,
-                         .mu_after = not_a_number,
-                         .advance_error = not_a_number,
-                         .most = most[i]};
-  }
-  analysis.slips_of_bar = of_bar;
-  analysis.slip_summary = summarise(analysis.slips);
-}
-
 }  // namespace
 
-TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
+TestAnalysis analyse_drops(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
   if (const auto check = check_record(record);
       check.fault == RecordFault::lengths_differ || check.fault == RecordFault::not_finite)
     throw std::invalid_argument("the record has a fault at point " + std::to_string(check.index));
   if (record.force.size() < min_fitted_points)
     throw std::invalid_argument("a record of " + std::to_string(record.force.size()) + " points tells no drops");
-  Stages stages;
-  stages.enter("contact and drops", 0.01);
   const InitialLine contact = initial_line(record);
   const double L = description.span, EI = description.bending_stiffness;
   const auto slope = stiffness_from_slope(record, L);
@@ -342,20 +286,29 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
       .force = analysis.force_noise,
       .bending_stiffness = analysis.bending_stiffness_error,
       .contact = description.contact_error ? scales.reduced_length(*description.contact_error) : usual_contact_error};
+  analysis.errors = errors;
+  analysis.rig_errors = description.rig_errors;
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
   analysis.slip_summary = summarise(analysis.slips);
-  stages.enter("slips or cracks", 0.06);
-  analysis.slip_or_crack = slip_or_crack(analysis.reduced, analysis.rig, analysis.drops.drops);
+  analysis.drop_features =
+      drop_features(analysis.reduced, analysis.rig, {analysis.force_noise, EI_error}, analysis.drops.drops);
+  analysis.passes = description.passes;
+  return analysis;
+}
+
+TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
+  Stages stages;
+  stages.enter("contact and drops", 0.07);
+  TestAnalysis analysis = analyse_drops(record, description, options);
+  const MeasurementErrors& errors = analysis.errors;
+  const Scales& scales = analysis.scales;
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
   analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
-  analysis.errors = errors;
-  analysis.rig_errors = description.rig_errors;
   analysis.most_friction = options.most_friction;
   const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
   stages.enter("friction", 0.8);
-  analysis.passes = description.passes;
   const auto are_fitted = [&] { return analysis.passes && analysis.passes->status == PassesStatus::ok; };
   if (are_fitted()) analysis.fit = fit_evaluated(problem, *analysis.passes, options.fit);
   if (are_fitted() && analysis.fit.status != FrictionFitStatus::ok)
@@ -364,7 +317,6 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
     analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::bent_too_little;
-    if (!is_bent && 2 * description.fibre.supports().half_depth > least_height_of_a_bar) judge_drops_of_a_bar(analysis);
     return analysis;
   }
   stages.enter("the fit run forward", 0.04);

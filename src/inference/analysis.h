@@ -14,10 +14,10 @@
 #include "data/record_statistics.h"
 #include "data/scales.h"
 #include "inference/checks.h"
+#include "inference/drop_features.h"
 #include "inference/fit.h"
 #include "inference/passes.h"
 #include "inference/profile.h"
-#include "inference/slip_or_crack.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -107,17 +107,8 @@ inline constexpr std::size_t min_fitted_points = 30;
 
 enum class AnalysisStatus {
   ok,
-  bent_too_little,  // fewer than 20 readings lie past friction_judged_from (first_passages.h): nothing from the fit on is valid, and of the slips
-                    // only what they can be, by slip_limit.h
+  bent_too_little,  // fewer than 20 readings lie past friction_judged_from (first_passages.h): nothing from the fit on is valid
   not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
-};
-
-// What a slip can do at the drops of a bar, a specimen that is bent too little to tell friction but no fibre (slip_limit.h).
-struct SlipsOfABar {
-  std::size_t beyond;             // drops that are deeper than any slip
-  std::size_t least_like_a_slip;  // of the drops, that which is deepest beside what a slip can do there
-  // [1] Of its thickness, from which on no drop would be beyond slips or, where none is, below which one would; NaN if neither half nor twice of it is.
-  double turning_thickness = not_a_number;
 };
 
 struct TestAnalysis {
@@ -138,13 +129,12 @@ struct TestAnalysis {
   Drops drops{};
   RecordStatistics statistics{};  // of the record and its drops
   FrictionProfile profile{};
-  // Judged at the bending stiffness stated, told at that of the fit; those of a bar bent too little by slip_limit.h.
+  // Judged at the bending stiffness stated, told at that of the fit.
   std::vector<Slip> slips{};
-  std::optional<SlipsOfABar> slips_of_bar{};  // of such a bar that has drops
   double most_friction = infinity;            // [1] as in the options
   SlipSummary slip_summary{};
   std::optional<PassesFit> passes{};  // as in the description
-  SlipOrCrack slip_or_crack{};
+  DropFeatures drop_features{};  // whatever the status
   SuspectReport suspects{};
   FrictionFit fit{};
   FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05
@@ -163,6 +153,10 @@ struct TestAnalysis {
 // Cost:       that of the fit: at most 200,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
 //             the record; on supports 60 million besides, as 20 draws and the mean are run forward through up to 10,000 lengths each.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+
+// What is known of it without a fit: scales, rig, readings, drops and their features, slips, passes. Nothing else is valid.
+// Domain:     as analyse.
+TestAnalysis analyse_drops(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
 
 // Does the record need more friction than its supports let act, or than the suspect limit?
 // Domain:     analysis.status is ok.

@@ -1,6 +1,7 @@
 #include "inference/campaign.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -75,14 +76,12 @@ std::optional<Population> not_negative(std::optional<Population> population) {
 
 }  // namespace
 
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement) {
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
   if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without a fit has no summary");
   const Scales& scales = analysis.scales;
   const FrictionFit& fit = analysis.fit;
   TestSummary summary{.name = name,
                       .category = analysis.category,
-                      .drops_verdict = judgement.drops,
-                      .cracks_alone = judgement.cracks_alone(),
                       .model = fit.model,
                       .mu0 = fit.mu0,
                       .mu0_is_bound = fit.mu0_is_bound,
@@ -124,34 +123,37 @@ TestSummary without_friction(TestSummary summary) {
   return summary;
 }
 
-CracksTogether cracks_together(std::span<const TestSummary> tests) {
-  CracksTogether together{.log_odds = 0};
-  constexpr std::size_t steps = 1000;
-  std::vector<double> log_weight(steps + 1, 0);
-  for (const TestSummary& test : tests) {
-    const double p = std::clamp(test.cracks_alone, 1e-6, 1 - 1e-6);
-    if (!std::isfinite(p)) continue;
-    ++together.tests;
-    together.log_odds += elementary::log(p / (1 - p));
-    for (std::size_t i = 0; i <= steps; ++i) {
-      const double share = static_cast<double>(i) / steps;
-      log_weight[i] += elementary::log(share * p + (1 - share) * (1 - p));
+CauseShares cause_shares(std::span<const Causes> tests) {
+  constexpr int steps = 50;
+  std::vector<const Causes*> told;
+  for (const Causes& test : tests)
+    if (std::isfinite(test.slips)) told.push_back(&test);
+  if (told.empty()) return {};
+  std::vector<std::array<double, 4>> points;  // three shares and the logarithm of the weight
+  double greatest = -infinity;
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; i + j <= steps; ++j) {
+      const double slips = (i + 1.0 / 3) / (steps + 1), cracks = (j + 1.0 / 3) / (steps + 1), both = 1 - slips - cracks;
+      double log_weight = 0;
+      for (const Causes* test : told)
+        log_weight += elementary::log(slips * test->slips + cracks * test->cracks + both * test->both);
+      points.push_back({slips, cracks, both, log_weight});
+      greatest = std::max(greatest, log_weight);
     }
-  }
-  if (together.tests == 0) return {};
-  const double greatest = *std::max_element(log_weight.begin(), log_weight.end());
-  double total = 0;
-  for (double& weight : log_weight) total += weight = elementary::exp(weight - greatest);
-  const auto below = [&](double probability) {
-    double sum = 0;
-    for (std::size_t i = 0; i <= steps; ++i)
-      if ((sum += log_weight[i]) >= probability * total) return static_cast<double>(i) / steps;
-    return 1.0;
+  for (auto& point : points) point[3] = elementary::exp(point[3] - greatest);
+  const auto share_of = [&](std::size_t cause) {
+    std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) { return a[cause] < b[cause]; });
+    double total = 0;
+    for (const auto& point : points) total += point[3];
+    const auto below = [&](double probability) {
+      double sum = 0;
+      for (const auto& point : points)
+        if ((sum += point[3]) >= probability * total) return point[cause];
+      return 1.0;
+    };
+    return CauseShares::Share{.median = below(0.5), .low = below(0.025), .high = below(0.975)};
   };
-  together.share = below(0.5);
-  together.share_low = below(0.05);
-  together.share_high = below(0.95);
-  return together;
+  return {.tests = told.size(), .slips = share_of(0), .cracks = share_of(1), .both = share_of(2)};
 }
 
 double shared_error_of(std::span<const TestSummary> tests) {

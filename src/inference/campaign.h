@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inference/analysis.h"
+#include "inference/causes.h"
 #include "inference/judgement.h"
 #include "inference/population.h"
 #include "numerics/elementary.h"
@@ -30,8 +31,6 @@ struct TestSummary {
   std::string name;
   SawtoothCategory category;
   bool suspect = false;                // it is left out of means: a finding stands against its conclusion
-  CrackVerdict drops_verdict;          // on its drops, of which there may be none
-  double cracks_alone = not_a_number;  // [1] probability that they alone made them; NaN where nothing tells
   ProfileModel model;                  // that was fitted
   Estimate mu0;                        // [1] mean friction over the fibre seen
   bool mu0_is_bound;                   // the record does not tell it from none: mu0.high is its upper limit
@@ -57,7 +56,7 @@ struct TestSummary {
 };
 
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
-TestSummary summary_of(const std::string& name, const TestAnalysis& analysis, const Judgement& judgement);
+TestSummary summary_of(const std::string& name, const TestAnalysis& analysis);
 
 // Of a test whose fit is not to be used, or whose specimen lost stiffness: NaN or none for all that is friction.
 TestSummary without_friction(TestSummary summary);
@@ -86,17 +85,18 @@ struct CategorySummary {
   std::optional<Population> mu0, log_roughness, log_length;
 };
 
-// What the drops of all tests say together.
-struct CracksTogether {
-  std::size_t tests = 0;           // with a probability; 0: nothing else is valid
-  double log_odds = not_a_number;  // [1] ln of the odds that cracks alone made the drops of all, each even beforehand
-  double share = not_a_number;     // [1] of specimens in which they did: the median of what is left of a uniform prior
-  double share_low = not_a_number, share_high = not_a_number;  // [1] 95 % lie above, and below
+// The shares of specimens whose drops slips made, cracks, or both.
+struct CauseShares {
+  std::size_t tests = 0;  // with probabilities; 0: nothing else is valid
+  struct Share {
+    double median, low, high;  // [1] 95 % lie between low and high
+  };
+  Share slips{}, cracks{}, both{};
 };
 
-// Domain:     probabilities of TestSummary::cracks_alone; those that are NaN tell nothing.
-// Method:     the likelihood of a share s is the product of s p + (1 - s)(1 - p), on a grid of a thousandth.
-CracksTogether cracks_together(std::span<const TestSummary> tests);
+// Domain:     those that are NaN tell nothing.
+// Method:     the likelihood of shares is the product of the sums of share times probability, under a uniform prior; on a grid of a fiftieth.
+CauseShares cause_shares(std::span<const Causes> tests);
 
 // [1] Of the mean friction of tests on one rig, the standard deviation that more of them do not make smaller; 0 without tests that tell any.
 double shared_error_of(std::span<const TestSummary> tests);

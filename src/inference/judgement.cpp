@@ -1,25 +1,13 @@
 #include "inference/judgement.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
-#include "inference/cause_coefficients.h"
-#include "inference/checks.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
 namespace {
-
-// Neither possible nor too short to judge.
-bool is_no_slip(SlipVerdict verdict) { return verdict != SlipVerdict::possible && verdict != SlipVerdict::too_short; }
-
-std::size_t impossible_drops(const TestAnalysis& analysis) {
-  return static_cast<std::size_t>(std::count_if(analysis.slips.begin(), analysis.slips.end(),
-                                                [](const Slip& slip) { return is_no_slip(slip.verdict); }));
-}
 
 // Along all that is seen, by a third of its mean or more, and surely.
 bool friction_falls(const FrictionFit& fit) {
@@ -27,13 +15,6 @@ bool friction_falls(const FrictionFit& fit) {
   const double passed = fit.between_contacts(fit.S_end) - fit.between_contacts(fit.S_begin);
   const bool surely = passed > 0 ? fit.drift.high < 0 : fit.drift.low > 0;
   return surely && -fit.drift.value * passed > much * fit.mu0.value;
-}
-
-// None where most drops are impossible or the bending stiffness is off, unless they are cracks, which make both so.
-double by_one_loading(const TestAnalysis& analysis, std::size_t impossible) {
-  const double probability = analysis.slip_or_crack.cracks_alone;
-  const bool outside = most_are_impossible(impossible, analysis.drops.drops.size()) || stiffness_is_off(analysis);
-  return outside && verdict_of(probability) != CrackVerdict::cracks ? not_a_number : probability;
 }
 
 // [1] Of a reload, besides its own errors: passes of sound specimens differ by as much.
@@ -44,12 +25,31 @@ double log_loss_error(const PassesFit& passes) {
   return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
 }
 
-Causes causes_by_reload(const TestAnalysis& analysis) {
+Causes causes_of(const TestAnalysis& analysis) {
+  const DropFeatures& features = analysis.drop_features;
+  const Causes by_one_loading = features.drops > 0 ? flexslip::causes_of(features, analysis.rig.stiffness) : Causes{};
+  if (!is_reloaded(analysis) || !(analysis.passes->loss_needed > 0)) return by_one_loading;
+  return flexslip::causes_of(by_one_loading, {.log_loss = log_loss_of(*analysis.passes),
+                                              .error = log_loss_error(*analysis.passes),
+                                              .log_needed = -elementary::log(1 - analysis.passes->loss_needed)});
+}
+
+Conclusion conclusion_by_reload(const TestAnalysis& analysis, const Causes& causes) {
   const PassesFit& passes = *analysis.passes;
-  return causes_of({.log_loss = log_loss_of(passes),
-                    .error = log_loss_error(passes),
-                    .log_needed = -elementary::log(1 - passes.loss_needed),
-                    .cracks_alone = analysis.slip_or_crack.cracks_alone});
+  if (is_settled(passes)) return Conclusion::settled;
+  const bool has_drops = !analysis.drops.drops.empty();
+  if (!has_drops || std::isnan(causes.slips))
+    return is_lost(passes) ? Conclusion::cracks : has_drops ? Conclusion::undecided : Conclusion::no_drops;
+  if (loses_at_all(causes, true)) return slips_at_all(causes) ? Conclusion::slips_and_damage : Conclusion::cracks;
+  return slips_at_all(causes) ? Conclusion::slips : Conclusion::undecided;
+}
+
+Conclusion conclusion_by_one_loading(const TestAnalysis& analysis, const Causes& causes) {
+  constexpr double crests = 0.9;  // [1] cracks only would need less friction than that to the end: then slips are not told from them
+  const DropFeatures& features = analysis.drop_features;
+  if (loses_at_all(causes, false) || is_loss_without_friction(features)) return Conclusion::cracks;
+  if (analysis.drops.drops.empty()) return Conclusion::no_drops;
+  return slips_at_all(causes) && features.needed_at_end > crests ? Conclusion::slips : Conclusion::undecided;
 }
 
 std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
@@ -65,40 +65,9 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
 
 }  // namespace
 
-bool stiffness_is_off(const TestAnalysis& analysis) {
-  const double stated = analysis.bending_stiffness_error;
-  return stated > 0 && stiffness_errors(analysis.fit.bending_stiffness, stated) > max_stiffness_errors;
-}
+bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
 
-bool most_are_impossible(std::size_t impossible, std::size_t drops) {
-  constexpr std::size_t enough = 3;
-  return drops >= enough && 2 * impossible >= drops;
-}
-
-Causes causes_of(const DropsAndLoss& features) {
-  namespace fitted = cause_coefficients;
-  constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
-  const double z = features.log_loss / features.error;
-  const double c =
-      (features.log_needed - features.log_loss) / elementary::length(features.error, of_needed * features.log_needed);
-  const auto squashed = [](double x) { return 1 - 2 / (1 + elementary::exp(2 * x)); };  // tanh
-  constexpr double surest = 0.98;                                                       // one loading is no surer
-  const double alone = std::isnan(features.cracks_alone) ? 0.5 : std::clamp(features.cracks_alone, 1 - surest, surest);
-  const std::array inputs{1.0,
-                          squashed(z / 3),
-                          squashed(z / 8),
-                          squashed(c / 3),
-                          squashed(c / 8),
-                          squashed((z * z - c * c) / 12),
-                          elementary::log(alone / (1 - alone))};
-  const auto weight = [&](const std::array<double, inputs.size()>& of) {
-    double sum = 0;
-    for (std::size_t i = 0; i < of.size(); ++i) sum += of[i] * inputs[i];
-    return elementary::exp(sum);
-  };
-  const double cracks = weight(fitted::cracks), both = weight(fitted::both), all = 1 + cracks + both;
-  return {.slips = 1 / all, .cracks = cracks / all, .both = both / all};
-}
+bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
 
 bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }
 
@@ -124,26 +93,15 @@ bool is_settled(const PassesFit& passes) {
 }
 
 Judgement judge(const TestAnalysis& analysis) {
-  if (analysis.status != AnalysisStatus::ok) throw std::invalid_argument("a test without an answer is not judged");
-  Judgement judgement{.drops = CrackVerdict::cannot_be_told,
-                      .causes = {},
-                      .impossible = impossible_drops(analysis),
-                      .friction_falls = friction_falls(analysis.fit)};
-  const bool has_drops = !analysis.drops.drops.empty();
-  if (is_reloaded(analysis)) {
-    const PassesFit& passes = *analysis.passes;
-    if (has_drops && passes.loss_needed > 0) judgement.causes = causes_by_reload(analysis);
-    constexpr double surely = 0.05;
-    const bool lost = std::isfinite(judgement.causes.slips) ? judgement.causes.slips < surely : is_lost(passes);
-    judgement.damage = is_settled(passes) ? Damage::settled : lost ? Damage::lost : Damage::not_told;
-  } else {
-    judgement.causes.cracks = by_one_loading(analysis, judgement.impossible);
-  }
-  judgement.drops = verdict_of(judgement.causes.cracks);
-  judgement.drops_are_cracks = has_drops && !is_reloaded(analysis) && judgement.drops == CrackVerdict::cracks;
-  judgement.lost_stiffness =
-      judgement.drops_are_cracks || (judgement.damage == Damage::lost && !allows_for_losses(analysis));
-  if (!judgement.lost_stiffness && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
+  Judgement judgement{.causes = causes_of(analysis)};
+  judgement.conclusion = is_reloaded(analysis) ? conclusion_by_reload(analysis, judgement.causes)
+                                               : conclusion_by_one_loading(analysis, judgement.causes);
+  if (analysis.status != AnalysisStatus::ok) return judgement;
+  const bool has_lost =
+      judgement.conclusion == Conclusion::cracks || judgement.conclusion == Conclusion::slips_and_damage;
+  judgement.tells_friction = !has_lost || allows_for_losses(analysis);
+  judgement.friction_falls = friction_falls(analysis.fit);
+  if (judgement.tells_friction && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
   return judgement;
 }
 

@@ -1,9 +1,10 @@
-// What the drops of a test and a reload say of its specimen, all weighed together.
+// What the drops of a test and a reload tell about its specimen, all weighed together.
 #pragma once
 
 #include <vector>
 
 #include "inference/analysis.h"
+#include "inference/causes.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -13,44 +14,29 @@ struct FrictionIfLost {
   double loss, friction;  // [1]
 };
 
-// [1] Probabilities of what made the drops. Without a reload, slips cannot be told from slips and cracks, and `slips` and `both` are NaN.
-struct Causes {
-  double slips = not_a_number, cracks = not_a_number, both = not_a_number;
-};
-
-// What a reload shows of the drops of a loading before it.
-struct DropsAndLoss {
-  double log_loss, error;  // of the stiffness, as -ln of what is left
-  double log_needed;       // likewise by the drops, if they were cracks only
-  double cracks_alone;     // [1] probability of that by one loading alone; NaN where it tells nothing
-};
-
-// Slips, cracks and both being as likely beforehand.
-// Domain:     error >= 0, log_needed > 0.
-// Method:     multinomial logistic regression on simulated records (bench/reload; docs/theory.md, "A reload").
-Causes causes_of(const DropsAndLoss& features);
-
-// What may have become of the specimen.
-enum class Damage {
-  not_told,  // nothing shows it; a reload may show that it is small
-  lost,      // stiffness was lost
-  settled,   // the specimen or a support gave way for good, and no stiffness was lost
+// What became of the specimen.
+enum class Conclusion {
+  no_drops,           // the force falls nowhere as in a snap, and no stiffness was seen to be lost
+  slips,              // it slipped; from one loading, stiffness may have been lost besides
+  cracks,             // it lost stiffness; some of the drops may be slips
+  slips_and_damage,   // it slipped and lost stiffness, by a reload
+  settled,            // it or a support gave way for good, and no stiffness was lost, by a reload
+  undecided,
 };
 
 struct Judgement {
-  CrackVerdict drops;  // by the rises, and by the reload where there is one
-  Causes causes;
-  Damage damage = Damage::not_told;
-  bool drops_are_cracks = false;  // there are some, and they are, and no reload tells more
-  bool lost_stiffness = false;    // it did, and the friction told does not allow for it: none can be read off
-  std::size_t impossible = 0;     // drops that cannot be slips
+  Conclusion conclusion = Conclusion::undecided;
+  Causes causes{};               // of the drops that are judged; NaN of none
+  bool tells_friction = false;   // there is a fit, and it allows for all that was lost
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
-  // For losses of a tenth and a fifth; none where a reload tells the loss, or of a specimen that lost stiffness.
+  // For losses of a tenth and a fifth; none where a reload tells the loss, and where no friction is told.
   std::vector<FrictionIfLost> if_lost{};
-
-  double cracks_alone() const { return causes.cracks; }
 };
+
+// Are cracks alone, or slips alone, too improbable to be the cause? From one loading more is asked before it denies slips alone: that stiffness was lost.
+bool slips_at_all(const Causes& causes);
+bool loses_at_all(const Causes& causes, bool is_reloaded);
 
 // Does a loading after the evaluated one tell what was lost?
 bool is_reloaded(const TestAnalysis& analysis);
@@ -63,16 +49,7 @@ bool is_lost(const PassesFit& passes);
 bool is_gained(const PassesFit& passes);
 bool is_settled(const PassesFit& passes);
 
-// Does the record contradict the bending stiffness stated, which the verdict on the rises takes for granted (checks.h, stiffness_errors)? A load train
-// stated too stiff makes it do that.
-bool stiffness_is_off(const TestAnalysis& analysis);
-
-// Of three drops or more half or more that cannot be slips: the load train is not as stated, before anything else.
-bool most_are_impossible(std::size_t impossible, std::size_t drops);
-
-// By a reload, causes_of. Without one, where half of three drops or more cannot be slips, or the bending stiffness is off (stiffness_is_off), there is no
-// probability, unless it is one of cracks. Drops are not asked about where there are none.
-// Domain:     analysis.status is ok; std::invalid_argument otherwise.
+// Of a test of any status.
 Judgement judge(const TestAnalysis& analysis);
 
 }  // namespace flexslip

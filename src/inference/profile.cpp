@@ -179,8 +179,8 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
 }
 
 std::string_view name_of(SlipVerdict verdict) {
-  return name_in_order<SlipVerdict::too_deep>(
-      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short", "too_deep"});
+  return name_in_order<SlipVerdict::too_short>(
+      verdict, {"possible", "unexplained", "implausible", "negative", "moves_out", "too_short"});
 }
 
 std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop> drops, const MeasurementErrors& errors,
@@ -196,8 +196,10 @@ std::vector<Slip> slips_of(const FrictionProfile& profile, std::span<const Drop>
     const ProfilePoint* const before = find(drop.before);
     const ProfilePoint* const after = find(drop.after);
     if (!before || !after) {
-      slips.push_back(
-          {drop, SlipVerdict::unexplained, not_a_number, not_a_number, not_a_number, not_a_number, not_a_number});
+      const bool is_told = std::binary_search(profile.unexplained.begin(), profile.unexplained.end(), drop.before) ||
+                           std::binary_search(profile.unexplained.begin(), profile.unexplained.end(), drop.after);
+      slips.push_back({drop, is_told ? SlipVerdict::unexplained : SlipVerdict::too_short, not_a_number, not_a_number,
+                       not_a_number, not_a_number, not_a_number});
       continue;
     }
     Slip slip{drop,

@@ -125,8 +125,7 @@ enum class SlipVerdict {
   implausible,  // friction before it would be beyond the limit, by twice its error
   negative,     // friction after it would be below 0, likewise
   moves_out,    // length would be let out, likewise
-  too_short,    // what is drawn in is less than its error
-  too_deep,     // deeper than any slip makes it at so small a deflection (slip_limit.h)
+  too_short,    // what is drawn in is less than its error, or the specimen is bent too little to tell
 };
 
 std::string_view name_of(SlipVerdict verdict);
@@ -141,7 +140,6 @@ struct Slip {
   // The friction read off before the next drop, or at the end, is less than that before this one, by more than noise: what a crack takes is gone
   // for good. Friction that rises along the specimen can hide one.
   bool can_be_crack = true;
-  double most = not_a_number;  // [EI/L^2] that a slip can make there; NaN where friction tells what it did
 };
 
 // Each of the drops.

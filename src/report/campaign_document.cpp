@@ -118,14 +118,16 @@ std::string verdicts_in_words(const Campaign& campaign) {
   return words;
 }
 
-// What the drops of all say together; empty where fewer than two have a probability.
-std::string cracks_in_words(const Campaign& campaign) {
-  const CracksTogether& cracks = campaign.cracks;
-  if (cracks.tests < 2) return "";
-  const bool in_few = cracks.share < 0.5;
-  return fmt::format(" Together: cracks alone made the drops in {} than {} of specimens (95 %, by {}).",
-                     in_few ? "fewer" : "more", format_percent(in_few ? cracks.share_high : cracks.share_low),
-                     format_count(cracks.tests, "test", "tests"));
+// What made the drops of all; empty where fewer than two have probabilities.
+std::string causes_in_words(const Campaign& campaign) {
+  const CauseShares& shares = campaign.causes;
+  if (shares.tests < 2) return "";
+  const auto range = [](const CauseShares::Share& share) {
+    return fmt::format("{:.0f} to {}", 100 * share.low, format_percent(share.high));
+  };
+  return fmt::format(" Of the specimens {} only slipped, {} only cracked, {} did both (95 %, by {}).",
+                     range(shares.slips), range(shares.cracks), range(shares.both),
+                     format_count(shares.tests, "test", "tests"));
 }
 
 // Of the work under the curves, what went into friction.
@@ -358,7 +360,7 @@ std::string campaign_in_short(const Campaign& campaign) {
                            ? "the test could not be evaluated"
                            : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
   std::string answer = fmt::format("{}: {}.{}{}", format_count(campaign.tests.size(), "test", "tests"),
-                                   verdicts_in_words(campaign), cracks_in_words(campaign), friction_in_words(campaign));
+                                   verdicts_in_words(campaign), causes_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
        {enumerated(campaign, is_left_out, "is suspect", "are suspect"),
         enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})

@@ -1,0 +1,83 @@
+#include "inference/causes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "inference/cause_coefficients.h"
+
+namespace flexslip {
+namespace {
+
+double squashed(double x) { return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -20.0, 20.0))); }  // tanh
+
+// Slips have the log odds 0.
+template <std::size_t n>
+Causes causes_by(const std::array<double, n>& inputs, const std::array<double, n>& of_cracks,
+                 const std::array<double, n>& of_both) {
+  double cracks = 0, both = 0;
+  for (std::size_t i = 0; i < n; ++i) cracks += of_cracks[i] * inputs[i], both += of_both[i] * inputs[i];
+  const double greatest = std::max({cracks, both, 0.0});
+  const double weight_of_cracks = elementary::exp(cracks - greatest), weight_of_both = elementary::exp(both - greatest);
+  const double weight_of_slips = elementary::exp(-greatest), all = weight_of_slips + weight_of_cracks + weight_of_both;
+  return {.slips = weight_of_slips / all, .cracks = weight_of_cracks / all, .both = weight_of_both / all};
+}
+
+}  // namespace
+
+CauseInputs inputs_of(const DropFeatures& f, double load_train) {
+  constexpr double many = 16;
+  const double sure = std::sqrt(std::min(static_cast<double>(f.drops), many) / many);
+  const double follows = squashed((f.follows_drops - 0.5) / (3 * elementary::length(f.follows_drops_error, 0.12)));
+  const double steep = squashed(f.steepness / 0.3), given = squashed((f.given_back - 0.5) / 0.5);
+  const double end = squashed((f.needed_at_end - 1.3) / 0.4);
+  return {1,
+          follows,
+          follows * sure,
+          steep,
+          steep * sure,
+          squashed(f.greatest_steepness / 0.5),
+          squashed(f.recovery_near),
+          squashed(f.recovery_far),
+          squashed(f.least_after_drop / 3),
+          squashed(std::min(f.least_after_drop, 0.0) / 6),
+          end,
+          squashed((f.needed_at_end - 0.7) / 0.4),
+          squashed((f.before_first_drop - 0.6) / 0.5),
+          given,
+          given * sure,
+          squashed((f.given_back_before_last - 0.5) / 0.5) * sure,
+          squashed(f.roughness),
+          squashed(std::max(f.lost_of_first - 0.7, 0.0)),
+          squashed(f.needed_step),
+          f.rises_follow_drops * sure,
+          sure,
+          squashed(f.drawn_in / 0.5),
+          follows * steep,
+          given * steep,
+          end * steep,
+          10 / std::sqrt(load_train)};
+}
+
+Causes causes_of(const DropFeatures& features, double load_train) {
+  return causes_by(inputs_of(features, load_train), cause_coefficients::cracks, cause_coefficients::both);
+}
+
+Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
+  constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
+  constexpr double surest = 0.98;     // one loading is no surer
+  const double z = loss.log_loss / loss.error;
+  const double c = (loss.log_needed - loss.log_loss) / elementary::length(loss.error, of_needed * loss.log_needed);
+  const auto bounded = [surest](double p) { return std::isnan(p) ? 1.0 / 3 : std::clamp(p, (1 - surest) / 2, surest); };
+  const double slips = bounded(by_one_loading.slips);
+  const std::array inputs{1.0,
+                          squashed(z / 3),
+                          squashed(z / 8),
+                          squashed(c / 3),
+                          squashed(c / 8),
+                          squashed((z * z - c * c) / 12),
+                          elementary::log(bounded(by_one_loading.cracks) / slips),
+                          elementary::log(bounded(by_one_loading.both) / slips)};
+  return causes_by(inputs, cause_coefficients::cracks_by_reload, cause_coefficients::both_by_reload);
+}
+
+}  // namespace flexslip

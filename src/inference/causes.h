@@ -1,0 +1,47 @@
+// What made the drops of a loading: slips, cracks, or both.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "inference/drop_features.h"
+#include "numerics/elementary.h"
+
+namespace flexslip {
+
+// [1] Probabilities of the causes of the drops. They are equally likely beforehand. NaN: nothing is known.
+struct Causes {
+  double slips = not_a_number, cracks = not_a_number, both = not_a_number;
+};
+
+// What the probabilities depend on, each between -1 and 1 or so.
+inline constexpr std::array cause_input_names{
+    "one",          "follows",      "follows_sure",  "steep",        "steep_sure",     "steepest",
+    "back_near",    "back_far",     "above_zero",    "below_zero",   "end_high",       "end_above_usual",
+    "first_high",   "given",        "given_sure",    "given_in_sure", "rough",         "lost_of_first",
+    "needed_step",  "follow_sure",  "sure",          "drawn_in",     "follows_steep",  "given_steep",
+    "end_steep",    "soft"};
+using CauseInputs = std::array<double, cause_input_names.size()>;
+
+// Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.
+CauseInputs inputs_of(const DropFeatures& features, double load_train);
+
+// By one loading. It tells whether the specimen slipped at all, and whether it lost stiffness at all: `slips` below .5 and `cracks` are reliable, and slips
+// are not told from slips and cracks.
+// Domain:     as inputs_of.
+// Method:     multinomial logistic regression on simulated records (tools/calibrate-verdict; docs/slip-or-crack.md).
+Causes causes_of(const DropFeatures& features, double load_train);
+
+// What a reload shows of the loading before it.
+struct LossByReload {
+  double log_loss, error;  // of the stiffness, as -ln of what is left
+  double log_needed;       // likewise by the drops, if they were cracks only
+};
+
+// By one loading and a reload.
+// Domain:     error >= 0, log_needed > 0; by_one_loading may be NaN.
+// Method:     likewise.
+Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
+
+}  // namespace flexslip
