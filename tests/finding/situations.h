@@ -70,21 +70,17 @@ inline std::vector<Situation> situations() {
     test.analysis.status = AnalysisStatus::bent_too_little;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
   };
-  add("gave_way", Severity::refusal, [&](FittedTest& test) {
-    bar(test);
-    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::too_deep, slip.most = 0.001;
-    test.analysis.slips_of_bar = SlipsOfABar{.beyond = test.analysis.slips.size(), .least_like_a_slip = 0};
-  });
   add("sinks", Severity::doubt, [&](FittedTest& test) {
     bar(test);
     test.analysis.drops = {};
     test.analysis.slips.clear();
+    test.analysis.drop_features = {};
     test.analysis.statistics.sinking = {.from = 200, .share = 0.4};
+    test.judgement = judge(test.analysis);
   });
   add("too_few_points", Severity::refusal, [&](FittedTest& test) {
     bar(test);
-    for (Slip& slip : test.analysis.slips) slip.verdict = SlipVerdict::possible, slip.most = 100;
-    test.analysis.slips_of_bar = SlipsOfABar{.beyond = 0, .least_like_a_slip = 0};
+    test.judgement = {};
   });
   add("deflection_for_stage", Severity::refusal, [](FittedTest& test) {
     test.analysis.statistics.train.leap = 0.9;
@@ -112,18 +108,15 @@ inline std::vector<Situation> situations() {
       passes.loss = normal_estimate(loss, 0.01);
       passes.settled = normal_estimate(settled, 0.0001);
       test.passes = test.analysis.passes = passes;
+      test.judgement = judge(test.analysis);
     };
   };
   add("changed_reload", Severity::note, reloaded(0.2, 0));
   add("changed_reload", Severity::note, reloaded(0, 0.01));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->drops_are_cracks = test.judgement->lost_stiffness = true;
-    test.judgement->drops = CrackVerdict::cracks;
-    test.judgement->causes.cracks = 0.98;
+    test.judgement = {.conclusion = Conclusion::cracks, .causes = {.slips = 0.01, .cracks = 0.78, .both = 0.21}};
   });
-  add("most_drops_impossible", Severity::refusal, [](FittedTest& test) { test.judgement->impossible = 30; });
   add("not_explained", Severity::refusal, [](FittedTest& test) { test.analysis.model_implausible = true; });
-  add("impossible_drops", Severity::doubt, [](FittedTest& test) { test.judgement->impossible = 2; });
   add("implausible_friction", Severity::suspicion, [](FittedTest& test) { test.analysis.fit.mu0.low = 1.01; });
   for (const auto& [code, kind] :
        {std::pair{"misses_force", CheckKind::residuals}, std::pair{"drops_differ", CheckKind::drops},
@@ -134,11 +127,12 @@ inline std::vector<Situation> situations() {
     test.analysis.checks.push_back(
         {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
   });
-  add("changing_friction", Severity::doubt, [](FittedTest& test) { test.judgement->friction_falls = true; });
+  add("changing_friction", Severity::doubt, [](FittedTest& test) { test.judgement.friction_falls = true; });
   add("changed_reload", Severity::doubt, reloaded(-0.2, 0));
   add("drops_elsewhere", Severity::doubt, [](FittedTest& test) {
     test.analysis.drops.drops.clear();
     test.analysis.slips.clear();
+    test.judgement.conclusion = Conclusion::no_drops;
     test.drops_elsewhere = {6, {10, 120}};
   });
   add("passes_apart", Severity::condition,
@@ -151,8 +145,8 @@ inline std::vector<Situation> situations() {
     test.analysis.statistics.widest_step = {.behind = 100, .length = 1e-4, .usual = 2e-6, .share_of_travel = 0.2};
   });
   add("undecided_drops", Severity::condition, [](FittedTest& test) {
-    test.judgement->drops = CrackVerdict::cannot_be_told;
-    test.judgement->causes.cracks = 0.35;
+    test.judgement.conclusion = Conclusion::undecided;
+    test.judgement.causes = {.slips = 0.4, .cracks = 0.35, .both = 0.25};
   });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rows_between_drops = 4; });
   add("implausible_friction", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });

@@ -1,5 +1,6 @@
 #include "inference/campaign.h"
 
+#include <cmath>
 #include <limits>
 
 #include <doctest/doctest.h>
@@ -22,31 +23,20 @@ TestSummary some_test(SawtoothCategory category, double mu0, std::optional<doubl
   return test;
 }
 
-TEST_CASE("cracks together: by hand, and jointly surer than any test") {
-  const auto with = [](std::vector<double> probabilities) {
-    std::vector<TestSummary> tests;
-    for (const double p : probabilities) {
-      TestSummary test{};
-      test.cracks_alone = p;
-      tests.push_back(test);
-    }
-    return cracks_together(tests);
-  };
-  CHECK(with({}).tests == 0);
-  CHECK(with({NAN}).tests == 0);
-  // Of surely no crack the share has the density 2 (1 - s): half lie below 1 - √½, 95 % below 1 - √0.05.
-  const auto none = with({0, NAN});
-  CHECK(none.tests == 1);
-  CHECK(none.share == doctest::Approx(1 - std::sqrt(0.5)).epsilon(0.01));
-  CHECK(none.share_high == doctest::Approx(1 - std::sqrt(0.05)).epsilon(0.01));
-  const auto even = with({0.5, 0.5});
-  CHECK(even.log_odds == 0);
-  CHECK(even.share_high == doctest::Approx(0.95).epsilon(0.01));
-  CHECK(even.share_low == doctest::Approx(0.05).epsilon(0.01));
-  const auto twenty = with(std::vector<double>(20, 0.05));
-  CHECK(twenty.log_odds == doctest::Approx(20 * std::log(0.05 / 0.95)));
-  CHECK(twenty.share_high < 0.2);
-  CHECK(with(std::vector<double>(20, 0.95)).share > 0.9);
+TEST_CASE("causes: shares of specimens by hand, and jointly surer than any test") {
+  CHECK(cause_shares({}).tests == 0);
+  CHECK(cause_shares(std::vector<Causes>(3)).tests == 0);
+  // Of one that surely slipped the share has the density 6 s (1 - s), of which half lie below a half.
+  const auto one = cause_shares(std::vector<Causes>{{.slips = 1, .cracks = 0, .both = 0}, {}});
+  CHECK(one.tests == 1);
+  CHECK(one.slips.median == doctest::Approx(0.5).epsilon(0.03));
+  CHECK(one.cracks.median == doctest::Approx(one.both.median).epsilon(0.01));
+  const auto even = cause_shares(std::vector<Causes>(4, {.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3}));
+  CHECK(even.slips.median == doctest::Approx(1 - std::sqrt(0.5)).epsilon(0.05));
+  CHECK(even.slips.median == doctest::Approx(even.both.median).epsilon(0.05));
+  const auto many = cause_shares(std::vector<Causes>(40, {.slips = 0.02, .cracks = 0.9, .both = 0.08}));
+  CHECK(many.cracks.low > 0.7);
+  CHECK(many.slips.high < 0.15);
 }
 
 TEST_CASE("shared error: more tests on a rig do not average its errors away") {

@@ -72,7 +72,7 @@ TEST_CASE("document: every test that has no fit shows its curve, if it has one t
 
 TEST_CASE("document: the rows of an answer and its doubts stand as on the screen") {
   const Answer answer = answer_of(changed([](FittedTest& test) {
-    test.judgement->friction_falls = true;
+    test.judgement.friction_falls = true;
     test.analysis.statistics.rows_between_drops = 4;
   }));
   const Rows rows = rows_of(answer);

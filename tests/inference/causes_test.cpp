@@ -1,0 +1,67 @@
+#include "inference/causes.h"
+
+#include <cmath>
+
+#include <doctest/doctest.h>
+
+#include "data/drops.h"
+#include "inference/judgement.h"
+#include "tests/inference/simulated_test.h"
+
+namespace flexslip {
+namespace {
+
+double sum_of(const Causes& causes) { return causes.slips + causes.cracks + causes.both; }
+
+Causes causes_by_one(const SimulatedTruth& truth, const std::vector<Crack>& cracks = {}) {
+  const ReducedRecord record = simulated_record(truth, cracks);
+  const Record physical = to_physical(record, Scales(1, 1));
+  const DropFeatures features = drop_features(record, {truth.stiffness, truth.fibre}, {force_noise(physical), 0.03},
+                                              find_drops(physical).drops);
+  REQUIRE(features.drops > 0);
+  return causes_of(features, truth.stiffness);
+}
+
+TEST_CASE("identity: slips, cracks and neither, on soft and on stiff load trains") {
+  for (const double k : {20.0, 60.0, 200.0}) {
+    CAPTURE(k);
+    const Causes slips = causes_by_one(
+        {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = k, .noise = 0.01, .deflection = 0.3});
+    CHECK(slips_at_all(slips));
+    CHECK_FALSE(loses_at_all(slips, false));
+    CHECK(sum_of(slips) == doctest::Approx(1).epsilon(1e-12));
+  }
+  for (const double k : {60.0, 600.0, 6000.0}) {
+    CAPTURE(k);
+    const Causes cracks = causes_by_one(
+        {.friction = Friction::constant(0.5), .stiffness = k, .noise = 0.01, .step = 1e-3, .deflection = 0.37},
+        six_cracks);
+    CHECK(loses_at_all(cracks, false));
+    CHECK_FALSE(slips_at_all(cracks));
+  }
+}
+
+TEST_CASE("identity: a reload that lost nothing says slips, one that lost what the drops need cracks, and one between both") {
+  const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
+  const auto lost = [&](double share) {
+    return causes_of(open, {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3)});
+  };
+  CHECK(lost(0).slips > 0.9);
+  CHECK(lost(0.3).cracks > lost(0.3).both);
+  CHECK(lost(0.3).slips < 0.01);
+  CHECK(lost(0.12).both > lost(0.12).cracks);
+  CHECK(lost(0.12).slips < 0.05);
+  for (const double share : {0.0, 0.05, 0.12, 0.2, 0.3}) CHECK(sum_of(lost(share)) == doctest::Approx(1).epsilon(1e-12));
+}
+
+TEST_CASE("limit: a reload that knows nothing leaves what one loading told, and nothing known is as likely as anything") {
+  const LossByReload nothing{.log_loss = 0.1, .error = 5, .log_needed = 0.3};
+  const Causes from_nothing = causes_of(Causes{}, nothing);
+  const Causes even{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
+  CHECK(from_nothing.slips == causes_of(even, nothing).slips);
+  CHECK(from_nothing.slips > 0.05);
+  CHECK(from_nothing.cracks > 0.05);
+}
+
+}  // namespace
+}  // namespace flexslip
