@@ -1,4 +1,4 @@
-// What makes probabilities of the causes of drops: causes_of (judgement.h). Written by bench/reload/calibrate.py of 372 simulated records, not by hand.
+// What makes probabilities of the causes of drops: causes_of (judgement.h). Written by bench/causes/calibrate.py of 372 simulated records, not by hand.
 #pragma once
 
 #include <array>

@@ -27,7 +27,7 @@ struct DropsAndLoss {
 
 // Slips, cracks and both being as likely beforehand.
 // Domain:     error >= 0, log_needed > 0.
-// Method:     multinomial logistic regression on simulated records (bench/reload; docs/theory.md, "A reload").
+// Method:     multinomial logistic regression on simulated records (bench/causes; docs/theory.md, "A reload").
 Causes causes_of(const DropsAndLoss& features);
 
 // What may have become of the specimen.

@@ -1,6 +1,6 @@
 """Fits the probabilities of what made the drops of a record that was loaded again, and judges them on kinds left out.
 
-    /usr/bin/python3 bench/reload/calibrate.py OUT... --program build/release/flexslip [--write]
+    /usr/bin/python3 bench/causes/calibrate.py OUT... --program build/release/flexslip [--write]
 
 OUT are folders of records with their truth (records.py). --write writes src/inference/cause_coefficients.h.
 """
@@ -113,7 +113,7 @@ def tell(title, p, causes):
 
 def header(coefficients, number):
     rows = [", ".join(f"{value:.3f}" for value in row) for row in coefficients.reshape(2, -1)]
-    return f"""// What makes probabilities of the causes of drops: causes_of (judgement.h). Written by bench/reload/calibrate.py of {number} simulated records, not by hand.
+    return f"""// What makes probabilities of the causes of drops: causes_of (judgement.h). Written by bench/causes/calibrate.py of {number} simulated records, not by hand.
 #pragma once
 
 #include <array>
