@@ -6,6 +6,7 @@ import numpy as np
 
 from friction import logarithmic
 
+COARSEST = 0.01  # step of a load cell, over the greatest force
 RIGID = 1e6  # load train in EI/L^3 that a laboratory takes for rigid
 
 
@@ -72,12 +73,13 @@ def any_reading(random, rig, top):
     """The rig with a noise from fine to coarse, steps of the force likewise, and a record that begins before the contact, by up to a
     tenth of its stage travel (top), or behind it."""
     early = random.uniform() < 0.5
-    return dataclasses.replace(
+    rig = dataclasses.replace(
         rig,
         contact=top * logarithmic(random, 0.002, 0.1) if early else -top * logarithmic(random, 0.0005, 0.008),
         noise=logarithmic(random, 0.0005, 0.01),
         steps=logarithmic(random, 0.3, 8) if random.uniform() < 0.5 else 0.0,
     )
+    return dataclasses.replace(rig, steps=min(rig.steps, COARSEST / rig.noise))
 
 
 # ---- what is read
