@@ -513,7 +513,7 @@ class Told {
   double deviation(const VectorXd& of) const { return std::sqrt(std::max(of.dot(best_.covariance * of), 0.0)); }
   Estimate estimate(const VectorXd& of) const { return normal_estimate(value(of), widened * deviation(of)); }
 
-  // What linearisation, outliers and correlated errors add to the errors of a Gaussian (bench/reload).
+  // What linearisation, outliers and correlated errors add to the errors of a Gaussian (bench/causes).
   static constexpr double widened = 1.2;
 
  private:

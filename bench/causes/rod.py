@@ -10,9 +10,10 @@ import tempfile
 
 import numpy as np
 
-from passes import Path
+from friction import logarithmic
+from passes import Event, Path
 
-ROW = 0.0025  # of the stage, between two rows
+ROW = 0.0025  # of the stage, between two rows of a cyclic record
 ELEMENTS, TIME_STEP, SPEED, STRETCH_DAMPING = 80, 9e-5, 0.004, 1e-5  # 80 and 128 elements differ by less than .1 % of the force
 
 
@@ -26,7 +27,7 @@ class Rods:
 
     def run(self, **numbers):
         """The rows that the program writes; None where the rod blew up."""
-        fixed = dict(N=ELEMENTS, dt=TIME_STEP, vel=SPEED, be=STRETCH_DAMPING, out=ROW)
+        fixed = dict(N=ELEMENTS, dt=TIME_STEP, vel=SPEED, be=STRETCH_DAMPING)
         words = [f"{name}={value}" for name, value in {**fixed, **numbers}.items()]
         done = subprocess.run([str(self.program), *words], capture_output=True, text=True, check=False, cwd=self.folder.name)
         if done.returncode != 0:
@@ -64,7 +65,16 @@ def passes_of(stage):
     return np.cumsum(turns), turns
 
 
-def path_of(table):
+def events_of(table, sliding_in):
+    """Falls of the force within a row of the first loading in which the rod draws in three times the arc of the rows around it."""
+    force, stage = table["F"][sliding_in], table["ws"][sliding_in]
+    drawn_in = np.diff(table["S"][sliding_in], prepend=1.0)
+    usual = np.array([np.median(drawn_in[max(i - 10, 0) : i + 11]) for i in range(len(drawn_in))])
+    fall = -np.diff(force, prepend=0.0)
+    return [Event(stage[i], fall[i], 0.0) for i in np.flatnonzero((fall > 0) & (drawn_in > 3 * usual))]
+
+
+def path_of(table, row):
     """The rows as a path. A force is the mean over the step before its row: it belongs to the middle of the step."""
     passed, turns = passes_of(table["ws"])
     direction = 1 - 2 * (passed % 2)
@@ -72,8 +82,10 @@ def path_of(table):
     usual = np.median(np.abs(advance))
     sliding = np.where(np.abs(advance) > 0.15 * usual, np.sign(advance), 0)
     friction = (np.abs(table["qL"]) + np.abs(table["qR"])) / 2
-    columns = (table["ws"] - direction * ROW / 2, table["S"], friction, table["w"], table["F"], np.ones(len(passed)), sliding, passed)
-    return Path(*(column[~turns] for column in columns))
+    shift = direction * row / 2
+    columns = (table["ws"] - shift, table["S"], friction, table["w"], table["F"], np.ones(len(passed)), sliding, passed)
+    events = [Event(event.stage - row / 2, event.slipped, 0.0) for event in events_of(table, passed == 0)]
+    return Path(*(column[~turns] for column in columns), events)
 
 
 def mean_friction(surface, table):
@@ -93,13 +105,30 @@ def turns_of(random, k):
     return [0.0, top, random.uniform(0.0, 0.55) * top, top]
 
 
-def simulate(random, rods):
-    """A path of the rod, its mean friction, its load train, its turns and whether its friction waves; None where it blew up."""
-    surface = Surface(random)
-    k = float(np.exp(random.uniform(np.log(20), np.log(150))))
-    turns = turns_of(random, k)
+def run(random, rods, surface, k, turns, row, excess=0.0):
+    """A path of the rod and its mean friction; None where it blew up. The excess of static over kinetic friction is absolute."""
     programme = ",".join(f"{turn:.6f}" for turn in turns)
-    table = rods.run(k=k, M=random.uniform(0.5, 1.5), zn=random.uniform(0.15, 0.5), prog=programme, **surface.words())
+    mass, damping = random.uniform(0.5, 1.5), random.uniform(0.15, 0.5)
+    table = rods.run(k=k, M=mass, zn=damping, prog=programme, out=row, exc=excess, **surface.words())
     if table is None:
         return None
-    return path_of(table), mean_friction(surface, table), k, turns, "wave" if surface.amplitude else "constant"
+    return path_of(table, row), mean_friction(surface, table)
+
+
+def cycle(random, rods):
+    """A path that is loaded again, its mean friction, its load train and whether its friction waves; None where the rod blew up."""
+    surface = Surface(random)
+    k = logarithmic(random, 20, 150)
+    made = run(random, rods, surface, k, turns_of(random, k), ROW)
+    return made and (*made, k, "wave" if surface.amplitude else "constant")
+
+
+def loading(random, rods, waves, sticks):
+    """The same of one loading, with friction that waves or not, and static friction above it or not."""
+    surface = Surface(random)
+    surface.amplitude = random.uniform(0.1, 0.4) if waves else 0.0
+    k, w = logarithmic(random, 10, 400), random.uniform(0.08, 0.3)
+    top = w + 7.5 * min(w / 0.2, 1) / k
+    excess = surface.mean * logarithmic(random, 0.15, 1.0) if sticks else 0.0
+    made = run(random, rods, surface, k, [0.0, top], top / random.uniform(80, 400), excess)
+    return made and (*made, k, "wave" if waves else "stick_slip" if sticks else "constant")

@@ -18,7 +18,7 @@ import tempfile
 import numpy as np
 from scipy.interpolate import RectBivariateSpline
 
-ARC_STEP = 4e-5  # of the grid in S; a row moves the support by some hundred of these
+ARC_POINTS = 15000  # of the grid in S; a row moves the support by some hundred of these
 MOBILISED = np.arange(-1.15, 1.56, 0.05)  # grid of the mobilised friction q in the maps
 STUCK_POINTS = 160  # between q = -mu and q = +mu, where S is constant
 FRICTION_LIMIT = 1.1  # the maps reach a little farther
@@ -36,6 +36,35 @@ class Path:
     left: np.ndarray  # share of the stiffness
     sliding: np.ndarray  # +1 in, 0 stuck, -1 out
     passed: np.ndarray  # number of the pass
+    events: list  # Events of the first pass
+
+
+@dataclasses.dataclass
+class Event:
+    """A sudden fall of the force at a stage position, and what of it came of falling friction, and of lost stiffness."""
+
+    stage: float
+    slipped: float
+    cracked: float
+
+
+SUDDEN = 0.002  # share of the stiffness that is lost at once, from which a loss counts as a crack
+
+
+def event_of(stage, before, after, lost, by_friction):
+    """The event between two forces. What stiffness takes is what falling friction leaves of the fall; by_friction is the force that
+    the friction lost would bear at the end."""
+    fall = max(before - after, 0.0)
+    if lost <= SUDDEN:
+        return Event(stage, fall, 0.0)
+    slipped = min(max(by_friction, 0.0), fall)
+    return Event(stage, slipped, fall - slipped)
+
+
+def by_cracks(path):
+    """The path, on friction that varies too slowly to snap: whatever falls where stiffness is lost, the crack takes."""
+    whole = lambda event: Event(event.stage, 0.0, event.slipped + event.cracked) if event.cracked else event
+    return dataclasses.replace(path, events=[whole(event) for event in path.events])
 
 
 class Map:
@@ -109,14 +138,16 @@ class Specimen:
     given way, when the greatest deflection so far is w.
     """
 
-    def __init__(self, map_, k, friction, stiffness=None, settling=None, deepest=0.5):
+    def __init__(self, map_, k, friction, stiffness=None, settling=None, deepest=0.5, points=ARC_POINTS):
         self.map, self.k = map_, k
         self.friction = lambda S: np.minimum(friction(S), FRICTION_LIMIT)
         self.stiffness = stiffness or (lambda w: np.ones_like(w))
         self.settling = settling or (lambda w: np.zeros_like(w))
         last = float(map_.arc.ev(min(deepest, map_.deepest - 0.01), 0.0))
-        self.grid = np.arange(1 + ARC_STEP, last, ARC_STEP)
+        step = (last - 1) / points
+        self.grid = np.arange(1 + step, last, step)
         self.S = self.grid[0]
+        self.events = []
         self.greatest = 0.0  # deflection so far
 
     def stage(self, branch):
@@ -138,6 +169,7 @@ class Specimen:
         rows = np.zeros((len(stages), 6))
         rows[~slides] = Stuck(self, branch.S[0]).rows(stages[~slides])
         rows[slides] = first_passages(branch, balance, left, stages[slides])
+        self.events += self._events(branch, balance, left, stages) if direction > 0 else []
         lifted = slides & (rows[:, 5] == 0)
         if np.any(lifted):
             rows[lifted] = Stuck(self, branch.S[-1]).rows(stages[lifted])
@@ -145,6 +177,21 @@ class Specimen:
             self.S = rows[-1, 0]
             self.greatest = max(self.greatest, rows[:, 2].max()) if direction > 0 else self.greatest
         return rows
+
+
+    def _events(self, branch, balance, left, stages):
+        """Where a branch snaps or loses stiffness at stage positions that are gone through."""
+        reached = np.maximum.accumulate(balance)
+        within = balance < reached
+        within[1:] |= left[1:] < (1 - SUDDEN) * left[:-1]
+        begins, ends = np.flatnonzero(np.diff(within.astype(int)) > 0), np.flatnonzero(np.diff(within.astype(int)) < 0) + 1
+        events = []
+        for a, b in zip(begins, ends):
+            if stages[0] < reached[a] <= stages[-1]:
+                by_friction = left[b] * float(self.map.force.ev(branch.w[b], branch.q[a]) - branch.shape[b])
+                before, after = left[a] * branch.shape[a], left[b] * branch.shape[b]
+                events.append(event_of(float(reached[a]), before, after, 1 - left[b] / left[a], by_friction))
+        return events
 
 
 def first_passages(branch, balance, left, stages):
@@ -183,19 +230,22 @@ class Hinged(Specimen):
         return rows
 
     def _load_until_it_cracks(self, stages, level):
-        before = self.S, self.greatest
+        before = self.S, self.greatest, list(self.events)
         rows = super().move(stages, +1, level)
         cracked = rows[:, 2] > self.openings[0][0]
         if not np.any(cracked):
             return rows
         first = int(np.argmax(cracked))
-        self.S, self.greatest = before
+        self.S, self.greatest, self.events = before
         rows[:first] = super().move(stages[:first], +1, level)
         rows[:first, 4] = self.share
         self.S = rows[first, 0]
+        before, whole = rows[first].copy(), self.share
         self._open()
         super().move(stages[first : first + 1], -1, level)  # the open hinge needs less arc, so that the specimen may slide out
         rows[first:] = self.move(stages[first:], +1, level)
+        by_friction = float(self.map.force.ev(rows[first, 2], before[1]) - rows[first, 3])
+        self.events.append(event_of(stages[first], before[3], rows[first, 3], 1 - self.share / whole, by_friction))
         return rows
 
     def _open(self):
@@ -237,6 +287,60 @@ class Stuck:
 
 def follow(specimen, legs, levels):
     """The path of a specimen whose stage goes through legs of positions, up and down in turn, with a level of friction each."""
-    rows = [specimen.move(leg, +1 if number % 2 == 0 else -1, levels[number]) for number, leg in enumerate(legs)]
+    rows, events = [], []
+    for number, leg in enumerate(legs):
+        rows.append(specimen.move(leg, +1 if number % 2 == 0 else -1, levels[number]))
+        events = events or (list(specimen.events) if number == 0 else [])
     passed = np.concatenate([np.full(len(leg), number) for number, leg in enumerate(legs)])
-    return Path(np.concatenate(legs), *np.concatenate(rows).T, passed)
+    return Path(np.concatenate(legs), *np.concatenate(rows).T, passed, events)
+
+
+def legs_of(turns, start, rows):
+    """Stage positions of each pass, at equal steps; the first begins at start."""
+    turns = [start] + turns[1:]
+    step = np.abs(np.diff(turns)).sum() / rows
+    legs = []
+    for a, b in zip(turns[:-1], turns[1:]):
+        number = max(int(round(abs(b - a) / step)), 2)
+        legs.append(a + (b - a) * np.arange(0 if not legs else 1, number + 1) / number)
+    return legs
+
+
+def stage_at(specimen, deflection):
+    """The stage position of the first loading at which a deflection is first reached; None if the rig never comes to rest there."""
+    branch = Branch(specimen, specimen.S, +1, 1.0)
+    balance, _ = specimen.stage(branch)
+    stable = balance >= np.maximum.accumulate(balance)
+    reached = stable & (branch.w >= deflection)
+    if not np.any(reached):
+        return None
+    first = int(np.argmax(reached))
+    return float(balance[first]) if branch.w[first] < deflection + 0.04 else None
+
+
+def hinge_compliance(left):
+    """The compliance of a hinge that leaves this share of the stiffness, on the grid for which maps are kept."""
+    return round((1 / left - 1) / 3 / 0.005) * 0.005
+
+
+def draw_curvature(random):
+    """The natural curvature of a bow of .0013 spans (standard deviation), on the grid for which maps are kept."""
+    step = 0.0007
+    return 8 * step * float(np.clip(np.round(random.normal(0, 0.0013) / step), -4, 4))
+
+
+def growth(start, end, power):
+    """Grows from 0 to 1 with the greatest deflection, between two deflections."""
+    return lambda w: np.clip((w - start) / (end - start), 0, 1) ** power
+
+
+def stepwise(losses):
+    """The share of stiffness left when a deflection is the greatest so far."""
+    places, left = np.array([w for w, _ in losses]), np.cumprod([1.0] + [1 - loss for _, loss in losses])
+    return lambda w: left[np.searchsorted(places, w)]
+
+
+def openings_of(losses):
+    """Deflections at which a hinge opens, and its compliances, that lose about these shares of the stiffness."""
+    left = np.cumprod([1 - loss for _, loss in losses])
+    return [(w, hinge_compliance(share)) for (w, _), share in zip(losses, left)]

@@ -1,6 +1,6 @@
 """How well the program tells friction, stiffness and its loss from simulated cyclic records made by records.py.
 
-    /usr/bin/python3 bench/reload/score.py OUT --program build/release/flexslip
+    /usr/bin/python3 bench/causes/score.py OUT --program build/release/flexslip
 
 Fits every record of OUT/truth.csv, prints a table by kind and in total, and writes OUT/results.csv with a row a record.
 """
