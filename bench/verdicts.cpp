@@ -37,7 +37,6 @@ constexpr std::array features{Named{"follows_drops", &DropFeatures::follows_drop
                               Named{"before_first_drop", &DropFeatures::before_first_drop},
                               Named{"lost_of_first", &DropFeatures::lost_of_first},
                               Named{"roughness", &DropFeatures::roughness},
-                              Named{"rises_follow_drops", &DropFeatures::rises_follow_drops},
                               Named{"drawn_in", &DropFeatures::drawn_in},
                               Named{"loss_needed", &DropFeatures::loss_needed},
                               Named{"loss_recovered", &DropFeatures::loss_recovered},

@@ -26,6 +26,7 @@ Causes causes_by(const std::array<double, n>& inputs, const std::array<double, n
 
 CauseInputs inputs_of(const DropFeatures& f, double load_train) {
   constexpr double many = 16;
+  constexpr double usual = 100, stiffest = 1e5;  // [EI/L^3] load trains
   const double sure = std::sqrt(std::min(static_cast<double>(f.drops), many) / many);
   const double follows = squashed((f.follows_drops - 0.5) / (3 * elementary::length(f.follows_drops_error, 0.12)));
   const double steep = squashed(f.steepness / 0.3), given = squashed((f.given_back - 0.5) / 0.5);
@@ -40,8 +41,6 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
           squashed(f.recovery_far),
           squashed(f.least_after_drop / 3),
           squashed(std::min(f.least_after_drop, 0.0) / 6),
-          end,
-          squashed((f.needed_at_end - 0.7) / 0.4),
           squashed((f.before_first_drop - 0.6) / 0.5),
           given,
           given * sure,
@@ -49,13 +48,12 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
           squashed(f.roughness),
           squashed(std::max(f.lost_of_first - 0.7, 0.0)),
           squashed(f.needed_step),
-          f.rises_follow_drops * sure,
           sure,
           squashed(f.drawn_in / 0.5),
           follows * steep,
           given * steep,
           end * steep,
-          10 / std::sqrt(load_train)};
+          elementary::log(std::min(load_train, stiffest) / usual)};
 }
 
 Causes causes_of(const DropFeatures& features, double load_train) {

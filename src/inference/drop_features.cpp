@@ -210,22 +210,6 @@ void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth
     features.given_back_before_last = (rises - last_rise) / std::max(falls - teeth.front().fall, 1e-6);
 }
 
-// The correlation of the rises with the falls before them; 0 of three or fewer.
-double correlation_of_rises(const std::vector<Tooth>& teeth) {
-  std::vector<double> rises, falls;
-  for (const Tooth& tooth : teeth)
-    if (tooth.rises) rises.push_back(tooth.rise), falls.push_back(tooth.fall);
-  if (rises.size() < 4) return 0;
-  const double rise = mean_of(rises), fall = mean_of(falls);
-  double product = 0, of_rises = 0, of_falls = 0;
-  for (std::size_t i = 0; i < rises.size(); ++i) {
-    product += (rises[i] - rise) * (falls[i] - fall);
-    of_rises += (rises[i] - rise) * (rises[i] - rise);
-    of_falls += (falls[i] - fall) * (falls[i] - fall);
-  }
-  return of_rises > 0 && of_falls > 0 ? product / std::sqrt(of_rises * of_falls) : 0;
-}
-
 // The friction that would have acted if the drops were cracks only: at its drops, and at the end (MODEL 19).
 void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth, double usual_fall) {
   constexpr double broken = 0.02;  // [1] of the stiffness
@@ -365,7 +349,6 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
   add_rises(features, rows, teeth);
   add_needed(features, rows, teeth, usual_fall);
   add_following(features, rows, teeth, errors.force / greatest);
-  features.rises_follow_drops = correlation_of_rises(teeth);
   features.roughness = roughness_of(rows, teeth, usual_fall);
   features.before_first_drop = teeth.front().q_before;
   features.lost_of_first = usual_fall / std::max(features.before_first_drop, of_friction);

@@ -46,7 +46,6 @@ struct DropFeatures {
   double before_first_drop = 0;  // friction
   double lost_of_first = 0;      // the usual drop of friction over that before the first drop
   double roughness = 0;          // of friction within the rises, over the usual drop
-  double rises_follow_drops = 0; // their correlation
   double drawn_in = 0;           // the length of all snaps over the length that slid
   double loss_needed = 0;        // of the stiffness, by the drops, if they were cracks only
   double loss_recovered = 0;     // of it, what is back after twelve lengths of the snaps

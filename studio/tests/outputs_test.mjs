@@ -66,7 +66,7 @@ test("report: one HTML file with the answer, that asks for nothing", { skip }, a
   const tab = await open();
   const html = text(await exported(tab, "Report"), "simulated-report.html");
   assert.match(html, /<html/i);
-  assert.match(html, /cracks alone/i);
+  assert.match(html, /cracks only/i);
   assert.equal(html.match(/<svg[^>]*aria-label="simulated: /g)?.length, 2, "force and friction are drawn");
   for (const [, target] of html.matchAll(/href="([^"]*)"/g)) assert.match(target, /^(#|https?:)/, "no link to a file that is not there");
   assert.doesNotMatch(html, /<(script|link|img|iframe)[^>]+(src|href)=["']https?:/i);

@@ -145,7 +145,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
                                     .bending_stiffness = scales.bending_stiffness()};
   const Record record = to_physical(simulated_record(truth), scales);
   const auto analysis = analyse(record, description);
-  const auto summary = summary_of("simulated", analysis, judge(analysis));
+  const auto summary = summary_of("simulated", analysis);
   CHECK(summary.category == SawtoothCategory::clear);
   CHECK(summary.wave_claimed);
   CHECK(!summary.mu0_is_bound);
@@ -169,7 +169,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
 
   auto without = analysis;
   without.status = AnalysisStatus::bent_too_little;
-  CHECK(message_of([&] { summary_of("simulated", without, {}); }) == "a test without a fit has no summary");
+  CHECK(message_of([&] { summary_of("simulated", without); }) == "a test without a fit has no summary");
 }
 
 }  // namespace

@@ -11,23 +11,23 @@
 namespace flexslip {
 namespace {
 
-constexpr double soft = 60;
+constexpr double train = 60;
 
 DropFeatures features_of(const ReducedRecord& record, double stiffness, const Fibre& fibre = {}) {
   const Record physical = to_physical(record, Scales(1, 1));
   return drop_features(record, {stiffness, fibre}, {force_noise(physical), 0.03}, find_drops(physical).drops);
 }
 
-ReducedRecord slipping() {
+ReducedRecord a_slipping_record() {
   return simulated_record(
-      {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = soft, .noise = 0.01, .seed = 5});
+      {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = train, .noise = 0.01, .seed = 5});
 }
 
-ReducedRecord cracking() {
-  return simulated_record({.friction = Friction::constant(0.5), .stiffness = soft, .noise = 0.01}, six_cracks);
+ReducedRecord a_cracking_record() {
+  return simulated_record({.friction = Friction::constant(0.5), .stiffness = train, .noise = 0.01}, six_cracks);
 }
 
-TEST_CASE("table: the length that a snap draws in, on soft and on stiff load trains (MODEL 24)") {
+TEST_CASE("table: the length that a snap draws in, on train and on stiff load trains (MODEL 24)") {
   constexpr std::array w{0.02, 0.05, 0.1, 0.2, 0.3};
   struct Row {
     double k;
@@ -69,7 +69,7 @@ TEST_CASE("limit: a thin specimen on fine rollers snaps as one on edges") {
 }
 
 TEST_CASE("identity: slips give back what they take, and rises are steep; cracks do neither") {
-  const DropFeatures slips = features_of(slipping(), soft), cracks = features_of(cracking(), soft);
+  const DropFeatures slips = features_of(a_slipping_record(), train), cracks = features_of(a_cracking_record(), train);
   CHECK(slips.drops > 15);
   CHECK(std::abs(slips.follows_drops) < 0.2);
   CHECK(slips.given_back > 0.8);
@@ -85,7 +85,7 @@ TEST_CASE("identity: slips give back what they take, and rises are steep; cracks
 
 TEST_CASE("identity: without drops nothing but what holds of all rows is told") {
   const DropFeatures smooth =
-      features_of(simulated_record({.friction = Friction::constant(0.5), .stiffness = soft, .noise = 0.01}), soft);
+      features_of(simulated_record({.friction = Friction::constant(0.5), .stiffness = train, .noise = 0.01}), train);
   CHECK(smooth.drops == 0);
   CHECK(smooth.follows_drops == 0);
   CHECK_FALSE(is_loss_without_friction(smooth));
@@ -107,13 +107,13 @@ TEST_CASE("identity: a force that falls below any friction is a loss, however sl
 }
 
 TEST_CASE("limit: rows below the contact, rows that no friction explains and deep rows are no obstacle") {
-  ReducedRecord record = slipping();
+  ReducedRecord record = a_slipping_record();
   for (double& force : record.force) force *= 3;
-  CHECK(std::isfinite(features_of(record, soft).needed_at_end));
+  CHECK(std::isfinite(features_of(record, train).needed_at_end));
   for (double& force : record.force) force *= -1;
-  CHECK(features_of(record, soft).drops == 0);
+  CHECK(features_of(record, train).drops == 0);
   ReducedRecord shallow{{1e-4, 2e-4}, {1e-4, 2e-4}, {0.1, 0.2}};
-  CHECK(drop_features(shallow, {soft}, {0.01, 0.03}, {}).drops == 0);
+  CHECK(drop_features(shallow, {train}, {0.01, 0.03}, {}).drops == 0);
 }
 
 }  // namespace
