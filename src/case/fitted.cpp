@@ -254,6 +254,11 @@ const FrictionProfile& profile_of(const FittedTest& test) {
   return is_fitted(test) ? test.analysis.profile_at_fit : test.analysis.profile;
 }
 
+Record record_of(const FittedTest& test, const PassFriction& pass) {
+  return points_between(*test.measurement.cycles, pass.rows.first - std::min<std::size_t>(1, pass.rows.first),
+                        pass.rows.last);
+}
+
 std::string_view status_of(const FittedTest& test) {
   return name_in_order<AnalysisStatus::not_explained>(test.analysis.status, {"ok", "too_few_points", "not_explained"});
 }

@@ -97,6 +97,10 @@ std::size_t last_row(const FittedTest& test);
 // fit, at that stated.
 const FrictionProfile& profile_of(const FittedTest& test);
 
+// Stage, deflection and force of the points of a pass, from the turn before it on.
+// Domain:     a pass of test.passes.
+Record record_of(const FittedTest& test, const PassFriction& pass);
+
 // Has the analysis an answer?
 inline bool is_fitted(const FittedTest& test) { return test.analysis.status == AnalysisStatus::ok; }
 
