@@ -455,7 +455,7 @@ test("colours: what carries a fact has a contrast of 4.5 as text and 3 as a mark
     const tab = await open({ theme });
     const colours = await tab.evaluate(() => {
       const style = getComputedStyle(document.documentElement), probe = document.body.appendChild(document.createElement("span"));
-      return Object.fromEntries(["surface", "sunk", "ink", "ink2", "ink3", "data", "model", "moment", "ok", "warn", "bad", "pin", "ref", "line2", "ok-ground", "warn-ground", "no-ground"].map((name) => {
+      return Object.fromEntries(["surface", "sunk", "ink", "ink2", "ink3", "data", "model", "moment", "ok", "warn", "bad", "pin", "pass", "ref", "line2", "ok-ground", "warn-ground", "no-ground"].map((name) => {
         probe.style.color = style.getPropertyValue(`--${name}`);
         return [name, getComputedStyle(probe).color.match(/[\d.]+/g).slice(0, 3).map(Number)];
       }));
