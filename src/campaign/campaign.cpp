@@ -89,7 +89,7 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
   }
   TestSummary summary = summary_of(test.name, test.analysis, test.judgement.value());
   summary.suspect = is_suspect(answer.findings);
-  const bool tells_friction = !is_refused(answer.findings) && !test.judgement->lost_stiffness;
+  const bool tells_friction = !is_refused(answer.findings) && !test.judgement->friction_undetermined;
   kept.summary = tells_friction ? std::move(summary) : without_friction(std::move(summary));
   kept.curves = curves_of(test.analysis);
   return kept;

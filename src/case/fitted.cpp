@@ -181,7 +181,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   stages.enter("verdict", 0.05);
   std::optional<Judgement> judgement;
   if (analysis.status == AnalysisStatus::ok) judgement = judge(analysis);
-  if (judgement && judgement->lost_stiffness) {  // cracks took their part of the work
+  if (judgement && judgement->friction_undetermined) {  // cracks took their part of the work
     analysis.energy.friction_share = not_a_number;
     analysis.work_by.reset();
   }

@@ -139,7 +139,7 @@ Verdict verdict_of(T test, const std::vector<Finding>& findings) {
     parts.push_back(no_friction);
     return {VerdictCode::crack, parts, "cracks"};
   }
-  if (refusal && !judgement.lost_stiffness) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
+  if (refusal && !judgement.friction_undetermined) return {VerdictCode::no_answer, {refusal->sentence}, refusal->code};
   if (is_reloaded(test.analysis)) return verdict_by_reload(test, findings);
   const FrictionFit& fit = test.analysis.fit;
   const std::string friction = fmt::format("friction {}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "");
@@ -237,7 +237,7 @@ std::string drops_in_words(T test) {
                        Print(test).own(analysis.drops.smallest_fall, kind::force), end);
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
-  const bool has_spacing = is_fitted(test) && slips.count >= enough && !test.judgement->lost_stiffness;
+  const bool has_spacing = is_fitted(test) && slips.count >= enough && !test.judgement->friction_undetermined;
   return fmt::format("{} in {}, {}{}{}", drops_of(test), used, sizes_in_words(test),
                      has_spacing ? fmt::format(", one per {} of the specimen",
                                                format_roughly(analysis.scales.physical_length(slips.median_spacing),
@@ -305,7 +305,7 @@ std::string imaged_length_in_words(T test) {
 
 std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   const FrictionFit& fit = test.analysis.fit;
-  if (test.judgement->lost_stiffness) return "none can be read off a specimen that loses stiffness";
+  if (test.judgement->friction_undetermined) return "none can be read off a specimen that loses stiffness";
   if (fit.mu0_is_bound)
     return fmt::format("{} (95 %){}; it cannot be distinguished from zero", mean_friction(fit), if_lost_in_words(test));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
@@ -447,7 +447,7 @@ std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, Ver
   const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
     rows.push_back({"reload", reload});
-  const bool tells_friction = tells && !test.judgement->lost_stiffness;
+  const bool tells_friction = tells && !test.judgement->friction_undetermined;
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
     rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});

@@ -69,7 +69,7 @@ std::string rig_keys(T test, const std::vector<std::string>& names) {
 
 // A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
 bool presumes_too_much(T test) {
-  return contradicts_slope(test) || test.analysis.model_implausible || test.judgement->lost_stiffness;
+  return contradicts_slope(test) || test.analysis.model_implausible || test.judgement->friction_undetermined;
 }
 
 Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
@@ -411,7 +411,7 @@ bool begin_beyond_friction(T test) {
 
 // The load train is not as stated, before anything else.
 bool are_most_drops_impossible(T test) {
-  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->lost_stiffness &&
+  return most_are_impossible(test.judgement->impossible, drops_of(test)) && !test.judgement->friction_undetermined &&
          !allows_for_losses(test.analysis);
 }
 
@@ -751,7 +751,7 @@ Found known_roughly(T test) {
   const Estimate& mu0 = test.analysis.fit.mu0;
   constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
   const double half = 0.5 * (mu0.high - mu0.low);
-  if (test.analysis.fit.mu0_is_bound || !(half > rough) || test.judgement->lost_stiffness) return std::nullopt;
+  if (test.analysis.fit.mu0_is_bound || !(half > rough) || test.judgement->friction_undetermined) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
                  .remedy = "Bend farther, or state the bending stiffness more exactly.",
@@ -760,7 +760,7 @@ Found known_roughly(T test) {
 
 // Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
 Found no_reload(T test) {
-  if (!may_have_lost_stiffness(test) || test.judgement->lost_stiffness) return std::nullopt;
+  if (!may_have_lost_stiffness(test) || test.judgement->friction_undetermined) return std::nullopt;
   const auto& [loading, of] = test.measurement.loading;
   const std::string reload =
       of > 1 ? fmt::format("a reload after loading {}, which is evaluated,", loading) : "a reload";
@@ -790,7 +790,7 @@ Finding length_not_stated(T test, StatedQuantity quantity, double length_in_span
 
 Found supports_not_stated(T test) {
   const RigInput& rig = *test.measurement.test.rig;
-  if (rig.states_supports() || (test.judgement->lost_stiffness && !test.on_rollers)) return std::nullopt;
+  if (rig.states_supports() || (test.judgement->friction_undetermined && !test.on_rollers)) return std::nullopt;
   const std::string taken = "The supports are not stated, and edges are assumed.",
                     remedy = fmt::format("State {}, or {}.",
                                          in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
@@ -816,7 +816,7 @@ Found supports_not_stated(T test) {
 Found thickness_not_stated(T test) {
   const Test& input = test.measurement.test;
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
-      test.judgement->lost_stiffness)
+      test.judgement->friction_undetermined)
     return std::nullopt;
   constexpr double usual = 0.02;  // [L] of the authors' spicules, and of many a fibre
   return length_not_stated(test, StatedQuantity::thickness, usual, "No section says how thick the specimen is.",
@@ -838,7 +838,7 @@ Found changing_friction(T test) {
                                                "supports tells.",
                                                rig_keys(test, {"roller_radius"}))
                                  : std::string(image_of_supports)};
-  if (!(weight_without_roughness(fit) > 0.5) || test.judgement->lost_stiffness) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || test.judgement->friction_undetermined) return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence =
@@ -860,7 +860,8 @@ Found hidden_waves(T test) {
                    .short_form = "a load train so soft hides some of it",
                    .remedy = "A stiffer rig tells friction better.",
                    .numbers = {{"hidden", hidden, kind::number}}};
-  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || test.judgement->lost_stiffness) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || test.judgement->friction_undetermined)
+    return std::nullopt;
   if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
   constexpr double lengths_told_apart = 20;
   const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen

@@ -141,9 +141,9 @@ Judgement judge(const TestAnalysis& analysis) {
   }
   judgement.drops = verdict_of(judgement.causes.cracks);
   judgement.drops_are_cracks = has_drops && !is_reloaded(analysis) && judgement.drops == CrackVerdict::cracks;
-  judgement.lost_stiffness =
+  judgement.friction_undetermined =
       judgement.drops_are_cracks || (judgement.damage == Damage::lost && !allows_for_losses(analysis));
-  if (!judgement.lost_stiffness && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
+  if (!judgement.friction_undetermined && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
   return judgement;
 }
 

@@ -41,9 +41,9 @@ struct Judgement {
   CrackVerdict drops;  // by the rises, and by the reload where there is one
   Causes causes;
   Damage damage = Damage::not_told;
-  bool drops_are_cracks = false;  // there are some, and they are, and no reload tells more
-  bool lost_stiffness = false;    // it did, and the friction told does not allow for it: none can be read off
-  std::size_t impossible = 0;     // drops that cannot be slips
+  bool drops_are_cracks = false;       // there are some, and they are, and no reload tells more
+  bool friction_undetermined = false;  // stiffness was lost, and the friction fitted does not allow for it
+  std::size_t impossible = 0;          // drops that cannot be slips
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
   // For losses of a tenth and a fifth; none where a reload tells the loss, or of a specimen that lost stiffness.

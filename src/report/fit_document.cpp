@@ -62,7 +62,7 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
 std::string caution_of(T test, const Answer& answer) {
   if (is_refused(answer.findings))
     return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
-  return test.judgement->lost_stiffness
+  return test.judgement->friction_undetermined
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
 }
@@ -286,7 +286,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   const bool trusted = !is_refused(answer.findings);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
           friction_chapter(test, answer),
-          trusted && !test.judgement->lost_stiffness ? hangs_on_chapter(test) : Chapter{},
+          trusted && !test.judgement->friction_undetermined ? hangs_on_chapter(test) : Chapter{},
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),

@@ -28,7 +28,7 @@ bool is_sentence(const std::string& text) {
   return !text.empty() && text.back() == '.' && !std::islower(static_cast<unsigned char>(text.front()));
 }
 
-bool softened(const FittedTest& test) { return test.judgement && test.judgement->lost_stiffness; }
+bool softened(const FittedTest& test) { return test.judgement && test.judgement->friction_undetermined; }
 
 }  // namespace
 
@@ -357,7 +357,7 @@ TEST_CASE("supports that are not stated: friction is told for both, and a verdic
 
   const Answer cracks = answer_of(on_unknown_supports([](FittedTest& rollers) {
     rollers.judgement->drops = CrackVerdict::cracks;
-    rollers.judgement->drops_are_cracks = rollers.judgement->lost_stiffness = true;
+    rollers.judgement->drops_are_cracks = rollers.judgement->friction_undetermined = true;
     rollers.judgement->causes.cracks = 0.99;
   }));
   CHECK(cracks.verdict.code == VerdictCode::undecided);

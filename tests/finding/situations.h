@@ -117,7 +117,7 @@ inline std::vector<Situation> situations() {
   add("changed_reload", Severity::note, reloaded(0.2, 0));
   add("changed_reload", Severity::note, reloaded(0, 0.01));
   add("cracks", Severity::suspicion, [](FittedTest& test) {
-    test.judgement->drops_are_cracks = test.judgement->lost_stiffness = true;
+    test.judgement->drops_are_cracks = test.judgement->friction_undetermined = true;
     test.judgement->drops = CrackVerdict::cracks;
     test.judgement->causes.cracks = 0.98;
   });

@@ -41,11 +41,11 @@ TEST_CASE("identity: a test that slips was not made by cracks alone, and one tha
   const auto slips = judge(slipping());
   CHECK(slips.drops == CrackVerdict::not_by_cracks_alone);
   CHECK(slips.impossible == 0);
-  CHECK(!slips.lost_stiffness);
+  CHECK(!slips.friction_undetermined);
   const auto cracks = judge(
       analysed(simulated_record({.friction = Friction::constant(0.5), .stiffness = soft, .noise = 0.01}, six_cracks)));
   CHECK(cracks.drops_are_cracks);
-  CHECK(cracks.lost_stiffness);
+  CHECK(cracks.friction_undetermined);
 }
 
 TEST_CASE("identity: a reload tells slips, cracks and both, and friction whatever was lost") {
@@ -59,7 +59,7 @@ TEST_CASE("identity: a reload tells slips, cracks and both, and friction whateve
   CHECK(cracks.causes.slips < 0.05);
   CHECK(cracks.causes.cracks > cracks.causes.both);
   CHECK(cracks.damage == Damage::lost);
-  CHECK(!cracks.lost_stiffness);
+  CHECK(!cracks.friction_undetermined);
   const auto both = judge(reloaded(analysis, 0.12, 0.01, 0.5));
   CHECK(both.drops == CrackVerdict::not_by_cracks_alone);
   CHECK(both.damage == Damage::lost);
