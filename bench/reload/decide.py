@@ -9,6 +9,7 @@ records with the right verdict, and what its binomial error is.
 
 import argparse
 import concurrent.futures
+import dataclasses
 import json
 import math
 import os
@@ -35,7 +36,7 @@ wavelength = "10.9 um"
 phase = 1.0
 """
 PLANS = {  # friction, travel [m], noise [N]
-    "ten drops": ({"mu0": 0.5, "amplitude": 0.15}, 525e-6, 12e-6),
+    "many drops": ({"mu0": 0.5, "amplitude": 0.15}, 525e-6, 12e-6),
     "slippery": ({"mu0": 0.3, "amplitude": 0.15}, 525e-6, 12e-6),
     "few drops": ({"mu0": 0.4, "amplitude": 0.15}, 420e-6, 12e-6),
     "noisy cell": ({"mu0": 0.4, "amplitude": 0.15}, 525e-6, 100e-6),
@@ -60,13 +61,37 @@ def crack_deflections(path):
     return [a["deflection"] for a, b in falls]
 
 
-def verdict(program, folder, name, plan, friction, cracks, noise, seed):
+@dataclasses.dataclass
+class Cause:
+    """Specimens whose drops have one cause."""
+
+    name: str
+    verdict: str  # that is right
+    friction: str
+    cracks: str = ""
+
+
+def planned(program, folder, name, friction, travel, noise):
+    """The plan for the travel, and the specimens that slip only and crack only with drops as it expects."""
+    waves = SINUSOID.format(**friction)
+    case = folder / f"{name}.toml"
+    case.write_text(TEST.format(**SPECIMEN) + waves + stage([0.0, travel]), encoding="utf-8")
+    plan = run(program, "design", case, "--decide", "--noise", f"{noise!r} N")["reload"]["planned"]
+    deflections = crack_deflections(run(program, "simulate", case)["path"])
+    each = 1 - (1 - plan["loss_needed"]) ** (1 / len(deflections))
+    cracks = "".join(f'[[specimen.cracks]]\ndeflection = "{w!r} m"\nloss = {each!r}\n' for w in deflections)
+    smooth = f'[friction]\nmodel = "constant"\nmu0 = {friction["mu0"]}\n'
+    return plan, (Cause("slips", "slip", waves), Cause("cracks", "crack", smooth, cracks))
+
+
+def verdict(program, folder, plan, cause, noise, seed):
     """The code of the verdict on one record."""
-    draw = random.Random(f"{name} {seed}")
+    name = cause.name
+    draw = random.Random(f"{name} {plan['travel']!r} {seed}")
     true = {key: value * (1 + ERRORS[key] * draw.gauss(0, 1)) for key, value in SPECIMEN.items()}
     positions = [0.0, plan["travel"], plan["unload_to"], plan["travel"]]
     case = folder / f"{name}-{seed}-true.toml"
-    case.write_text(TEST.format(**true).replace("[rig]", cracks + "[rig]") + friction + stage(positions), encoding="utf-8")
+    case.write_text(TEST.format(**true).replace("[rig]", cause.cracks + "[rig]") + cause.friction + stage(positions), encoding="utf-8")
     path = run(program, "simulate", case, "--noise", f"{noise!r} N", "--seed", str(seed))["path"]
     begins = abs(draw.gauss(0, PRELOAD)) * true["span"]
     gain, slow = 1 + GAIN * draw.gauss(0, 1), SLOW_FORCE * draw.gauss(0, 1) * max(p["force"] for p in path)
@@ -81,22 +106,16 @@ def verdict(program, folder, name, plan, friction, cracks, noise, seed):
 
 
 def score(program, folder, name, friction, travel, noise, records):
-    waves = SINUSOID.format(**friction)
-    case = folder / f"{name}.toml"
-    case.write_text(TEST.format(**SPECIMEN) + waves + stage([0.0, travel]), encoding="utf-8")
-    plan = run(program, "design", case, "--decide", "--noise", f"{noise!r} N")["reload"]["planned"]
-    deflections = crack_deflections(run(program, "simulate", case)["path"])
-    each = 1 - (1 - plan["loss_needed"]) ** (1 / len(deflections))
-    cracks = "".join(f'[[specimen.cracks]]\ndeflection = "{w!r} m"\nloss = {each!r}\n' for w in deflections)
-    smooth = f'[friction]\nmodel = "constant"\nmu0 = {friction["mu0"]}\n'
+    plan, causes = planned(program, folder, name, friction, travel, noise)
     print(f"{name}: {plan['drops']} drops, {plan['loss_needed']:.3f} needed, ± {plan['loss_error']:.3f}, "
           f"unloaded to {1e3 * plan['force']:.2f} mN", flush=True)
-    for cause, right, of, lost in (("slips", "slip", waves, ""), ("cracks", "crack", smooth, cracks)):
+    for cause in causes:
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            codes = list(pool.map(lambda seed: verdict(program, folder, f"{name}-{cause}", plan, of, lost, noise, seed), range(records)))
-        told, share = plan[f"chance_if_{cause}"], codes.count(right) / records
-        others = {code: codes.count(code) for code in sorted(set(codes)) if code != right}
-        print(f"  {cause:7} told {told:.2f}, right {share:.2f} ± {math.sqrt(max(share * (1 - share), 0.25 / records) / records):.2f}, else {others}", flush=True)
+            codes = list(pool.map(lambda seed: verdict(program, folder, plan, cause, noise, seed), range(records)))
+        told, share = plan[f"chance_if_{cause.name}"], codes.count(cause.verdict) / records
+        error = math.sqrt(max(share * (1 - share), 0.25 / records) / records)
+        others = {code: codes.count(code) for code in sorted(set(codes)) if code != cause.verdict}
+        print(f"  {cause.name:7} told {told:.2f}, right {share:.2f} ± {error:.2f}, else {others}", flush=True)
 
 
 def main():

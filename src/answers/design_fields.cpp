@@ -71,18 +71,22 @@ Fields<ReloadStudy> reload_fields() {
           .own("to", kind::number, "changed value, in the unit of the parameter", &ReloadChange::to)
           .group("plan", "plan with this change", plan_fields(), &ReloadChange::plan);
   return Fields<ReloadStudy>()
-      .count("drops", "number of drops in the planned loading; without drops there is nothing to decide",
-             &ReloadStudy::drops)
+      .count("drops", "number of drops that fit would find in the planned loading", &ReloadStudy::drops)
       .own("noise", kind::force, "standard deviation of a force reading, as used", &ReloadStudy::noise)
       .yes_no("noise_is_usual", "no noise is stated: it is 0.1 % of the maximum force", &ReloadStudy::noise_is_usual)
       .own("step", kind::length, "distance between two readings, as used", &ReloadStudy::step)
       .number("required_chance", "chance of the right verdict from which on a plan suffices",
               &ReloadStudy::least_chance)
-      .group("planned", "planned travel with the shallowest unloading that suffices, or the surest; null without drops",
-             plan_fields(), [](S study) { return study.drops > 0 ? std::optional(study.of_travel()) : std::nullopt; })
+      .group("planned",
+             "planned travel with the shallowest unloading that suffices, or the surest; null where there is nothing "
+             "to decide",
+             plan_fields(),
+             [](S study) { return study.plans.empty() ? std::nullopt : std::optional(study.of_travel()); })
       .group("least", "least travel that suffices, with the shallowest unloading that does; null if none does",
              plan_fields(), [](S study) { return study.least(); })
-      .list("plans", "plans that were tried, by travel, then from the shallowest unloading to the deepest",
+      .list("plans",
+            "plans that were tried, by travel, then from the shallowest unloading to the deepest; empty where there is "
+            "nothing to decide",
             plan_fields(), &ReloadStudy::plans)
       .list("changes", "single changes with which a plan suffices; empty if one suffices already", changes,
             &ReloadStudy::changes);

@@ -233,15 +233,17 @@ std::string prospects_in_words(const ReloadPlan& plan) {
   if (!std::isfinite(plan.loss_needed))
     return drops + "; the specimen slides outwards too little for a second loading to determine a loss of stiffness";
   return fmt::format(
-      "{}; if they were cracks only, they would cost {} of the stiffness, and the second loading determines a loss to "
-      "± "
-      "{}: the right verdict in {} with cracks only, and in {} with slips only",
+      "{}; if they were cracks only, they would cost {} of the stiffness, and the second loading determines a loss "
+      "to ± {}: the right verdict in {} with cracks only, and in {} with slips only",
       drops, percent(plan.loss_needed), percent(plan.loss_error), of_tests(plan.chances.cracks),
       of_tests(plan.chances.slips));
 }
 
 std::string reload_in_short(const ReloadStudy& study, const InUnits& shown) {
   if (study.drops == 0) return "No drops are expected in this loading: there is nothing to decide.";
+  if (study.plans.empty())
+    return "No snaps are expected in this loading: there is nothing to decide. Steep smooth falls of the force may "
+           "pass for drops.";
   const ReloadPlan& plan = study.of_travel();
   if (study.suffices(plan))
     return fmt::format("A second loading will tell slips from cracks: {}.", programme_in_words(plan, shown));
@@ -274,7 +276,7 @@ std::string least_travel_in_words(const ReloadStudy& study, const InUnits& shown
 
 Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
   Chapter chapter{"Slips or cracks", {reload_in_short(study, shown)}};
-  if (study.drops == 0) return chapter;
+  if (study.plans.empty()) return chapter;
   Rows rows{
       {"planned travel", prospects_in_words(study.of_travel())},
       {"least travel", least_travel_in_words(study, shown)},
