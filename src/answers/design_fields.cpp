@@ -71,7 +71,8 @@ Fields<ReloadStudy> reload_fields() {
           .own("to", kind::number, "changed value, in the unit of the parameter", &ReloadChange::to)
           .group("plan", "plan with this change", plan_fields(), &ReloadChange::plan);
   return Fields<ReloadStudy>()
-      .count("drops", "number of drops that fit would find in the planned loading", &ReloadStudy::drops)
+      .count("drops", "number of drops that fit would find in the planned loading: snaps, and smooth falls as steep",
+             &ReloadStudy::drops)
       .own("noise", kind::force, "standard deviation of a force reading, as used", &ReloadStudy::noise)
       .yes_no("noise_is_usual", "no noise is stated: it is 0.1 % of the maximum force", &ReloadStudy::noise_is_usual)
       .own("step", kind::length, "distance between two readings, as used", &ReloadStudy::step)

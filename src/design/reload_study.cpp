@@ -195,7 +195,7 @@ ReloadStudy reload_study(const Test& given, const ReloadOptions& asked) {
                     .changes = {}};
   if (has_enough_readings(loading, travel))
     study.drops = find_drops(measured(loading, {0, travel}, options).record).drops.size();
-  if (study.drops == 0 || !snaps(design_of(loading).design)) return study;
+  if (study.drops == 0) return study;
   std::vector<Programme> programmes;
   for (const double share : travels)
     for (const Programme& each : programmes_to(loading, share * travel)) programmes.push_back(each);

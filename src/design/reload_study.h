@@ -45,10 +45,10 @@ struct ReloadStudy {
   bool noise_is_usual;  // as none is stated
   double step;          // [m] of the stage, as used: 1/300 of the travel of a case without one
   double least_chance;  // [1] as in the options
-  std::size_t drops;    // that are found in the planned loading; smooth falls of the force may be among them
-  // To 0.3, 0.4 ... 1 of the travel, each with five unloadings, the deepest last. None without drops, or where the specimen does not snap: then
-  // there is nothing to decide.
-  std::vector<ReloadPlan> plans;
+  std::size_t
+      drops;  // that `fit` would find in the planned loading: snaps, and smooth falls as steep. Without any there is nothing to decide,
+              // and nothing below
+  std::vector<ReloadPlan> plans;      // to 0.3, 0.4 ... 1 of the travel, each with five unloadings, the deepest last
   std::vector<ReloadChange> changes;  // any one of which suffices, if no plan does
 
   bool suffices(const ReloadPlan& plan) const { return plan.chances.least() >= least_chance; }

@@ -241,9 +241,6 @@ std::string prospects_in_words(const ReloadPlan& plan) {
 
 std::string reload_in_short(const ReloadStudy& study, const InUnits& shown) {
   if (study.drops == 0) return "No drops are expected in this loading: there is nothing to decide.";
-  if (study.plans.empty())
-    return "No snaps are expected in this loading: there is nothing to decide. Steep smooth falls of the force may "
-           "pass for drops.";
   const ReloadPlan& plan = study.of_travel();
   if (study.suffices(plan))
     return fmt::format("A second loading will tell slips from cracks: {}.", programme_in_words(plan, shown));
@@ -276,7 +273,7 @@ std::string least_travel_in_words(const ReloadStudy& study, const InUnits& shown
 
 Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
   Chapter chapter{"Slips or cracks", {reload_in_short(study, shown)}};
-  if (study.plans.empty()) return chapter;
+  if (study.drops == 0) return chapter;
   Rows rows{
       {"planned travel", prospects_in_words(study.of_travel())},
       {"least travel", least_travel_in_words(study, shown)},
