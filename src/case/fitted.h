@@ -87,6 +87,10 @@ std::string name_of_test(const std::string& file);
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options);
 
+// All passes of a record together, and nothing else of its analysis; none of a record of one pass.
+// Fails:      InputError as scales_of.
+std::optional<PassesFit> fit_passes_of(const Measurement& measurement);
+
 // The data row, counted from 1, at which a point of the record begins in its file.
 std::size_t file_row(const FittedTest& test, std::size_t point);
 

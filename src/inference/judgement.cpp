@@ -40,9 +40,9 @@ double by_one_loading(const TestAnalysis& analysis, std::size_t impossible) {
 constexpr double usual_difference = 0.02;
 
 double log_loss_of(const PassesFit& passes) { return -elementary::log(1 - passes.loss.value); }
-double log_loss_error(const PassesFit& passes) {
-  return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
-}
+
+constexpr double improbable = 0.05;  // [1] a cause that is less probable is none
+constexpr double of_needed = 0.12;   // [1] of what the drops need, by which that is uncertain
 
 Causes causes_by_reload(const TestAnalysis& analysis) {
   const PassesFit& passes = *analysis.passes;
@@ -77,7 +77,6 @@ bool most_are_impossible(std::size_t impossible, std::size_t drops) {
 
 Causes causes_of(const DropsAndLoss& features) {
   namespace fitted = cause_coefficients;
-  constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
   const double z = features.log_loss / features.error;
   const double c =
       (features.log_needed - features.log_loss) / elementary::length(features.error, of_needed * features.log_needed);
@@ -98,6 +97,29 @@ Causes causes_of(const DropsAndLoss& features) {
   };
   const double cracks = weight(fitted::cracks), both = weight(fitted::both), all = 1 + cracks + both;
   return {.slips = 1 / all, .cracks = cracks / all, .both = both / all};
+}
+
+CauseChances chances_of_causes(double log_needed, double error, double cracks_alone) {
+  constexpr int points = 2001;
+  constexpr double farthest = 5;  // [standard deviations]
+  double weights = 0, slips = 0, cracks = 0;
+  const double error_if_cracks = elementary::length(error, of_needed * log_needed);
+  const auto told = [&](double log_loss, double alone) {
+    return causes_of({.log_loss = log_loss, .error = error, .log_needed = log_needed, .cracks_alone = alone});
+  };
+  for (int i = 0; i < points; ++i) {
+    const double x = farthest * (2.0 * i / (points - 1) - 1), weight = elementary::exp(-0.5 * x * x);
+    const Causes if_slips = told(x * error, cracks_alone);
+    const Causes if_cracks = told(log_needed + x * error_if_cracks, not_a_number);
+    weights += weight;
+    if (if_slips.cracks < improbable && !(if_slips.slips < improbable)) slips += weight;
+    if (if_cracks.slips < improbable && !(if_cracks.cracks < improbable)) cracks += weight;
+  }
+  return {slips / weights, cracks / weights};
+}
+
+double log_loss_error(const PassesFit& passes) {
+  return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
 }
 
 bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }
@@ -133,8 +155,7 @@ Judgement judge(const TestAnalysis& analysis) {
   if (is_reloaded(analysis)) {
     const PassesFit& passes = *analysis.passes;
     if (has_drops && passes.loss_needed > 0) judgement.causes = causes_by_reload(analysis);
-    constexpr double surely = 0.05;
-    const bool lost = std::isfinite(judgement.causes.slips) ? judgement.causes.slips < surely : is_lost(passes);
+    const bool lost = std::isfinite(judgement.causes.slips) ? judgement.causes.slips < improbable : is_lost(passes);
     judgement.damage = is_settled(passes) ? Damage::settled : lost ? Damage::lost : Damage::not_told;
   } else {
     judgement.causes.cracks = by_one_loading(analysis, judgement.impossible);

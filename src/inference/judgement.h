@@ -1,6 +1,7 @@
 // What the drops of a test and a reload say of its specimen, all weighed together.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "inference/analysis.h"
@@ -29,6 +30,22 @@ struct DropsAndLoss {
 // Domain:     error >= 0, log_needed > 0.
 // Method:     multinomial logistic regression on simulated records (bench/reload; docs/theory.md, "A reload").
 Causes causes_of(const DropsAndLoss& features);
+
+// [1] How often a reload finds the true cause of drops: that nothing was lost if they were slips only, and the loss that they need if they were
+// cracks only.
+struct CauseChances {
+  double slips, cracks;
+
+  double least() const { return std::min(slips, cracks); }
+};
+
+// Domain:     as causes_of; cracks_alone is what one loading of slips tells, and that of cracks is taken to tell nothing.
+// Max error:  0.002.
+// Method:     the loss told is normally distributed; what the drops need is uncertain besides.
+CauseChances chances_of_causes(double log_needed, double error, double cracks_alone);
+
+// Of the loss of a reload, as -ln of what is left: besides its own error, passes of sound specimens differ by 2 %.
+double log_loss_error(const PassesFit& passes);
 
 // What may have become of the specimen.
 enum class Damage {

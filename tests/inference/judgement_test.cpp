@@ -80,6 +80,22 @@ TEST_CASE("limit: a reload that knows nothing decides nothing, and one loading t
   CHECK(std::isnan(judge(analysis).causes.both));
 }
 
+TEST_CASE("limit: the chances of the true cause are few below three errors, and certain far beyond") {
+  for (const double error : {0.02, 0.05, 0.1}) {
+    CAPTURE(error);
+    double before = 0;
+    for (const double errors : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+      const double cracks = chances_of_causes(errors * error, error, 0.02).cracks;
+      CHECK(cracks > before);
+      before = cracks;
+    }
+    CHECK(chances_of_causes(3 * error, error, 0.02).least() < 0.95);
+  }
+  CHECK(chances_of_causes(0.4, 0.02, 0.02).least() > 0.99);
+  // What one loading tells of slips counts.
+  CHECK(chances_of_causes(0.4, 0.02, 0.02).slips > chances_of_causes(0.4, 0.02, NAN).slips);
+}
+
 TEST_CASE("limit: a loss without drops counts beyond three errors and what passes differ by, settling beside it") {
   auto analysis = slipping();
   analysis.drops.drops.clear();
