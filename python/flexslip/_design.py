@@ -157,8 +157,8 @@ def _range_of(field: str, values: list[Any]) -> tuple[Any, ...]:
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: int | None = None,
-           set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
+def design(file: Any = None, *, over: Mapping[str, Any] | None = None, decide: bool = False, noise: Any = None,
+           threads: int | None = None, set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
     """Before a test: will it show a sawtooth, and what would change that?
 
     Parameters
@@ -168,8 +168,12 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: 
     over : mapping, optional
         One parameter, or two, and their ranges: ``{"stiffness": ("10 N/m", "1000 N/m", 41)}``; the number of points may be left out. Steps are even, in
         the logarithm where the ends are ten times apart or more. A list or an array is the values, which have to be even likewise; :func:`sweep` takes any.
+    decide : bool
+        Also say, as ``reload``, how far to load and unload for a second loading to tell whether the drops are slips or cracks. Not with `over`.
+    noise : quantity, optional
+        With `decide`: standard deviation of the force readings, "10 uN"; 0.1 % of the maximum force if it is left out.
     threads : int, optional
-        With `over`: designs computed at the same time; all cores.
+        With `over` or `decide`: tests computed at the same time; all cores.
     set, **keywords
         As of :class:`Case`.
 
@@ -187,18 +191,25 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, threads: 
     >>> import flexslip
     >>> flexslip.design("examples/design.toml").snaps > 10
     True
+    >>> flexslip.design("examples/design.toml", decide=True).reload.planned.drops > 3
+    True
     >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
     3
     """
     case = case_of(file, (), set, keywords)
+    count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
+    if noise is not None and not decide:
+        raise wrong("noise", "decide=True beside it", noise)
     if over is None:
+        text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
         with in_words_of(case) as given:
-            answer = _flexslip.design(given)
+            answer = _flexslip.design_with_reload(given, text, count) if decide else _flexslip.design(given)
         return Design(answer.told(), case, answer)
+    if decide:
+        raise wrong("decide", "one planned test", "a range of them, over", "leave out one of the two, or set a value of the range")
     if not isinstance(over, Mapping) or not over:
         raise wrong("over", "a dict of ranges, {\"stiffness\": (\"10 N/m\", \"1000 N/m\")}", over)
     texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
-    count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
     with in_words_of(case) as given:
         found = _flexslip.design_map(given, texts, count)
     return DesignMap(found.told(), case, found.entries(), found)

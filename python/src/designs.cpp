@@ -11,8 +11,10 @@
 #include "answers/design_fields.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
+#include "design/reload_study.h"
 #include "figures.h"
 #include "interruptible.h"
+#include "io/input_error.h"
 #include "parts.h"
 #include "plain.h"
 #include "report/answer_documents.h"
@@ -61,6 +63,20 @@ void add_designs(py::module_& module) {
   module.def("design", [](const Test& input) {
     return interruptible(
         [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(one_loading_of(input))); });
+  });
+  module.def("design_with_reload", [](const Test& input, const std::string& noise, unsigned threads) {
+    return interruptible([&](const std::atomic<bool>&) {
+      ReloadOptions options{.threads = threads};
+      if (!noise.empty()) try {
+          options.noise = parse_quantity(noise, input.reduced ? kind::number : kind::force, Range::positive);
+        } catch (const InputError& error) {
+          throw located(error, "", 0, "noise");
+        }
+      const Test loading = one_loading_of(input);
+      auto answer = std::make_shared<DesignAnswer>(answer_of(loading));
+      answer->reload = reload_study(loading, options);
+      return answer;
+    });
   });
   module.def("design_map", [](const Test& given, const std::vector<std::string>& over, unsigned threads) {
     return interruptible([&](const std::atomic<bool>&) {

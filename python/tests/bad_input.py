@@ -354,6 +354,9 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.simulate(CASE, seed=-1), "seed"), (lambda: flexslip.simulate(CASE, noise="3 mm"), "noise"),
                            (lambda: flexslip.campaign("examples", jobs=0), "jobs"),
                            (lambda: flexslip.design(DESIGN, over={"mu0": 3}), "over"),
+                           (lambda: flexslip.design(DESIGN, over={"mu0": (0, 1)}, decide=True), "decide"),
+                           (lambda: flexslip.design(DESIGN, noise="1 uN"), "noise"),
+                           (lambda: flexslip.design(DESIGN, decide=True, noise="-1 uN"), "noise"),
                            (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "spam"),
                            (lambda: flexslip.read("examples/simulated/test.csv", decimal=";"), "decimal"),
                            (lambda: flexslip.read("examples/simulated/test.csv", specimen=2), "specimen")):

@@ -80,6 +80,7 @@ class Json(unittest.TestCase):
 
     def test_outside_design(self):
         self.same(flexslip.design(DESIGN), "design", DESIGN)
+        self.same(flexslip.design(DESIGN, decide=True, noise="10 uN"), "design", DESIGN, "--decide", "--noise", "10 uN")
         self.same(flexslip.design(DESIGN, over={"stiffness": ("10 N/m", 1000.0, 9), "mu0": (0, 1, 5)}), "design", DESIGN, "--over",
                   "stiffness=10 N/m:1000 N/m:9", "--over", "mu0=0:1:5")
 

@@ -34,6 +34,8 @@ except flexslip.InputError as error:
     print(error.key, error.limit)
 over: flexslip.DesignMap = flexslip.design("case.toml", over={"mu0": (0, 1, 5)})
 answer: str = flexslip.design("case.toml").answer
+reload = flexslip.design("case.toml", decide=True, noise="10 uN").reload
+suffices: bool = reload is not None and reload.least is not None
 curve: flexslip.Equilibrium = flexslip.equilibrium("case.toml", longest="1 mm")
 forces: np.float64 = curve.curve.force[0]
 modulus = flexslip.modulus("test.csv", span="64 mm", window=(0.1, 0.3)).modulus

@@ -44,6 +44,55 @@ Fields<PhaseStudy> phase_fields() {
               "stiffness at and above which the specimen snaps with none of the phases", &PhaseStudy::critical);
 }
 
+Fields<ReloadPlan> plan_fields() {
+  using P = const ReloadPlan&;
+  return Fields<ReloadPlan>()
+      .own("travel", kind::length, "stage position to which the specimen is loaded", &ReloadPlan::travel)
+      .own("unload_to", kind::length, "stage position at which the unloading ends", &ReloadPlan::unload_to)
+      .own("force", kind::force, "force at the end of the unloading", &ReloadPlan::force)
+      .count("drops", "number of drops in the first loading", &ReloadPlan::drops)
+      .number("loss_needed",
+              "share of the stiffness that the drops need if they are cracks only; null if none is determined",
+              &ReloadPlan::loss_needed)
+      .number("loss_error", "standard error of the share of the stiffness lost; null if none is determined",
+              &ReloadPlan::loss_error)
+      .number("chance_if_cracks", "probability that fit says CRACK if the drops are cracks only",
+              [](P plan) { return plan.chances.cracks; })
+      .number("chance_if_slips", "probability that fit says SLIP if the drops are slips only",
+              [](P plan) { return plan.chances.slips; });
+}
+
+Fields<ReloadStudy> reload_fields() {
+  using S = const ReloadStudy&;
+  const auto changes =
+      Fields<ReloadChange>()
+          .words("parameter", "travel, stiffness, step or noise", &ReloadChange::parameter)
+          .own("from", kind::number, "present value, in the unit of the parameter", &ReloadChange::from)
+          .own("to", kind::number, "changed value, in the unit of the parameter", &ReloadChange::to)
+          .group("plan", "plan with this change", plan_fields(), &ReloadChange::plan);
+  return Fields<ReloadStudy>()
+      .count("drops", "number of drops that fit would find in the planned loading: snaps, and smooth falls as steep",
+             &ReloadStudy::drops)
+      .own("noise", kind::force, "standard deviation of a force reading, as used", &ReloadStudy::noise)
+      .yes_no("noise_is_usual", "no noise is stated: it is 0.1 % of the maximum force", &ReloadStudy::noise_is_usual)
+      .own("step", kind::length, "distance between two readings, as used", &ReloadStudy::step)
+      .number("required_chance", "chance of the right verdict from which on a plan suffices",
+              &ReloadStudy::least_chance)
+      .group("planned",
+             "planned travel with the shallowest unloading that suffices, or the surest; null where there is nothing "
+             "to decide",
+             plan_fields(),
+             [](S study) { return study.plans.empty() ? std::nullopt : std::optional(study.of_travel()); })
+      .group("least", "least travel that suffices, with the shallowest unloading that does; null if none does",
+             plan_fields(), [](S study) { return study.least(); })
+      .list("plans",
+            "plans that were tried, by travel, then from the shallowest unloading to the deepest; empty where there is "
+            "nothing to decide",
+            plan_fields(), &ReloadStudy::plans)
+      .list("changes", "single changes with which a plan suffices; empty if one suffices already", changes,
+            &ReloadStudy::changes);
+}
+
 // Those that the case has, each in its unit.
 Fields<ToldDesign> changed_parameter_fields() {
   Fields<ToldDesign> fields;
@@ -90,6 +139,8 @@ Fields<ToldDesign> design_fields() {
       .group("phases", "what the phase of the friction decides; null if it decides nothing", phase_fields(),
              [](const ToldDesign& told) { return told.answer.phases; })
       .list("changes", "single changes that reverse the answer", change_fields(), changes_of)
+      .group("reload", "whether a second loading will tell slips from cracks; null if it is not asked for",
+             reload_fields(), [](const ToldDesign& told) { return told.answer.reload; })
       .group("parameters", "parameters of the design, in their units; null if infinite", changed_parameter_fields())
       .group("units", "units of plain numbers", units_of_numbers<ToldDesign>());
 }

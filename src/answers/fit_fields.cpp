@@ -155,9 +155,19 @@ Fields<FittedTest> band_fields() {
                    [](T test) { return test.analysis.fit.band.deviation; });
 }
 
-// ---- Loading and unloading
-
 // ---- Passes
+
+// A pass, and the points of the record that it has.
+struct RecordOfPass {
+  const PassFriction& pass;
+  Record record;
+};
+
+std::vector<RecordOfPass> records_of_passes(T test) {
+  std::vector<RecordOfPass> all;
+  for (const PassFriction& pass : test.passes->passes) all.push_back({pass, record_of(test, pass)});
+  return all;
+}
 
 std::string_view name_of(PassesStatus status) {
   return name_in_order<PassesStatus::not_explained>(status, {"ok", "not_sliding_out", "not_explained"});
@@ -173,7 +183,7 @@ Fields<PassFriction> pass_fields() {
                    [](const PassFriction& pass, const Frame& frame) {
                      return std::optional(std::vector{frame.row(pass.rows.first), frame.row(pass.rows.last - 1)});
                    })
-      .number("sliding_rows", "rows fitted in which the specimen slides", &PassFriction::sliding)
+      .count("sliding_rows", "rows fitted in which the specimen slides", &PassFriction::sliding)
       .only_where([](const PassFriction& pass) { return std::isfinite(pass.friction.value); })
       .estimate("friction", kind::number, "mean friction over what the specimen slid over in the pass",
                 &PassFriction::friction);
@@ -193,17 +203,24 @@ Fields<FittedTest> passes_fields() {
              "not_explained",
              [](T test) { return name_of(test.passes->status); })
       .only_where(is_ok)
-      .number("sliding_out_rows", "rows fitted in which the specimen slides outwards",
-              [](T test) { return test.passes->sliding_out; })
+      .count("sliding_out_rows", "rows fitted in which the specimen slides outwards",
+             [](T test) { return test.passes->sliding_out; })
       .estimate("settled", kind::length, "deflection that is left for good by the loadings that another pass follows",
                 [](T test) { return test.passes->settled; })
       .number("loss_needed",
               "share of the stiffness that the drops of these loadings would need if they were cracks only",
               [](T test) { return test.passes->loss_needed; })
       .anywhere()
-      .list(
-          "passes", "the passes in the order of time", pass_fields(),
-          [](T test) -> const auto& { return test.passes->passes; });
+      .list("passes", "the passes in the order of time",
+            Fields<RecordOfPass>()
+                .all_of(
+                    pass_fields(), [](const RecordOfPass& of) -> const auto& { return of.pass; })
+                .own_numbers("deflection", kind::length,
+                             "deflection of the points of the pass, from the turn before it on",
+                             [](const RecordOfPass& of) { return of.record.deflection; })
+                .own_numbers("force", kind::force, "force of these points",
+                             [](const RecordOfPass& of) { return of.record.force; }),
+            records_of_passes);
 }
 
 // ---- All of it

@@ -91,6 +91,17 @@ std::optional<PassesFit> fit_all_passes(const Measurement& measurement, const Te
   return fit_passes(problem);
 }
 
+TestDescription description_of(const Measurement& measurement, const BendingStiffnessUsed& stiffness) {
+  const Test& input = measurement.test;
+  return {.span = span_of(input),
+          .load_train_stiffness = rig_stiffness_of(input),
+          .bending_stiffness = stiffness.value,
+          .bending_stiffness_error = stiffness.relative_error,
+          .contact_error = measurement.contact_error,
+          .fibre = fibre_of(input, Scales(span_of(input), 1)),
+          .rig_errors = rig_errors_of(measurement)};
+}
+
 // A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
 // it. What is only doubtful is fitted, and said to be (the finding wrong_stiffness).
 void require_same_world(const Test& input, const Record& record, double bending_stiffness) {
@@ -157,13 +168,7 @@ std::string name_of_test(const std::string& file) {
 DescribedTest describe(const Measurement& measurement, const AnalysisOptions& options) {
   const Test& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
-  TestDescription description{.span = span_of(input),
-                              .load_train_stiffness = rig_stiffness_of(input),
-                              .bending_stiffness = stiffness.value,
-                              .bending_stiffness_error = stiffness.relative_error,
-                              .contact_error = measurement.contact_error,
-                              .fibre = fibre_of(input, Scales(span_of(input), 1)),
-                              .rig_errors = rig_errors_of(measurement)};
+  TestDescription description = description_of(measurement, stiffness);
   const Scales scales = scales_of(input, stiffness);  // refuses what is no slender beam
   if (states_stiffness(input)) require_same_world(input, measurement.record, stiffness.value);
   description.passes = fit_all_passes(measurement, description, scales);
@@ -232,6 +237,11 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
 
 }  // namespace
 
+std::optional<PassesFit> fit_passes_of(const Measurement& measurement) {
+  const BendingStiffnessUsed stiffness = bending_stiffness_of(measurement.test, measurement);
+  return fit_all_passes(measurement, description_of(measurement, stiffness), scales_of(measurement.test, stiffness));
+}
+
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
@@ -257,6 +267,11 @@ std::size_t last_row(const FittedTest& test) {
 
 const FrictionProfile& profile_of(const FittedTest& test) {
   return is_fitted(test) ? test.analysis.profile_at_fit : test.analysis.profile;
+}
+
+Record record_of(const FittedTest& test, const PassFriction& pass) {
+  return points_between(*test.measurement.cycles, pass.rows.first - std::min<std::size_t>(1, pass.rows.first),
+                        pass.rows.last);
 }
 
 std::string_view status_of(const FittedTest& test) {

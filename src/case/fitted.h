@@ -97,6 +97,10 @@ std::string name_of_test(const std::string& file);
 // Fails:      InputError as read_measurement and scales_of; for friction models that cannot be fitted.
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options);
 
+// All passes of a record together, and nothing else of its analysis; none of a record of one pass.
+// Fails:      InputError as scales_of.
+std::optional<PassesFit> fit_passes_of(const Measurement& measurement);
+
 // The data row, counted from 1, at which a point of the record begins in its file.
 std::size_t file_row(const FittedTest& test, std::size_t point);
 
@@ -106,6 +110,10 @@ std::size_t last_row(const FittedTest& test);
 // Friction as it was read off the curve: at the bending stiffness of the fit, past the deflection at which friction shows; where there is no
 // fit, at that stated.
 const FrictionProfile& profile_of(const FittedTest& test);
+
+// Stage, deflection and force of the points of a pass, from the turn before it on.
+// Domain:     a pass of test.passes.
+Record record_of(const FittedTest& test, const PassFriction& pass);
 
 // Has the analysis an answer?
 inline bool is_fitted(const FittedTest& test) { return test.analysis.status == AnalysisStatus::ok; }

@@ -18,12 +18,30 @@ namespace {
 struct DesignRequest {
   CaseRequest test;
   std::vector<std::string> over;
+  bool decide = false;
+  std::string noise;
   std::string figure;
   unsigned threads = 1;
   Output output;
 };
 
+ReloadOptions reload_options(const DesignRequest& request, const Test& input) {
+  ReloadOptions options{.threads = request.threads};
+  if (!request.noise.empty())
+    options.noise = quantity_of_flag("--noise", request.noise, kind_in(input, kind::force), Range::positive);
+  return options;
+}
+
+void require_one_answer(const DesignRequest& request) {
+  if (!request.decide || request.over.empty()) return;
+  throw InputError({.field = "--decide",
+                    .expected = "one planned test",
+                    .found = "a range of them, --over",
+                    .remedy = "leave out one of the two, or pass a value of the range with --set"});
+}
+
 void run_design(const DesignRequest& request) {
+  require_one_answer(request);
   const Test input = one_loading_of(request.test.read());
   const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
@@ -38,7 +56,8 @@ void run_design(const DesignRequest& request) {
   if (const double periods = periods_up_to(planned.friction, planned.travel); periods > many)
     note(request.output,
          fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
-  const DesignAnswer answer = answer_of(input);
+  DesignAnswer answer = answer_of(input);
+  if (request.decide) answer.reload = reload_study(input, reload_options(request, input));
   write_words(
       request.output,
       [&] {
@@ -58,8 +77,14 @@ void add_design_command(CLI::App& app) {
   add_repeated(command, "--over RANGE", request.over,
                "Write a table over a parameter and its range, NAME=FROM:TO[:POINTS], instead of the answer in "
                "words; given twice, a map over both");
+  CLI::Option* decide = command.add_flag(
+      "--decide", request.decide,
+      "Also say how far to load and unload for a second loading to tell whether the drops are slips or cracks");
+  add_option(command, "--noise FORCE", request.noise,
+             "With --decide, standard deviation of the force readings; default: 0.1 % of the maximum force")
+      ->needs(decide);
   add_threads_option(command, "-j,--threads NUMBER", request.threads,
-                     "With --over, number of designs computed at the same time");
+                     "With --over or --decide, number of tests computed at the same time");
   add_figure_option(command, request.figure);
   add_output_options(command, request.output, "text, or of CSV with --over");
   command.footer(
@@ -69,9 +94,13 @@ void add_design_command(CLI::App& app) {
       "between readings.\n"
       "With --over, writes a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, "
       "width,\n"
-      "modulus, stiffness, travel, step, reference or pin_friction.\n\n"
+      "modulus, stiffness, travel, step, reference or pin_friction.\n"
+      "With --decide, simulates an unloading and a second loading, for eight travels and five depths of unloading, "
+      "and\n"
+      "says which of them tell slips from cracks.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"
+      "  flexslip design case.toml --decide --noise \"20 uN\"\n"
       "  flexslip design case.toml --over \"stiffness=10 N/m:1000 N/m\" --over mu0=0:1 --figure map.svg --output "
       "map.csv");
 }

@@ -8,6 +8,7 @@
 
 #include "bending_test/design.h"
 #include "design/design_result.h"
+#include "design/reload_study.h"
 
 namespace flexslip {
 
@@ -41,6 +42,7 @@ struct DesignAnswer {
   std::optional<PhaseStudy>
       phases;  // none if the case has no phase, or two supports that are not alike, or no waves for it to shift, or waves below 1e-5 spans, of
                // which it moves nothing that can be seen
+  std::optional<ReloadStudy> reload{};  // where it is asked for: reload_study(input, ...)
 };
 
 // Fails:      InputError as design_of.

@@ -19,7 +19,8 @@ bool may_have_lost_stiffness(const FittedTest& test);
 // "0.47 ± 0.06", or "at most 0.28".
 std::string mean_friction(const FrictionFit& fit);
 
-// "9.1 ± 0.8 %", the share of the stiffness that was lost; of a test that was loaded again.
+// "9.1 ± 0.8 %", the share of the stiffness that was lost; "at most 1.1 %" (95 %) if it is smaller than its error, "0 %" if it is surely a gain. Of a
+// test that was loaded again.
 std::string loss_in_words(const PassesFit& passes);
 
 // "12.3 mN", the force to which to unload so that a reload tells what was lost: the specimen slides outwards over half of its way. Empty where it does not

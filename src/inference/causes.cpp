@@ -8,6 +8,8 @@
 namespace flexslip {
 namespace {
 
+constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
+
 double squashed(double x) { return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -20.0, 20.0))); }  // tanh
 
 // Slips have the log odds 0.
@@ -61,7 +63,6 @@ Causes causes_of(const DropFeatures& features, double load_train) {
 }
 
 Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
-  constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
   constexpr double surest = 0.98;     // one loading is no surer
   const double z = loss.log_loss / loss.error;
   const double c = (loss.log_needed - loss.log_loss) / elementary::length(loss.error, of_needed * loss.log_needed);
@@ -76,6 +77,26 @@ Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
                           elementary::log(bounded(by_one_loading.cracks) / slips),
                           elementary::log(bounded(by_one_loading.both) / slips)};
   return causes_by(inputs, cause_coefficients::cracks_by_reload, cause_coefficients::both_by_reload);
+}
+
+bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
+
+bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
+
+CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading) {
+  constexpr int points = 2001;
+  constexpr double farthest = 5;  // [standard deviations]
+  double weights = 0, slips = 0, cracks = 0;
+  const double error_if_cracks = elementary::length(error, of_needed * log_needed);
+  for (int i = 0; i < points; ++i) {
+    const double x = farthest * (2.0 * i / (points - 1) - 1), weight = elementary::exp(-0.5 * x * x);
+    const Causes if_slips = causes_of(slips_by_one_loading, {x * error, error, log_needed});
+    const Causes if_cracks = causes_of(Causes{}, {log_needed + x * error_if_cracks, error, log_needed});
+    weights += weight;
+    if (slips_at_all(if_slips) && !loses_at_all(if_slips, true)) slips += weight;
+    if (loses_at_all(if_cracks, true) && !slips_at_all(if_cracks)) cracks += weight;
+  }
+  return {slips / weights, cracks / weights};
 }
 
 }  // namespace flexslip

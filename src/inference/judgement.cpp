@@ -21,9 +21,6 @@ bool friction_falls(const FrictionFit& fit) {
 constexpr double usual_difference = 0.02;
 
 double log_loss_of(const PassesFit& passes) { return -elementary::log(1 - passes.loss.value); }
-double log_loss_error(const PassesFit& passes) {
-  return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
-}
 
 Causes causes_of(const TestAnalysis& analysis) {
   const DropFeatures& features = analysis.drop_features;
@@ -65,9 +62,9 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
 
 }  // namespace
 
-bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
-
-bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
+double log_loss_error(const PassesFit& passes) {
+  return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
+}
 
 bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }
 

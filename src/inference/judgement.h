@@ -34,9 +34,8 @@ struct Judgement {
   std::vector<FrictionIfLost> if_lost{};
 };
 
-// Are cracks alone, or slips alone, too improbable to be the cause? From one loading more is asked before it denies slips alone: that stiffness was lost.
-bool slips_at_all(const Causes& causes);
-bool loses_at_all(const Causes& causes, bool is_reloaded);
+// Of the loss of a reload, as -ln of what is left: besides its own error, passes of sound specimens differ by 2 %.
+double log_loss_error(const PassesFit& passes);
 
 // Does a loading after the evaluated one tell what was lost?
 bool is_reloaded(const TestAnalysis& analysis);

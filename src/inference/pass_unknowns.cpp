@@ -73,6 +73,33 @@ std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::ve
   return needed;
 }
 
+std::vector<Drop> with_breaks(std::vector<Drop> drops, const ReducedRecord& record, const std::vector<Leg>& legs) {
+  constexpr double beyond = 4;        // [noise of a step] at 3.3 as many more are noise as are breaks
+  constexpr double least = 0.003;     // [maximum force] without noise, the course itself is not so well known
+  constexpr std::size_t enough = 30;  // rows of a loading, to know its noise by
+  const std::vector<Drop> known = drops;
+  const auto is_known = [&](std::size_t row) {
+    return std::any_of(known.begin(), known.end(),
+                       [&](const Drop& drop) { return row + 1 >= drop.before && row <= drop.after; });
+  };
+  const double least_fall = least * *std::max_element(record.force.begin(), record.force.end());
+  for (const Leg& leg : legs) {
+    if (!is_inwards(leg) || leg.last - leg.first < enough) continue;
+    Record loading = points_between({record.stage, record.deflection, record.force}, leg.first, leg.last);
+    loading.stage = advancing(loading.stage);
+    const std::vector<double> course = smooth_steps(loading);
+    const double enough_fall = std::max(beyond * StepNoise(loading, course).over(1), least_fall);
+    for (std::size_t i = 0; i < course.size(); ++i) {
+      const std::size_t row = leg.first + i;
+      const double fall = record.force[row] - record.force[row + 1];
+      if (course[i] + fall > enough_fall && !is_known(row))
+        drops.push_back({.before = row, .after = row + 1, .force_fall = fall, .advance = 0, .significance = 0});
+    }
+  }
+  std::sort(drops.begin(), drops.end(), [](const Drop& a, const Drop& b) { return a.before < b.before; });
+  return drops;
+}
+
 PassUnknowns::PassUnknowns(const PassesProblem& problem, const std::vector<Leg>& legs,
                            const std::vector<NeededLoss>& needed, const PassRows& rows, const PassStates& read)
     : in_(as_fit_problem(problem), usual_friction(read)),

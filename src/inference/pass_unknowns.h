@@ -23,6 +23,10 @@ struct NeededLoss {
 };
 std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::vector<Drop>& drops, const Fibre& fibre);
 
+// The drops, and besides them the rows behind which a loading rises by less than its course, beyond four times the noise of a step: a crack too small,
+// or in too steep a rise, for the force to fall.
+std::vector<Drop> with_breaks(std::vector<Drop> drops, const ReducedRecord& record, const std::vector<Leg>& legs);
+
 class PassUnknowns {
  public:
   // Domain:     `read` are the states that `rows` read.

@@ -11,8 +11,10 @@
 
 #include <Eigen/Core>
 
+#include "inference/loading_forces.h"
 #include "inference/pass_rows.h"
 #include "inference/pass_unknowns.h"
+#include "inference/passes_solution.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
 #include "numerics/statistics.h"
@@ -149,26 +151,15 @@ class PassesFitter {
   PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
                const PassUnknowns& unknowns, std::vector<char> stuck, double longest);
 
-  // The best of all rounds; false if too few rows show what could be fitted.
-  bool run();
-
-  struct Best {
-    double score = infinity;
-    VectorXd solution;  // friction at the nodes, then the unknowns
-    MatrixXd covariance;
-    double noise = 0;  // [EI/L^2]
-    VectorXd S;        // [L] of each row
-    std::vector<Index> used;
-  };
-  const Best& best() const { return best_; }
-  const Nodes& nodes() const { return nodes_; }
+  // What the last round ends with; none if too few rows show what could be fitted.
+  std::optional<PassesSolution> run();
 
  private:
   bool linearise();
   void choose_roughness(int round);
   void solve(int round);
   void weigh();
-  void keep(int round);
+  void advance(int round);
 
   VectorXd pull(const Normal& normal) const;
   VectorXd leverage(const MatrixXd& A, const MatrixXd& prior) const;
@@ -201,12 +192,10 @@ class PassesFitter {
   VectorXd weight_, residual_;  // of the linearised rows, over their amplification
   VectorXd solution_, S_, q_;
   MatrixXd covariance_;
-  Best best_;
 };
 
 // The noise is lowered by these steps [maximum force]: with its true size at once, the fit ends in a wrong place.
 constexpr std::array noise_steps{.03, .02, .012, .008, .005, .004, .003, .002, .0015, .001};
-constexpr int best_from = 6;  // the round from which on the best is kept
 constexpr std::size_t min_rows = 20;
 
 PassesFitter::PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
@@ -230,15 +219,18 @@ PassesFitter::PassesFitter(const PassesProblem& problem, const std::vector<Leg>&
   prior_mean_ << mu_, unknowns.mean;
 }
 
-bool PassesFitter::run() {
+std::optional<PassesSolution> PassesFitter::run() {
   for (int round = 0; round < options_.rounds; ++round) {
-    if (!linearise()) return false;
+    if (!linearise()) return std::nullopt;
     weigh();
     choose_roughness(round);
     solve(round);
-    keep(round);
+    advance(round);
   }
-  return std::isfinite(best_.score);
+  if (!solution_.allFinite()) return std::nullopt;
+  VectorXd lengths(nodes_.size());
+  for (Index j = 0; j < nodes_.size(); ++j) lengths[j] = nodes_.S(j);
+  return PassesSolution{lengths, solution_, covariance_, noise_, S_, linear_.row};
 }
 
 bool PassesFitter::linearise() {
@@ -456,9 +448,10 @@ void PassesFitter::solve(int round) {
   }
 }
 
-void PassesFitter::keep(int round) {
+void PassesFitter::advance(int round) {
   const Index nodes = nodes_.size(), unknowns = unknowns_.size();
-  const double step = round == 0 ? 1 : round < best_from ? 0.8 : 0.6;
+  constexpr int early = 6;
+  const double step = round == 0 ? 1 : round < early ? 0.8 : 0.6;
   constexpr double most_friction = 2, farthest = 3.5;  // [1]; [prior deviations]
   for (Index j = 0; j < nodes; ++j) mu_[j] = std::clamp(mu_[j] + step * (solution_[j] - mu_[j]), 0.0, most_friction);
   for (Index j = 0; j < unknowns; ++j) {
@@ -482,66 +475,16 @@ void PassesFitter::keep(int round) {
       const double away = (residual_[k] - median_of(std::move(near))) / (4 * noise_);
       robust_[linear_.row[static_cast<std::size_t>(k)]] = 1 / (1 + away * away);
     }
-  double squares = 0, products = 0, clipped = 0, before = 0;
+  double squares = 0, products = 0, before = 0;
   for (Index k = 0; k < linear_.size(); ++k) {
     const double here = std::clamp(residual_[k], -4 * noise_, 4 * noise_);
     squares += here * here;
     products += here * before;
-    clipped += std::min(residual_[k] * residual_[k], 9 * noise_ * noise_);
     before = here;
   }
   constexpr double most_correlated = 0.9;
   correlation_ = std::clamp(products / std::max(squares, 1e-300), 0.0, most_correlated);
-
-  constexpr double nothing = 3e-4;  // [maximum force] residuals so small say nothing more
-  const auto m = static_cast<double>(linear_.size());
-  double score = m / inflation() * elementary::log(std::sqrt(clipped / m) + nothing * greatest_);
-  for (Index j = 0; j < unknowns; ++j)
-    if (unknowns_.deviation[j] > 0)
-      score += 0.5 * std::pow((solution_[nodes + j] - unknowns_.mean[j]) / unknowns_.deviation[j], 2);
-  if (round >= best_from && score < best_.score) best_ = {score, solution_, covariance_, noise_, S_, linear_.row};
 }
-
-// ---- What is told of it
-
-// A functional of all unknowns with its error.
-class Told {
- public:
-  explicit Told(const PassesFitter::Best& best) : best_(best) {}
-
-  double value(const VectorXd& of) const { return of.dot(best_.solution); }
-  double deviation(const VectorXd& of) const { return std::sqrt(std::max(of.dot(best_.covariance * of), 0.0)); }
-  Estimate estimate(const VectorXd& of) const { return normal_estimate(value(of), widened * deviation(of)); }
-
-  // What linearisation, outliers and correlated errors add to the errors of a Gaussian (bench/causes).
-  static constexpr double widened = 1.2;
-
- private:
-  const PassesFitter::Best& best_;
-};
-
-// [1] Mean of friction from one length to another.
-VectorXd mean_between(const Nodes& nodes, Index size, double S_first, double S_last) {
-  VectorXd mean = VectorXd::Zero(size);
-  double count = 0;
-  for (Index j = 0; j < nodes.size(); ++j)
-    if (nodes.S(j) >= S_first && nodes.S(j) <= S_last) {
-      mean[j] = 1;
-      ++count;
-    }
-  return count > 0 ? VectorXd(mean / count) : mean;
-}
-
-struct SlidOver {
-  double first = infinity, last = 0;  // [L]
-  void add(double S) {
-    first = std::min(first, S);
-    last = std::max(last, S);
-  }
-};
-
-// [1] Of the loss, besides its own error: what a ramp in the greatest deflection leaves of how it came.
-constexpr double loss_of_loss = 0.06;
 
 // [L] Beyond, one pass alone shows the fibre, and says nothing that the others could be compared with.
 double length_passed_twice(const PassRows& rows, const PassStates& read, std::size_t passes) {
@@ -551,29 +494,6 @@ double length_passed_twice(const PassRows& rows, const PassStates& read, std::si
     if (read.is_read(index_of(i))) farthest[rows.pass[i]] = std::max(farthest[rows.pass[i]], read.S[index_of(i)]);
   std::nth_element(farthest.begin(), farthest.begin() + 1, farthest.end(), std::greater<>());
   return 1 + std::max(beside * (farthest[1] - 1), least);
-}
-
-RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>& legs,
-                            const std::vector<NeededLoss>& needed, const VectorXd& theta) {
-  const PassRows rows = rows_evaluated(problem, legs);
-  const PassUnknowns unknowns(problem, legs, needed, rows, states_read(rows.w, rows.F, problem.rig.fibre));
-  const VectorXd moved = unknowns.W * theta, more = unknowns.G * theta;
-  const VectorXd lost = unknowns.E * theta;
-  const double compliance = 1 / problem.rig.stiffness;
-  std::vector<double> stage;
-  std::vector<Shift> shift;
-  double advanced = 0;
-  for (Index i = 0; i < rows.w.size(); ++i) {
-    if (!stage.empty() && !(rows.stage[i] > stage.back())) continue;
-    const double unharmed = (rows.F[i] + more[i]) * elementary::exp(theta[PassUnknowns::stiffness] - lost[i]);
-    Shift at{moved[i], unharmed - rows.F[i]};
-    // The stage of the loading only advances, whatever the errors of the losses.
-    advanced = std::max(advanced, rows.stage[i] + at.deflection + compliance * at.force);
-    at.deflection = advanced - rows.stage[i] - compliance * at.force;
-    stage.push_back(rows.stage[i]);
-    shift.push_back(at);
-  }
-  return {std::move(stage), std::move(shift), compliance};
 }
 
 // [1] From one length [L] to another; that of all where it has no place between them.
@@ -587,90 +507,22 @@ double mean_of_band(const ProfileBand& band, double S_first, double S_last) {
   return count > 0 ? sum / count : mean_of(band.mean);
 }
 
-// [EI/L^2] The mean force of a pass near a deflection [L]; NaN where it has no row there.
-double force_near(const ReducedRecord& record, const Leg& leg, double w, double reach,
-                  const std::vector<char>& left_out) {
-  double sum = 0, count = 0;
-  for (std::size_t i = leg.first; i < leg.last; ++i)
-    if (!left_out[i] && std::abs(record.deflection[i] - w) < reach) {
-      sum += record.force[i];
-      ++count;
-    }
-  return count > 0 ? sum / count : not_a_number;
-}
-
-// The loss between two loadings by their forces at the same deflections, friction being what it was: ln(F2/F1) = ln(1 - loss) + c/w, c being the
-// difference of the contacts.
-std::optional<Estimate> loss_by_forces(const PassesProblem& problem, const Leg& before, const Leg& after,
-                                       const std::vector<char>& left_out) {
-  const ReducedRecord& record = problem.record;
-  const auto deepest = [&](const Leg& leg) {
-    const auto begin = record.deflection.begin();
-    return *std::max_element(begin + static_cast<std::ptrdiff_t>(leg.first),
-                             begin + static_cast<std::ptrdiff_t>(leg.last));
-  };
-  const double common = std::min(deepest(before), deepest(after));
-  constexpr double from = 0.3, up_to = 0.95;  // [common deflection]
-  constexpr int places = 30, independent = 8;
-  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d b = Eigen::Vector2d::Zero();
-  double squares = 0, count = 0;
-  for (int i = 0; i < places; ++i) {
-    const double w = common * (from + (up_to - from) * (i + 0.5) / places), reach = common * (up_to - from) / places;
-    const double ratio = force_near(record, after, w, reach, left_out) / force_near(record, before, w, reach, left_out);
-    if (!(ratio > 0)) continue;
-    const Eigen::Vector2d of_row(1, 1 / w);
-    const double y = elementary::log(ratio);
-    A += of_row * of_row.transpose();
-    b += y * of_row;
-    squares += y * y;
-    ++count;
-  }
-  if (count < independent) return std::nullopt;
-  constexpr double least = 0.003;  // [1] of the scatter
-  const double of_contact = problem.options.contact_change;
-  double variance = least * least;
-  Eigen::Vector2d solution;
-  Eigen::Matrix2d covariance;
-  for (int again = 0; again < 3; ++again) {
-    Eigen::Matrix2d precision = A * (independent / count / variance);
-    precision(1, 1) += 1 / (of_contact * of_contact);
-    const double determinant = precision(0, 0) * precision(1, 1) - precision(0, 1) * precision(1, 0);
-    covariance << precision(1, 1), -precision(0, 1), -precision(1, 0), precision(0, 0);
-    covariance /= determinant;
-    solution = covariance * b * (independent / count / variance);
-    const double left_over = squares - 2 * solution.dot(b) + solution.dot(A * solution);
-    variance = std::max(left_over / count, least * least);
-  }
-  const double left = elementary::exp(solution[0]);
-  return normal_estimate(1 - left, left * elementary::length(std::sqrt(covariance(0, 0)), problem.options.of_forces));
-}
-
-// Between the evaluated loading and the last after it, or else between the first and the evaluated one.
-void compare_forces(PassesFit& fit, const PassesProblem& problem, const std::vector<Leg>& legs,
-                    const std::vector<char>& left_out) {
-  constexpr std::size_t enough = 10;  // rows of a loading
-  const Leg* evaluated = nullptr;
-  const Leg* other = nullptr;
-  for (const Leg& leg : legs) {
-    if (leg.direction != Direction::loading || leg.last - leg.first < enough) continue;
-    if (is_in(leg, problem.first))
-      evaluated = &leg;
-    else if (evaluated || !other)
-      other = &leg;
-  }
-  if (!evaluated || !other) return;
-  const bool is_followed = other->first > evaluated->first;
-  const auto loss = is_followed ? loss_by_forces(problem, *evaluated, *other, left_out)
-                                : loss_by_forces(problem, *other, *evaluated, left_out);
-  if (!loss) return;
+PassesFit with(PassesFit fit, const std::optional<LoadingForces>& forces) {
+  if (!forces) return fit;
   fit.is_reloaded = true;
-  fit.is_followed = is_followed;
-  fit.loss = *loss;
-  double needs = 0;
-  for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
-    if (is_in(*evaluated, drop.before)) needs += drop.log_loss;
-  fit.loss_needed = is_followed ? 1 - elementary::exp(-needs) : 0;
+  fit.is_followed = forces->is_followed;
+  fit.loss = forces->loss;
+  fit.loss_needed = forces->loss_needed;
+  return fit;
+}
+
+// [EI/L^2] As those of a specimen that lost nothing in the evaluated loading. One that lost much seems to slide out at less force than any friction
+// allows, and to stick where it slides.
+VectorXd unharmed_forces(const PassRows& rows, std::size_t after, double loss) {
+  VectorXd forces = rows.F;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows.row[i] + 1 >= after) forces[index_of(i)] /= 1 - loss;
+  return forces;
 }
 
 // Of a mean friction whose error is one of its own and one in common with the bending stiffness.
@@ -705,109 +557,33 @@ PassesFit fit_passes(const PassesProblem& problem) {
   const double greatest = *std::max_element(problem.record.force.begin(), problem.record.force.end());
   std::vector<char> left_out;  // without contact, or where the specimen sticks
   for (const double force : problem.record.force) left_out.push_back(force < problem.options.min_force * greatest);
-  if (rows.size() < min_rows) {
-    compare_forces(fit, problem, legs, left_out);
-    return fit;
-  }
+  if (rows.size() < min_rows) return with(fit, compare_loading_forces(problem, legs, left_out));
   const double force_noise = noise_of_second_differences(second_differences(problem.record.force));
-  const PassStates stated = states_read(rows.w, rows.F, problem.rig.fibre);
-  const auto stuck = stuck_rows(rows, stated, 1 / problem.rig.stiffness, force_noise);
+  const double compliance = 1 / problem.rig.stiffness;
+  PassStates stated = states_read(rows.w, rows.F, problem.rig.fibre);
+  std::vector<char> stuck = stuck_rows(rows, stated, compliance, force_noise);
   const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
   if (deepest > judged_from)  // less deep, friction holds hardly any of the force
     for (std::size_t i = 0; i < rows.size(); ++i) left_out[rows.row[i]] = stuck[i];
-  compare_forces(fit, problem, legs, left_out);
+  fit = with(fit, compare_loading_forces(problem, legs, left_out));
+  if (fit.is_followed && fit.loss.low > 0) {
+    stated = states_read(rows.w, unharmed_forces(rows, problem.last, fit.loss.low), problem.rig.fibre);
+    const std::vector<char> still = stuck_rows(rows, stated, compliance, force_noise);
+    for (std::size_t i = 0; i < stuck.size(); ++i) stuck[i] = stuck[i] && still[i];
+  }
   const double longest = length_passed_twice(rows, stated, legs.size());
   for (std::size_t i = 0; i < rows.size(); ++i)
     fit.sliding_out += !stuck[i] && rows.side[i] < 0 && stated.is_read(index_of(i));
   if (fit.sliding_out < min_rows) return fit;
   fit.status = PassesStatus::not_explained;
-  const auto needed = losses_needed(problem.record, problem.drops, problem.rig.fibre);
+  const auto needed =
+      losses_needed(problem.record, with_breaks(problem.drops, problem.record, legs), problem.rig.fibre);
   const PassUnknowns unknowns(problem, legs, needed, rows, stated);
-  PassesFitter fitter(problem, legs, rows, unknowns, stuck, longest);
-  if (!fitter.run()) return fit;
-  const PassesFitter::Best& best = fitter.best();
+  const auto best = PassesFitter(problem, legs, rows, unknowns, stuck, longest).run();
+  if (!best) return fit;
   constexpr double explained = 5, least_explained = 0.01;  // [noise]; [maximum force]
-  if (best.noise > std::max(explained * force_noise, least_explained * greatest)) return fit;
-
-  fit.status = PassesStatus::ok;
-  const Told told(best);
-  const Nodes& nodes = fitter.nodes();
-  const Index all = best.solution.size();
-  std::vector<SlidOver> slid(legs.size());
-  std::vector<std::size_t> sliding(legs.size(), 0);
-  SlidOver evaluated;
-  std::vector<char> is_used(rows.size(), 0);
-  fit.sliding_out = 0;
-  for (const Index i : best.used) {
-    const auto row = static_cast<std::size_t>(i);
-    const std::size_t pass = rows.pass[row];
-    is_used[row] = 1;
-    slid[pass].add(best.S[i]);
-    ++sliding[pass];
-    fit.sliding_out += rows.side[row] < 0;
-    if (rows.row[row] >= problem.first && rows.row[row] < problem.last && rows.w[i] > friction_shows_from)
-      evaluated.add(best.S[i]);
-  }
-  fit.S_first = evaluated.first;
-  fit.S_last = evaluated.last;
-  const VectorXd mean = mean_between(nodes, all, evaluated.first, evaluated.last);
-  fit.mean_friction = told.estimate(mean);
-  VectorXd stiffness = VectorXd::Zero(all);
-  stiffness[nodes.size() + PassUnknowns::stiffness] = 1;
-  fit.log_stiffness = told.estimate(stiffness);
-  fit.correlation = mean.dot(best.covariance * stiffness) / (told.deviation(mean) * told.deviation(stiffness));
-  for (const StatedQuantity quantity : stated_quantities) {
-    const Index column = nodes.size() + unknowns.of(quantity);
-    const double deviation = unknowns.deviations[quantity];
-    const double in_prior = quantity == StatedQuantity::bending_stiffness ? deviation * deviation : deviation;
-    fit.friction_by[quantity] = in_prior > 0 ? mean.dot(best.covariance.col(column)) / in_prior : 0;
-    fit.log_stiffness_by[quantity] = in_prior > 0 ? stiffness.dot(best.covariance.col(column)) / in_prior : 0;
-  }
-
-  const auto of_unknowns = [&](const VectorXd& coefficients) {
-    VectorXd functional = VectorXd::Zero(all);
-    functional.tail(unknowns.size()) = coefficients;
-    return functional;
-  };
-  std::size_t loadings = 0;
-  fit.is_followed = false;
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    const bool slides_in = legs[leg].direction == Direction::loading && sliding[leg] >= min_rows / 2;
-    loadings += slides_in;
-    fit.is_followed = fit.is_followed || (slides_in && legs[leg].first >= problem.last);
-  }
-  fit.is_reloaded = loadings > 1;
-  const Estimate lost = told.estimate(of_unknowns(unknowns.log_loss));
-  const double left = elementary::exp(-lost.value);
-  fit.loss = normal_estimate(1 - left, left * elementary::length(lost.standard_error, loss_of_loss * lost.value));
-  double needs = 0;
-  for (const NeededLoss& drop : needed)
-    if (drop.before < legs.back().first) needs += drop.log_loss;
-  fit.loss_needed = 1 - elementary::exp(-needs);
-  fit.settled = told.estimate(of_unknowns(unknowns.settled));
-
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    PassFriction pass{.rows = legs[leg], .sliding = sliding[leg], .friction = {}};
-    pass.friction.value = pass.friction.standard_error = pass.friction.low = pass.friction.high = not_a_number;
-    double level = 0;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-      if (is_used[i] && rows.pass[i] == leg)
-        level += unknowns.L.row(index_of(i)).dot(best.solution.tail(unknowns.size()));
-    if (sliding[leg] > 2)
-      pass.friction = told.estimate(mean_between(nodes, all, slid[leg].first, slid[leg].last) *
-                                    elementary::exp(level / static_cast<double>(sliding[leg])));
-    fit.passes.push_back(pass);
-  }
-  const VectorXd theta = best.solution.tail(unknowns.size());
-  VectorXd reduced = rows.F + unknowns.G * theta;
-  const VectorXd log_e = unknowns.E * theta;
-  for (Index i = 0; i < reduced.size(); ++i) reduced[i] *= elementary::exp(-log_e[i]);
-  const PassStates read = states_read(rows.w + unknowns.W * theta, reduced, problem.rig.fibre);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    if (read.is_read(index_of(i)))
-      fit.points.push_back({rows.row[i], rows.pass[i], read.S[index_of(i)], read.q[index_of(i)], is_used[i] != 0});
-  fit.correction = correction_of(problem, legs, needed, theta);
-  return fit;
+  if (best->noise > std::max(explained * force_noise, least_explained * greatest)) return fit;
+  return told_of(*best, problem, legs, needed, rows, unknowns);
 }
 
 FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, const FitOptions& options) {

@@ -212,6 +212,83 @@ std::string answer_in_short(const DesignAnswer& answer) {
   return "No sawtooth: the specimen slides without a snap, and the force never falls.";
 }
 
+// ---- A second loading
+
+// [1] As a number of tests in 100, 99 at most: what a simulation can tell.
+std::string of_tests(double chance) {
+  return fmt::format("{:.0f} of 100 tests", std::min(std::floor(100 * chance), 99.0));
+}
+
+std::string percent(double share) { return fmt::format("{:.2g} %", 100 * share); }
+
+std::string programme_in_words(const ReloadPlan& plan, const InUnits& shown) {
+  const std::string travel = shown.own(plan.travel, kind::length);
+  return fmt::format("load to the stage position {}, unload to {} or less (stage position {}), and load to {} again",
+                     travel, format_roughly(plan.force, shown.as(kind::force)), shown.own(plan.unload_to, kind::length),
+                     travel);
+}
+
+std::string prospects_in_words(const ReloadPlan& plan) {
+  const std::string drops = plan.drops == 1 ? "1 drop" : fmt::format("{} drops", plan.drops);
+  if (!std::isfinite(plan.loss_needed))
+    return drops + "; the specimen slides outwards too little for a second loading to determine a loss of stiffness";
+  return fmt::format(
+      "{}; if they were cracks only, they would cost {} of the stiffness, and the second loading determines a loss "
+      "to ± {}: the right verdict in {} with cracks only, and in {} with slips only",
+      drops, percent(plan.loss_needed), percent(plan.loss_error), of_tests(plan.chances.cracks),
+      of_tests(plan.chances.slips));
+}
+
+std::string reload_in_short(const ReloadStudy& study, const InUnits& shown) {
+  if (study.drops == 0) return "No drops are expected in this loading: there is nothing to decide.";
+  const ReloadPlan& plan = study.of_travel();
+  if (study.suffices(plan))
+    return fmt::format("A second loading will tell slips from cracks: {}.", programme_in_words(plan, shown));
+  if (const auto least = study.least())
+    return fmt::format("A second loading will tell slips from cracks only after less travel: {}.",
+                       programme_in_words(*least, shown));
+  return fmt::format("No second loading up to this travel tells slips from cracks in {:.0f} of 100 tests or more.",
+                     100 * study.least_chance);
+}
+
+std::string change_of_reload_in_words(const ReloadChange& change, const InUnits& shown) {
+  const bool is_noise = change.parameter == "noise";
+  const Kind& kind = is_noise ? kind::force : design_parameter(change.parameter).kind();
+  const std::string_view what = is_noise                          ? "a load cell with a noise of"
+                                : change.parameter == "travel"    ? "loading to the stage position"
+                                : change.parameter == "stiffness" ? "a load train of"
+                                                                  : "a reading every";
+  return fmt::format("{} {} instead of {}: {}", what, shown.own(change.to, kind), shown.own(change.from, kind),
+                     prospects_in_words(change.plan));
+}
+
+std::string least_travel_in_words(const ReloadStudy& study, const InUnits& shown) {
+  const auto least = study.least();
+  const ReloadPlan& planned = study.of_travel();
+  if (!least) return "";
+  if (least->travel == planned.travel) return "the planned one: of shorter ones that were tried none suffices";
+  const std::string prospects = prospects_in_words(*least);
+  return study.suffices(planned) ? fmt::format("{}: {}", programme_in_words(*least, shown), prospects) : prospects;
+}
+
+Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
+  Chapter chapter{"Slips or cracks", {reload_in_short(study, shown)}};
+  if (study.drops == 0) return chapter;
+  Rows rows{
+      {"planned travel", prospects_in_words(study.of_travel())},
+      {"least travel", least_travel_in_words(study, shown)},
+      {"noise", fmt::format("{} of a force reading{}", shown.own(study.noise, kind::force),
+                            study.noise_is_usual ? ", 0.1 % of the maximum force: pass --noise if it is known" : "")}};
+  for (const ReloadChange& change : study.changes)
+    rows.push_back({"would suffice", change_of_reload_in_words(change, shown)});
+  if (!study.least() && study.changes.empty())
+    rows.push_back({"would suffice",
+                    "none of these alone: loading half as far again, a load train half as stiff, twice the "
+                    "readings, a third of the noise"});
+  chapter.blocks.push_back(rows);
+  return chapter;
+}
+
 }  // namespace
 
 std::string design_in_short(const DesignAnswer& answer) {
@@ -265,12 +342,15 @@ std::vector<Chapter> document_of(const DesignAnswer& answer) {
     changes.push_back({words.substr(0, colon), words.substr(colon + 2)});
   }
   const std::string_view otherwise = outcome.snaps > 0 ? "keep it from snapping" : "make it snap";
-  return {{"", {design_in_short(answer), rows}},
-          {fmt::format("What would {}", otherwise),
-           {changes.empty() ? std::string("No single change was found.")
-                            : std::string("Any one of these, if everything else stays the same. Without \"or more\" or "
-                                          "\"or less\" it is known only at this value."),
-            changes}}};
+  std::vector<Chapter> chapters{{"", {design_in_short(answer), rows}}};
+  if (answer.reload) chapters.push_back(chapter_of(*answer.reload, shown));
+  chapters.push_back(
+      {fmt::format("What would {}", otherwise),
+       {changes.empty() ? std::string("No single change was found.")
+                        : std::string("Any one of these, if everything else stays the same. Without \"or more\" or "
+                                      "\"or less\" it is known only at this value."),
+        changes}});
+  return chapters;
 }
 
 }  // namespace flexslip

@@ -1,6 +1,9 @@
+#include <array>
 #include <tuple>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "inference/analysis.h"
 #include "inference/fit.h"
@@ -310,40 +313,59 @@ bool has_passes(const FittedTest& test) { return test.passes && test.passes->sta
 
 namespace {
 
-// Of the passes that are drawn, each with a colour of its own.
-constexpr std::array pass_colours{colours::blue, colours::vermillion, colours::sky, colours::orange};
+// What a pass does, and how it is drawn: the first loading wide, so that those which follow it are seen on it.
+struct PassStyle {
+  std::string_view words;
+  Style style;
+};
+constexpr std::array pass_styles{PassStyle{"in", {colours::sky, 2.6}}, PassStyle{"out", {colours::vermillion, 1.2}},
+                                 PassStyle{"in again", {colours::black, 0.8}}};
 
-// "Pass 1, in"
-std::string pass_title(const PassFriction& pass, std::size_t number) {
-  return fmt::format("Pass {}, {}", number + 1, pass.rows.direction == Direction::loading ? "in" : "out");
+std::size_t style_of_pass(const PassesFit& passes, std::size_t number) {
+  if (passes.passes[number].rows.direction == Direction::unloading) return 1;
+  const auto is_loading = [](const PassFriction& pass) { return pass.rows.direction == Direction::loading; };
+  return std::any_of(passes.passes.begin(), passes.passes.begin() + static_cast<std::ptrdiff_t>(number), is_loading)
+             ? 2
+             : 0;
+}
+
+// "Passes 2, 4: out", of those drawn alike.
+std::string pass_title(const PassesFit& passes, std::size_t style) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t number = 0; number < passes.passes.size(); ++number)
+    if (style_of_pass(passes, number) == style) numbers.push_back(number + 1);
+  return fmt::format("{} {}: {}", numbers.size() == 1 ? "Pass" : "Passes", fmt::join(numbers, ", "),
+                     pass_styles[style].words);
 }
 
 }  // namespace
 
 Plot passes_figure(const FittedTest& test) {
-  const Record& record = *test.measurement.cycles;
+  const PassesFit& passes = *test.passes;
+  const Record& all = *test.measurement.cycles;
   const PlotUnits units = plot_units(test);
   const Scales& scales = units.scales;
-  const ForcePlane plane = force_plane(units, scales.reduced_length(largest(record.deflection)),
-                                       scales.reduced_force(largest(record.force)));
+  const ForcePlane plane =
+      force_plane(units, scales.reduced_length(largest(all.deflection)), scales.reduced_force(largest(all.force)));
   std::vector<PlotTable> tables;
   std::vector<Mark> marks;
-  for (std::size_t number = 0; number < test.passes->passes.size(); ++number) {
-    const PassFriction& pass = test.passes->passes[number];
-    PlotTable& table = tables.emplace_back(plane.table(fmt::format("pass_{}", number + 1)));
-    for (std::size_t i = pass.rows.first > 0 ? pass.rows.first - 1 : 0; i < pass.rows.last; ++i)  // from the turn on
-      table.rows.push_back(
-          {plane.w(scales.reduced_length(record.deflection[i])), plane.F(scales.reduced_force(record.force[i]))});
-    const bool is_told = number < pass_colours.size();
-    marks.push_back({Mark::line,
-                     table.name,
-                     {0, 1},
-                     {pass_colours[number % pass_colours.size()], 1.2},
-                     is_told ? pass_title(pass, number) : ""});
+  for (std::size_t style = 0; style < pass_styles.size(); ++style) {
+    std::string title = pass_title(passes, style);
+    for (std::size_t number = 0; number < passes.passes.size(); ++number) {
+      if (style_of_pass(passes, number) != style) continue;
+      const Record record = record_of(test, passes.passes[number]);
+      PlotTable& table = tables.emplace_back(plane.table(fmt::format("pass_{}", number + 1)));
+      for (std::size_t i = 0; i < record.force.size(); ++i)
+        table.rows.push_back(
+            {plane.w(scales.reduced_length(record.deflection[i])), plane.F(scales.reduced_force(record.force[i]))});
+      marks.push_back({Mark::line, table.name, {0, 1}, pass_styles[style].style, std::exchange(title, std::string())});
+    }
   }
   return {.name = "passes",
           .title = "Loading, unloading and loading again: " + test.name,
-          .caption = "Force against deflection at midspan, pass by pass.",
+          .caption =
+              "Force against deflection at midspan, pass by pass: the specimen is loaded (wide, blue), unloaded "
+              "(red-orange) and loaded again (thin, black).",
           .width = two_columns,
           .height = 96,
           .data = std::move(tables),
@@ -363,15 +385,16 @@ Plot boxes_figure(const FittedTest& test) {
   }
   const double top = std::max(1.25 * most_of(0.98, sizes), 1e-3);  // noise throws some points far off
   std::vector<Mark> marks{level(0, styles::zero)};
+  std::array<bool, pass_styles.size()> is_told{};
   for (std::size_t number = 0; number < passes.passes.size(); ++number) {
-    const Colour colour = pass_colours[number % pass_colours.size()];
+    const std::size_t style = style_of_pass(passes, number);
+    const Colour colour = pass_styles[style].style.colour;
     const Condition of_pass{2, static_cast<double>(number)};
-    const bool is_told = number < pass_colours.size();
     marks.push_back({Mark::points,
                      "points",
                      {0, 1},
-                     styles::mark(Symbol::disc, colour, 1.4, 0.5),
-                     is_told ? pass_title(passes.passes[number], number) : "",
+                     styles::mark(Symbol::disc, colour, style == 0 ? 2.6 : 1.4, 0.5),
+                     std::exchange(is_told[style], true) ? "" : pass_title(passes, style),
                      {of_pass, {3, 1}}});
     marks.push_back(
         {Mark::points, "points", {0, 1}, styles::mark(Symbol::circle, colour, 1.2, 0.3), "", {of_pass, {3, 0}}});

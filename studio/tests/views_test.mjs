@@ -455,14 +455,14 @@ test("colours: what carries a fact has a contrast of 4.5 as text and 3 as a mark
     const tab = await open({ theme });
     const colours = await tab.evaluate(() => {
       const style = getComputedStyle(document.documentElement), probe = document.body.appendChild(document.createElement("span"));
-      return Object.fromEntries(["surface", "sunk", "ink", "ink2", "ink3", "data", "model", "moment", "ok", "warn", "bad", "pin", "ref", "line2", "ok-ground", "warn-ground", "no-ground"].map((name) => {
+      return Object.fromEntries(["surface", "sunk", "ink", "ink2", "ink3", "data", "model", "moment", "ok", "warn", "bad", "pin", "pass", "ref", "line2", "ok-ground", "warn-ground", "no-ground"].map((name) => {
         probe.style.color = style.getPropertyValue(`--${name}`);
         return [name, getComputedStyle(probe).color.match(/[\d.]+/g).slice(0, 3).map(Number)];
       }));
     });
     const light = (rgb) => rgb.map((c) => c / 255).map((c) => (c <= 0.03928 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4)).reduce((sum, c, i) => sum + c * [0.2126, 0.7152, 0.0722][i], 0);
     const contrast = (a, b) => (Math.max(light(colours[a]), light(colours[b])) + 0.05) / (Math.min(light(colours[a]), light(colours[b])) + 0.05);
-    for (const name of ["ink", "ink2", "ink3", "model", "moment", "ok", "warn", "bad", "pin", "ref", "data"]) assert.ok(contrast(name, "surface") >= 4.5, `${theme}: ${name} has ${contrast(name, "surface").toFixed(2)}`);
+    for (const name of ["ink", "ink2", "ink3", "model", "moment", "ok", "warn", "bad", "pin", "ref", "data", "pass"]) assert.ok(contrast(name, "surface") >= 4.5, `${theme}: ${name} has ${contrast(name, "surface").toFixed(2)}`);
     for (const [name, ground] of [["ink2", "sunk"], ["ink3", "sunk"], ["ok", "ok-ground"], ["warn", "warn-ground"], ["ink2", "no-ground"]]) assert.ok(contrast(name, ground) >= 4.5, `${theme}: ${name} on ${ground} has ${contrast(name, ground).toFixed(2)}`);
     assert.ok(contrast("line2", "surface") >= 3, `${theme}: edges of controls`);
     await tab.end();

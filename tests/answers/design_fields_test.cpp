@@ -31,6 +31,21 @@ TEST_CASE("design JSON, identity: every outcome and every parameter of the case,
   CHECK(json.at("phases").at("count") == 24);
 }
 
+TEST_CASE(
+    "design JSON, identity: the plans of a second loading in the units of the case, null where none are asked for") {
+  Test input = loading_of(with("40 um", "10.9 um"));
+  set(input, "travel", 560e-6);
+  auto answer = answer_of(input);
+  CHECK(told(answer).at("reload").is_null());
+  answer.reload = reload_study(input, {});
+  const Json json = Json::parse(told(answer).dump()).at("reload");
+  CHECK(json.at("plans").size() == answer.reload->plans.size());
+  CHECK(json.at("planned").at("force") == answer.reload->of_travel().force);
+  CHECK(json.at("least").at("chance_if_cracks") == answer.reload->least().value().chances.cracks);
+  CHECK(json.at("plans").at(0).at("loss_needed").is_null());  // no drops so early
+  CHECK(json.at("changes").empty());
+}
+
 TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
   Test input = loading_of(with("[rig]", "[rig]  # stiff"));
   set(input, "mu0", 0);

@@ -63,5 +63,22 @@ TEST_CASE("limit: a reload that knows nothing leaves what one loading told, and 
   CHECK(from_nothing.cracks > 0.05);
 }
 
+TEST_CASE("limit: the chances of the true cause are few below three errors, and certain far beyond") {
+  const Causes slips{.slips = 0.9, .cracks = 0.02, .both = 0.08};
+  for (const double error : {0.02, 0.05, 0.1}) {
+    CAPTURE(error);
+    double before = 0;
+    for (const double errors : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+      const double cracks = chances_of_causes(errors * error, error, slips).cracks;
+      CHECK(cracks > before);
+      before = cracks;
+    }
+    CHECK(chances_of_causes(2 * error, error, slips).least() < 0.95);
+  }
+  CHECK(chances_of_causes(0.4, 0.02, slips).least() > 0.99);
+  // What one loading tells of slips counts.
+  CHECK(chances_of_causes(0.1, 0.03, slips).slips > chances_of_causes(0.1, 0.03, {}).slips);
+}
+
 }  // namespace
 }  // namespace flexslip

@@ -26,6 +26,7 @@ completes() {
 }
 completes flexslip sim = simulate
 completes flexslip simulate --no = --noise
+completes flexslip design --dec = --decide
 completes flexslip completions "" = bash zsh fish
 completes flexslip state --S = --S
 completes flexslip simulate "" = # a file, which is bash's own default

@@ -1,9 +1,13 @@
 #!/usr/bin/python3
 """outside: flexslip design against flexslip simulate, the paper's Fig. 8 and what a user may get wrong."""
 import re
+import sys
 import unittest
 
-from program import SOURCE, InFolder
+from program import PROGRAM, SOURCE, InFolder
+
+sys.path.insert(0, str(SOURCE / "bench" / "reload"))
+import decide  # noqa: E402
 
 CASE = """[specimen]
 diameter = "34.8 um"
@@ -127,11 +131,35 @@ class Design(InFolder):
         stop = next(change for change in fine["changes"] if change["parameter"] == "travel")
         self.assertLessEqual(stop["to"], fine["first_snap_stage"])
 
+    def test_a_second_loading_is_planned(self):
+        case = self.file("case.toml", CASE.replace("40 um", "10.9 um").replace("700 um", "560 um"))
+        told = self.json("design", case, "--decide", "--noise", "12 uN")["reload"]
+        self.assertEqual((told["noise"], told["noise_is_usual"], len(told["plans"])), (12e-6, False, 40))
+        self.assertIn(told["planned"], told["plans"])
+        self.assertIn(told["least"], told["plans"])
+        words = self.succeeds("design", case, "--decide", "--noise", "12 uN")
+        self.assertIn("A second loading will tell slips from cracks: load to the stage position", " ".join(words.split()))
+        self.assertIsNone(self.json("design", case)["reload"])
+        stiff = self.succeeds("design", case, "--decide", "--set", "rig.stiffness=inf", "--set", "friction.amplitude=0", "--set", 'stage.program=["0 um", "400 um"]')
+        self.assertIn("there is nothing to decide", " ".join(stiff.split()))
+
+    def test_oracle_fit_finds_the_causes_that_it_is_said_to_find(self):
+        """Three specimens that slip and three that crack, each on a rig that is off; drawn by fixed seeds."""
+        friction, travel, noise = decide.PLANS["many drops"]
+        plan, causes = decide.planned(PROGRAM, self.folder, "plan", friction, travel, noise)
+        for cause in causes:
+            self.assertGreater(plan[f"chance_if_{cause.name}"], 0.99)
+            for seed in range(3):
+                self.assertEqual(decide.verdict(PROGRAM, self.folder, plan, cause, noise, seed), cause.verdict)
+
     def test_bad_input_is_located(self):
         for text, arguments, said in (
             (CASE.replace('"700 um"', '"700 um", "10 um", "900 um"'), [], "case.toml:14: [stage] program[3]"),
             (CASE.replace("phase = 1.0", "static_excess = 0.1"), [], "[friction] static_excess"),
             (CASE, ["--over", "stiffnes=1 N/m:2 N/m"], "did you mean 'stiffness'?"),
+            (CASE, ["--decide", "--over", "mu0=0:1"], "--decide: expected one planned test, found a range of them, --over; leave out one"),
+            (CASE, ["--noise", "1 uN"], "--noise requires --decide"),
+            (CASE, ["--decide", "--noise", "0 N"], "--noise: expected"),
             (CASE, ["--over", "stiffness=1:2"], "--over: expected a stiffness with its unit"),
             (CASE, ["--over", "mu0=0:1", "--over", "mu0=0:1"], "the same twice"),
             (CASE, ["--over", "mu0=0:1:2000", "--over", "span=1 mm:2 mm:2000"], "at most 1000000 designs"),

@@ -39,7 +39,7 @@ file = "{file}"
 force = "{force_title}"
 """
 PASSES = {"status", "sliding_out_rows", "settled", "loss_needed", "passes"}
-PASS = {"direction", "rows", "sliding_rows", "friction"}
+PASS = {"direction", "rows", "sliding_rows", "friction", "deflection", "force"}
 
 
 class CyclicRecords(InFolder):

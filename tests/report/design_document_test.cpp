@@ -53,6 +53,22 @@ TEST_CASE("identity: the words say the numbers of the answer") {
   CHECK(changes_in_words(answer).size() == answer.changes.size());
 }
 
+TEST_CASE("identity: the words of a second loading say its plan and its chances, or that there is nothing to decide") {
+  Test input = fine();
+  set(input, "travel", 560e-6);
+  auto answer = answer_of(input);
+  CHECK(!holds(all_words(answer), "Slips or cracks"));
+  answer.reload = reload_study(input, {});
+  const std::string words = all_words(answer);
+  CHECK(holds(words, "A second loading will tell slips from cracks: load to the stage position 560 µm, unload to "));
+  CHECK(holds(words,
+              std::to_string(answer.reload->of_travel().drops) + " drops; if they were cracks only, they would cost "));
+  CHECK(holds(words, "99 of 100 tests with cracks only"));
+  CHECK(holds(words, "pass --noise if it is known"));
+  answer.reload->drops = 0;
+  CHECK(holds(all_words(answer), "No drops are expected in this loading: there is nothing to decide."));
+}
+
 TEST_CASE("limit: what is infinite, or nothing, is told in words") {
   Test input = fine();
   set(input, "stiffness", std::numeric_limits<double>::infinity());

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <doctest/doctest.h>
 
@@ -68,6 +71,42 @@ TEST_CASE("document: every test that has no fit shows its curve, if it has one t
       CHECK(panel.y.from < panel.y.to);
     }
   }
+}
+
+TEST_CASE(
+    "document: all passes stand in one figure, each from the turn before it, those that do the same drawn alike") {
+  FittedTest test = example("cyclic");
+  const auto titles = [&] {
+    std::vector<std::string> all;
+    const Plot drawn = passes_figure(test);
+    for (const Mark& mark : drawn.panels[0].marks) all.push_back(mark.title);
+    return all;
+  };
+  const Plot plot = passes_figure(test);
+  REQUIRE(plot.data.size() == 3);
+  for (std::size_t i = 1; i < 3; ++i) CHECK(plot.data[i].rows.front() == plot.data[i - 1].rows.back());
+  CHECK(titles() == std::vector<std::string>{"Pass 1: in", "Pass 2: out", "Pass 3: in again"});
+  std::set<std::pair<std::string, double>> lines;
+  for (const Mark& mark : plot.panels[0].marks) lines.emplace(mark.style.colour, mark.style.width);
+  CHECK(lines.size() == 3);
+  const Json passes = fit_json(test).at("passes").at("passes");
+  for (std::size_t i = 0; i < 3; ++i)
+    for (const char* column : {"deflection", "force"}) CHECK(passes[i].at(column).size() == plot.data[i].rows.size());
+
+  test.passes->passes.push_back(test.passes->passes[1]);
+  CHECK(titles() == std::vector<std::string>{"Pass 1: in", "Passes 2, 4: out", "", "Pass 3: in again"});
+  const Plot boxes = boxes_figure(test);
+  CHECK(std::count_if(boxes.panels[0].marks.begin(), boxes.panels[0].marks.end(),
+                      [](const Mark& mark) { return mark.title == "Passes 2, 4: out"; }) == 1);
+}
+
+TEST_CASE(
+    "document: a record of several passes lists the friction of each, one of a single loading has no such chapter") {
+  const std::string several = in_text(document_of(example("cyclic")), one_line);
+  const std::string heading = "Loading, unloading and loading again";
+  CHECK(has(several, heading));
+  for (const char* words : {"1–201", "202–399", "400–822", "0.507 ± 0.024"}) CHECK(has(several, words));
+  CHECK_FALSE(has(in_text(document_of(slipping()), one_line), heading));
 }
 
 TEST_CASE("document: the rows of an answer and its doubts stand as on the screen") {

@@ -26,8 +26,8 @@ export function estimate(value: number, error: number, unit: Unit, most = 4): [s
   return [fixed(value / unit.factor, digits), `± ${fixed(error / unit.factor, digits)}`];
 }
 
-/** Where the verdict tells no friction, nothing of it is shown: no share of the work, no spacing, no slips. */
-export const tellsFriction = (fit: FitAnswer): boolean => !["crack", "check_input", "no_answer"].includes(fit.verdict.code);
+/** Where the verdict tells no friction, nothing of it is shown: no share of the work, no spacing, no slips. Of a specimen that cracked, a second loading tells it. */
+export const tellsFriction = (fit: FitAnswer): boolean => !["crack", "check_input", "no_answer"].includes(fit.verdict.code) || (fit.verdict.code === "crack" && fit.findings.some((each) => each.code === "changed_reload"));
 
 function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   const mu0 = fit.parameters.mu0, EI = fit.parameters.bending_stiffness, { slips, energy } = fit;
@@ -42,7 +42,7 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   if (told && energy?.friction_share != null) {
     const least = fit.findings.some((each) => each.code === "no_reload");
     Object.assign(work, { value: `${least ? "≥ " : ""}${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
-    work.condition = fit.verdict.code === "undecided" ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
+    work.condition = ["undecided", "crack"].includes(fit.verdict.code) ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
   }
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
   if (slips?.median_spacing && told) {

@@ -8,6 +8,8 @@ export interface Drop {
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null }
 export interface ProfilePoint { row: number; length: number; mu: number; mu_error: number; mu_error_force: number }
+/** Deflection and force are those of its points, from the turn before it on. */
+export interface Pass { direction: "in" | "out"; rows: [number, number]; sliding_rows: number; friction: Estimate | null; deflection: number[]; force: number[] }
 export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate }
 
 export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; friction: number; friction_moves: number; work_moves: number | null }
@@ -17,6 +19,7 @@ export interface FitAnswer {
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   residual_rms: number | null; wave: Wave | null;
   judgement: { cracks_alone: number | null } | null;
+  answer: { label: string; words: string }[]; passes: { passes: Pass[] } | null;
   verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
   energy: { work_of_fracture: number; friction_share: number | null } | null;

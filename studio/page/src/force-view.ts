@@ -7,6 +7,8 @@ import type { Drop } from "./answers";
 import { byId, el, fill, label, svg } from "./dom";
 import type { Loading } from "./engine";
 import { seenTo, type Curve } from "./model";
+import { kindsOf } from "./passes";
+import { passLine } from "./passes-view";
 import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, rangeIn, sized, sizeOf, type Frame, type Scale } from "./plot";
 import { fixed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
@@ -85,7 +87,7 @@ export class ForceView {
       return this.drawRaw();
     }
     const xs = this.abscissa(fit), force = fit.curves.column("F")!;
-    const mostX = greatest(xs), mostF = greatest(force), { programmed } = studio;
+    const mostX = Math.max(greatest(xs), ...fit.passes.map(({ curve }) => greatest(this.of(curve)))), mostF = Math.max(greatest(force), ...fit.passes.map(({ curve }) => greatest(curve.force))), { programmed } = studio;
     // The frame is that of the data; where the model leaves it, it grows in steps, so that it holds still while a slider moves.
     const room = (data: number, model: number, most: number): number => !(data > 0) ? data : data * Math.max(1, Math.min(most, Math.ceil((8 * model) / data - 0.16) / 8));
     const farthest = room(mostX, Math.max(programmed ? greatest(this.of(programmed)) : 0, studio.loading ? greatest(this.of(studio.loading)) : 0), 2);
@@ -104,14 +106,15 @@ export class ForceView {
       const title = studio.axis === "stage" ? `stage displacement (${this.units.x.name})` : `deflection at midspan *δ* (${this.units.x.name})`;
       const box = { x: MARGINS.left, y: 0, width: Math.max(0, base.width - MARGINS.left - MARGINS.right + 1), height: Math.max(0, base.height - MARGINS.bottom) };
       const clipped = (id: string, ...parts: SVGElement[]): SVGElement[] => [svg("defs", {}, svg("clipPath", { id }, svg("rect", box))), svg("g", { "clip-path": `url(#${id})` }, ...parts)];
-      const band = svg("g"), data = svg("g"), drops = svg("g");
+      const band = svg("g"), passes = svg("g", { class: "passes" }), data = svg("g"), drops = svg("g");
       this.drawBand(band, fit, x, y);
+      for (const pass of fit.passes) if (!pass.isEvaluated) passes.append(passLine(pass, lineThrough(this.of(pass.curve), pass.curve.force, x, y)));
       data.append(dotted(dots(xs, force, x, y), "var(--data)", xs.length > 900 ? 2 : 2.6));
       this.drawDrops(drops, fit, x, y);
-      sized(this.drawing, this.host, axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), ...clipped("force-clip", band, data));
+      sized(this.drawing, this.host, axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), ...clipped("force-clip", band, passes, data));
       sized(this.moving, this.host, ...clipped("model-clip", this.references, this.model, drops));
       sized(this.over, this.host, this.marker);
-      this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
+      this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops${fit.passes.length ? `, ${fit.passes.length} passes` : ""}. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
       this.drawKeys(fit);
     }
     fill(this.references);
@@ -240,7 +243,8 @@ export class ForceView {
     const kinds = new Set(fit.answer.drops.map(slipOf));
     const drops: [("could" | "undecided" | "no"), string][] = [["could", "could be a slip"], ["undecided", "cannot tell"], ["no", "no slip does it"]];
     const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `drop: ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
-    fill(byId("force-marks"), mark("data", dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3)), mark("model", path("M0 6h20", "var(--model)", 1.6)),
+    const data = dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3), passes = kindsOf(fit.passes).map(({ words, pass }) => mark(words, pass.isEvaluated ? data : passLine(pass, "M2 6h16")));
+    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), mark("model", path("M0 6h20", "var(--model)", 1.6)),
       this.studio.changed ? el("span", {}, "by hand") : fit.friction.draws.length ? mark("draws", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
   }
 
@@ -277,6 +281,7 @@ export class ForceView {
       }
     };
     see(xs, f);
+    for (const { curve } of fit.passes) see(this.of(curve), curve.force);
     if (this.studio.loading) see(this.of(this.studio.loading), this.studio.loading.force);
     if (this.reference) see(this.of(this.reference.plain).length ? this.of(this.reference.plain) : this.reference.plain.deflection, this.reference.plain.force);
     if (this.studio.programmed) see(this.of(this.studio.programmed), this.studio.programmed.force);

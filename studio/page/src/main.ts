@@ -13,6 +13,7 @@ import { closeDialog, listenToKeys, openDialog, openKeys } from "./keys";
 import { outputsOf } from "./outputs";
 import { ParametersView } from "./parameters-view";
 import { isAllowed, type Key } from "./parameters";
+import { drawPasses } from "./passes-view";
 import { ProgrammeView } from "./programme-view";
 import { fixed, written } from "./quantity";
 import { RowsView } from "./rows-view";
@@ -69,6 +70,7 @@ async function start(): Promise<void> {
   studio.listen("The programme", ["answer", "programme", "view", "card", "moment"], (topics) => (has(topics, "answer", "programme", "view", "card") ? programme.draw() : programme.mark()));
   studio.listen("The parameters", ["model", "parameters"], () => parameters.draw());
   studio.listen("The line of the fit", ["model", "fitting", "progress", "parameters"], () => parameters.drawFit());
+  studio.listen("The passes", ["answer", "tests"], () => drawPasses(studio.fit));
   studio.listen("The pinned curves", ["pins"], () => drawPins(studio));
   studio.listen("The first steps", ["tour", "view", "answer"], () => drawTour(studio));
   studio.listen("The buttons", null, () => {

@@ -28,14 +28,17 @@ export function standalone(host: Element, title: string, legend: Element | null 
   const [copy, ...layers] = [...host.querySelectorAll(":scope > svg")].map((layer) => layer.cloneNode(true) as SVGSVGElement) as [SVGSVGElement, ...SVGSVGElement[]];
   for (const layer of layers) copy.append(...layer.childNodes);
   copy.querySelectorAll(".marker").forEach((marker) => marker.remove());
-  const entries = [...(legend?.children ?? [])].filter((entry) => entry.textContent), width = host.clientWidth, height = host.clientHeight, head = entries.length ? 40 : 22;
-  let at = 8;
+  const entries = [...(legend?.children ?? [])].filter((entry) => entry.textContent), width = host.clientWidth, height = host.clientHeight, key = svg("g");
+  let at = 8, line = 0;
   for (const entry of entries) {
-    const mark = entry.querySelector("svg");
-    if (mark) copy.append(svg("g", { transform: `translate(${at} -18)` }, ...[...mark.cloneNode(true).childNodes] as SVGElement[]));
-    copy.append(svg("text", { x: at + (mark ? 26 : 0), y: -8 }, entry.textContent!));
-    at += (mark ? 26 : 0) + 6.2 * entry.textContent!.length + 18;
+    const mark = entry.querySelector("svg"), words = entry.textContent!, wide = (mark ? 26 : 0) + 6.2 * words.length;
+    if (at > 8 && at + wide > width) (at = 8), ++line;
+    key.append(svg("g", { transform: `translate(${at} ${18 * line - 8})` }, mark && svg("g", { transform: "translate(0 -10)" }, ...[...mark.cloneNode(true).childNodes] as SVGElement[]), svg("text", { x: mark ? 26 : 0 }, words)));
+    at += wide + 18;
   }
+  const head = entries.length ? 40 + 18 * line : 22;
+  key.setAttribute("transform", `translate(0 ${-18 * line})`);
+  copy.append(key);
   if (yTitle) copy.append(label(yTitle, { x: 8, y: 10 }));
   for (const [name, value] of Object.entries({
     xmlns: "http://www.w3.org/2000/svg", viewBox: `0 ${-head} ${width} ${height + head}`, width: `${FIGURE_WIDTH}mm`, height: `${((FIGURE_WIDTH * (height + head)) / width).toFixed(2)}mm`, role: "img", "aria-label": title,

@@ -38,7 +38,7 @@ export function valuesOf(fit: FitAnswer, text: CaseText): Values {
     mu0: p.mu0?.value ?? 0, rms: p.roughness?.value ?? 0, len: p.correlation_length?.value ?? span / 200,
     amp: wave?.claimed ? wave.amplitude.value : 0.1, lam: wave?.wavelength.value ?? span / 100, phi: p.phase && p.wavelength ? wrapped(p.phase.value + Math.PI * middleOf(fit) / p.wavelength.value) : 0,
     EI: p.bending_stiffness?.value ?? fit.nominal_bending_stiffness?.nominal ?? 0,
-    D: text.quantity("specimen.diameter") ?? text.quantity("specimen.height") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
+    D: text.words("rig.friction_at") === "axis" ? 0 : text.quantity("specimen.diameter") ?? text.quantity("specimen.height") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
   };
 }
 

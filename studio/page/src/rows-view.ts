@@ -60,7 +60,7 @@ export class RowsView {
     if (x2 - x1 > 90) children.push(faint("used", (x1 + x2) / 2));
     if (last < this.last && width - RIGHT - x2 > 130) children.push(faint(after, (x2 + width - RIGHT) / 2));
     if (last < this.last && width - RIGHT - x2 > 40) children.push(note(String(this.last), width - RIGHT, "end"));
-    if (first > 1 && x1 - LEFT > 110) children.push(faint("before contact", (x1 + LEFT) / 2));
+    if (first > 1 && x1 - LEFT > 110) children.push(faint(fit?.passes.length ? "before this loading" : "before contact", (x1 + LEFT) / 2));
     sized(this.drawing, this.host, ...children, this.marker);
     this.mark();
   }

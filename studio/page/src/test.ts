@@ -5,6 +5,7 @@ import { CaseText } from "./case-text";
 import type { Program } from "./engine";
 import { FittedFriction } from "./friction";
 import { frictionOf, parametersOf, valuesOf, type Parameter, type Values } from "./parameters";
+import { passesOf, type DrawnPass } from "./passes";
 import { unitFactor } from "./quantity";
 import { changesOfCase, flagsOfData, shellWord, type Settings } from "./settings";
 import { Table } from "./table";
@@ -17,6 +18,7 @@ export interface Fit {
   given: Files;  // what it was made of beside the test's files: the plain table, where the file was read otherwise than found
   curves: Table; rows: Float64Array; text: CaseText;
   friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
+  passes: readonly DrawnPass[];  // of a record that was unloaded
 }
 
 /** All rows of the file, also those before contact and after failure: in SI, but a column whose unit nobody has said as it stands in the file. */
@@ -137,6 +139,7 @@ export function fitOf(json: string, files: Files, settings: string, given: Files
   return {
     json, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
     friction: new FittedFriction(answer, new Table(decode(files[OUTPUTS.draws])), frictionOf(fitted, wave)),
+    passes: passesOf(answer, fitted.kc),
     parameters: parametersOf(answer, fitted, text.words("specimen.height") === null), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
   };
 }
