@@ -29,16 +29,25 @@ WidestStep widest_step(const std::vector<double>& stage) {
 }
 
 Sinking sinking(const std::vector<double>& force, const std::vector<Drop>& drops) {
-  constexpr std::size_t enough = 20, at_the_end = 5;
+  constexpr std::size_t enough = 20;
   if (force.size() < enough) return {};
-  const auto greatest = std::max_element(force.begin(), force.end());
-  if (!(*greatest > 0)) return {};
-  const auto from = static_cast<std::size_t>(greatest - force.begin());
-  const double end = median_of(std::vector<double>(force.end() - at_the_end, force.end()));
-  double by_drops = 0;
-  for (const Drop& drop : drops)
-    if (drop.before >= from) by_drops += drop.force_fall;
-  return {.from = from, .share = 1 - (end + by_drops) / *greatest};
+  const double greatest = *std::max_element(force.begin(), force.end());
+  if (!(greatest > 0)) return {};
+  const std::vector<double> smooth = medians_of_five(force);
+  Sinking deepest;
+  std::size_t top = 0;
+  double by_drops = 0;  // since then
+  auto drop = drops.begin();
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    for (; drop != drops.end() && drop->after <= i; ++drop) by_drops += drop->force_fall;
+    if (smooth[i] >= smooth[top]) {
+      top = i;
+      by_drops = 0;
+    }
+    const double share = (smooth[top] - smooth[i] - by_drops) / greatest;
+    if (share > deepest.share) deepest = {.from = top, .share = share};
+  }
+  return deepest;
 }
 
 // What changes in a drop beyond what changed in the rows before it.

@@ -249,9 +249,14 @@ std::string drops_in_words(T test) {
                                 test.measurement.end == MeasurementEnd::failure ? "the break" : "that row")
                   : "") +
       (test.drops_elsewhere.drops > 0 ? fmt::format("; {} more in other loadings", test.drops_elsewhere.drops) : "");
+  const std::size_t slow = analysis.drops.slow_falls.size();
+  const std::string slowly =
+      slow > 0 ? fmt::format("; {} too slow for a snap: sliding on falling friction, yielding or relaxation",
+                             format_count(slow, "fall is", "falls are"))
+               : "";
   if (drops_of(test) == 0)
-    return fmt::format("none in {}; one of {} would have been seen{}", used,
-                       Print(test).own(analysis.drops.smallest_fall, kind::force), end);
+    return fmt::format("none in {}; one of {} would have been seen{}{}", used,
+                       Print(test).own(analysis.drops.smallest_fall, kind::force), slowly, end);
   const SlipSummary& slips = analysis.slip_summary;
   constexpr std::size_t enough = 3;  // to speak of a spacing
   const bool has_spacing = is_fitted(test) && slips.count >= enough && test.judgement.tells_friction;
@@ -260,7 +265,7 @@ std::string drops_in_words(T test) {
                                                format_roughly(analysis.scales.physical_length(slips.median_spacing),
                                                               Print(test).as(kind::length)))
                                  : "",
-                     end);
+                     slowly + end);
 }
 
 std::string slip_or_crack_in_words(T test) {
@@ -271,7 +276,8 @@ std::string slip_or_crack_in_words(T test) {
   std::string words = causes_in_words(test);
   if (words.empty()) words = "the drops are too small, or too near the contact, for a probability";
   if (impossible > 0) words += fmt::format("; {} of {} cannot be slips", impossible, drops_of(test));
-  if (test.judgement.conclusion == Conclusion::cracks && !is_reloaded(test.analysis))
+  if (test.judgement.conclusion == Conclusion::cracks && !is_reloaded(test.analysis) &&
+      test.analysis.drop_features.drops > 0)
     words += fmt::format("; {} of the stiffness lost if they are cracks", loss_by_drops_in_words(test));
   return words;
 }

@@ -68,6 +68,8 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
     const double left_over = squares - 2 * solution.dot(b) + solution.dot(A * solution);
     variance = std::max(left_over / count, least * least);
   }
+  constexpr double alike = 0.1;  // [1] loadings that scatter by more about a loss and a shift are not of one friction
+  if (variance > alike * alike) return std::nullopt;
   const double left = elementary::exp(solution[0]);
   return normal_estimate(1 - left, left * elementary::length(std::sqrt(covariance(0, 0)), problem.options.of_forces));
 }
