@@ -10,6 +10,8 @@
 namespace flexslip {
 namespace {
 
+constexpr std::size_t rows_of_a_loading = 10;  // that slide in: fewer are no loading
+
 using Eigen::Index;
 using Eigen::VectorXd;
 
@@ -121,7 +123,7 @@ PassesFit told_of(const PassesSolution& best, const PassesProblem& problem, cons
   };
   std::size_t loadings = 0;
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    const bool slides_in = legs[leg].direction == Direction::loading && sliding[leg] >= min_rows / 2;
+    const bool slides_in = legs[leg].direction == Direction::loading && sliding[leg] >= rows_of_a_loading;
     loadings += slides_in;
     fit.is_followed = fit.is_followed || (slides_in && legs[leg].first >= problem.last);
   }
