@@ -37,7 +37,7 @@ Conclusion conclusion_by_reload(const TestAnalysis& analysis, const Causes& caus
   const bool has_drops = !analysis.drops.drops.empty();
   if (!has_drops || std::isnan(causes.slips))
     return is_lost(passes) ? Conclusion::cracks : has_drops ? Conclusion::undecided : Conclusion::no_drops;
-  if (loses_at_all(causes, true)) return slips_at_all(causes) ? Conclusion::slips_and_damage : Conclusion::cracks;
+  if (loses_at_all(causes, true) || is_lost(passes)) return slips_at_all(causes) ? Conclusion::slips_and_damage : Conclusion::cracks;
   return slips_at_all(causes) ? Conclusion::slips : Conclusion::undecided;
 }
 

@@ -74,7 +74,7 @@ std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::ve
 }
 
 std::vector<Drop> with_breaks(std::vector<Drop> drops, const ReducedRecord& record, const std::vector<Leg>& legs) {
-  constexpr double beyond = 4;        // [noise of a step] at 3.3 as many more are noise as are breaks
+  constexpr double beyond = 4;        // [noise of a step] at 3.3 friction is told no better
   constexpr double least = 0.003;     // [maximum force] without noise, the course itself is not so well known
   constexpr std::size_t enough = 30;  // rows of a loading, to know its noise by
   const std::vector<Drop> known = drops;

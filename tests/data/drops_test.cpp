@@ -239,7 +239,7 @@ TEST_CASE("drops: at least 99 % of those the authors marked are found; failures 
   std::map<std::string, std::set<std::size_t>> marks;
   for (const auto& row : rows_of("slip_events.csv")) marks[row[0]].insert(std::stoul(row[2]) - 1);
 
-  std::size_t marked = 0, found = 0, unmarked = 0, failures_within_one = 0, failures_within_two = 0;
+  std::size_t marked = 0, found = 0, slowly = 0, unmarked = 0, failures_within_one = 0, failures_within_two = 0;
   for (const auto& specimen : specimens) {
     const std::string number = specimen[0].substr(2);
     Record record;
@@ -257,12 +257,15 @@ TEST_CASE("drops: at least 99 % of those the authors marked are found; failures 
 
     const auto& mine = marks[specimen[0]];
     const Drops result = find_drops(first_points(record, given));
+    const auto covered_by = [&](const Drop& drop) {
+      return static_cast<std::size_t>(std::distance(mine.upper_bound(drop.before), mine.upper_bound(drop.after)));
+    };
     std::size_t here = 0, extra = 0;
     for (const Drop& drop : result.drops) {
-      const auto covered = std::distance(mine.upper_bound(drop.before), mine.upper_bound(drop.after));
-      here += static_cast<std::size_t>(covered);
-      extra += covered == 0;
+      here += covered_by(drop);
+      extra += covered_by(drop) == 0;
     }
+    for (const Drop& slow : result.slow_falls) slowly += covered_by(slow);
     const auto before_failure = static_cast<std::size_t>(
         std::count_if(mine.begin(), mine.end(), [=](std::size_t after) { return after < given; }));
     MESSAGE(specimen[0], " ", specimen[1], ": ", here, " of ", before_failure, " marks found, ", extra,
@@ -273,7 +276,9 @@ TEST_CASE("drops: at least 99 % of those the authors marked are found; failures 
   }
   MESSAGE(found, " of ", marked, " marks found, ", unmarked, " drops not marked");
   CHECK(marked == 182);
-  CHECK(static_cast<double>(found) >= 0.99 * static_cast<double>(marked));
+  // The authors marked seven steps of two falls that take four and five steps.
+  CHECK(static_cast<double>(found + slowly) >= 0.99 * static_cast<double>(marked));
+  CHECK(slowly <= 7);
   CHECK(unmarked <= 40);             // each a fall of 20 µN or more, most of them slips the authors passed over
   CHECK(failures_within_one >= 23);  // of 26
   CHECK(failures_within_two == 26);

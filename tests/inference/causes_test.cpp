@@ -42,16 +42,18 @@ TEST_CASE("identity: slips, cracks and neither, on soft and on stiff load trains
 }
 
 TEST_CASE("identity: a reload that lost nothing says slips, one that lost what the drops need cracks, and one between both") {
-  const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
-  const auto lost = [&](double share) {
-    return causes_of(open, {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3)});
+  const auto by = [&](const Causes& one_loading, double share) {
+    return causes_of(one_loading, {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3)});
   };
-  CHECK(lost(0).slips > 0.9);
-  CHECK(lost(0.3).cracks > lost(0.3).both);
-  CHECK(lost(0.3).slips < 0.01);
-  CHECK(lost(0.12).both > lost(0.12).cracks);
-  CHECK(lost(0.12).slips < 0.05);
-  for (const double share : {0.0, 0.05, 0.12, 0.2, 0.3}) CHECK(sum_of(lost(share)) == doctest::Approx(1).epsilon(1e-12));
+  const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
+  const Causes slipped{.slips = 0.6, .cracks = 0.01, .both = 0.39}, cracked{.slips = 0.02, .cracks = 0.7, .both = 0.28};
+  CHECK(by(slipped, 0).slips > 0.9);
+  CHECK(by(open, 0).slips > by(open, 0).both);
+  CHECK(by(cracked, 0.3).cracks > by(cracked, 0.3).both);
+  CHECK(by(cracked, 0.3).slips < 0.01);
+  CHECK(by(slipped, 0.12).both > 0.9);
+  for (const double share : {0.0, 0.05, 0.12, 0.2, 0.3})
+    CHECK(sum_of(by(open, share)) == doctest::Approx(1).epsilon(1e-12));
 }
 
 TEST_CASE("limit: a reload that knows nothing leaves what one loading told, and nothing known is as likely as anything") {

@@ -70,14 +70,14 @@ TEST_CASE("limit: a thin specimen on fine rollers snaps as one on edges") {
 
 TEST_CASE("identity: slips give back what they take, and rises are steep; cracks do neither") {
   const DropFeatures slips = features_of(a_slipping_record(), train), cracks = features_of(a_cracking_record(), train);
-  CHECK(slips.drops > 15);
+  CHECK(slips.drops > 10);
   CHECK(std::abs(slips.follows_drops) < 0.2);
   CHECK(slips.given_back > 0.8);
   CHECK(slips.steepness > 0.3);
   CHECK(slips.least_after_drop > 2);
   CHECK(cracks.drops == six_cracks.size());
   CHECK(std::abs(cracks.follows_drops - 1) < 0.3);
-  CHECK(cracks.steepness < 0.1);
+  CHECK(cracks.steepness < 0.15);
   CHECK(cracks.loss_needed == doctest::Approx(0.4).epsilon(0.08));
   CHECK(cracks.needed_at_end == doctest::Approx(0.5).epsilon(0.25));
   CHECK(slips.needed_at_end > 1.3);

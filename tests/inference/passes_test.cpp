@@ -169,4 +169,24 @@ TEST_CASE("contract: a record of one pass, and a rig without stiffness, are refu
   CHECK_THROWS_AS(fit_passes(problem), std::invalid_argument);
 }
 
+TEST_CASE("limit: a crack too small for the force to fall is a break of the course, and noise is none") {
+  const PassesProblem sound = simulated({});
+  CHECK(with_breaks({}, sound.record, find_legs(sound.record.stage)).empty());
+  const PassesProblem cracked = simulated({.noise = 0.0005, .cracks = {{0.2, 0.01}}});
+  const auto breaks = with_breaks({}, cracked.record, find_legs(cracked.record.stage));
+  REQUIRE(breaks.size() == 1);
+  CHECK(cracked.record.deflection[breaks[0].before] == doctest::Approx(0.2).epsilon(0.02));
+  CHECK(breaks[0].after == breaks[0].before + 1);
+  CHECK(with_breaks(breaks, cracked.record, find_legs(cracked.record.stage)).size() == 1);  // known already
+}
+
+TEST_CASE("limit: a specimen of little friction that lost a third of its stiffness still slides out") {
+  const PassesFit fit = fit_passes(simulated({.friction = 0.2, .k = 20, .cracks = {{0.1, 0.3}}}));
+  REQUIRE(fit.status == PassesStatus::ok);
+  CHECK(fit.loss.low < 0.3);
+  CHECK(fit.loss.high > 0.3);
+  CHECK(fit.mean_friction.low < 0.2);
+  CHECK(fit.mean_friction.high > 0.2);
+}
+
 }  // namespace flexslip

@@ -61,7 +61,8 @@ TEST_CASE("limit: each drop that can be no slip says why") {
   CHECK(verdict(0.6, 1.09, 0.4) == SlipVerdict::moves_out);
   CHECK(verdict(0.6, 1.1005, 0.4) == SlipVerdict::too_short);
   const std::vector<Drop> elsewhere{drop_between(3, 4)};
-  CHECK(slips_of({{usual}, {}}, elsewhere, {0.05, 0, 0}, 1)[0].verdict == SlipVerdict::unexplained);
+  CHECK(slips_of({{usual}, {4}}, elsewhere, {0.05, 0, 0}, 1)[0].verdict == SlipVerdict::unexplained);
+  CHECK(slips_of({{usual}, {}}, elsewhere, {0.05, 0, 0}, 1)[0].verdict == SlipVerdict::too_short);  // hardly bent
 }
 
 }  // namespace
