@@ -194,10 +194,9 @@ Verdict verdict_whatever_the_supports(T test, const std::vector<Finding>& findin
   Verdict on_edges = verdict_of(test, findings);
   const Finding* open = finding_in(findings, "supports_not_stated");
   if (!open || !test.on_rollers || on_edges.code == VerdictCode::check_input) return on_edges;
-  const Verdict on_rollers = verdict_of(*test.on_rollers, findings_of(*test.on_rollers));
-  if (on_rollers.code == on_edges.code || on_rollers.code == VerdictCode::no_answer ||
-      on_rollers.code == VerdictCode::check_input)
-    return on_edges;
+  const std::vector<Finding> findings_on_rollers = findings_of(*test.on_rollers);
+  const Verdict on_rollers = verdict_of(*test.on_rollers, findings_on_rollers);
+  if (on_rollers.code == on_edges.code || is_refused(findings_on_rollers)) return on_edges;
   return {VerdictCode::undecided,
           {by_supports(test, on_edges, "edges"), by_supports(*test.on_rollers, on_rollers, usual_rollers(test)),
            "which supports?"},

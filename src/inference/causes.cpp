@@ -83,6 +83,11 @@ bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
 
 bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
 
+bool is_loss(double log_loss, double error) {
+  constexpr double errors = 3;
+  return log_loss > errors * error;
+}
+
 CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading) {
   constexpr int points = 2001;
   constexpr double farthest = 5;  // [standard deviations]
@@ -90,11 +95,12 @@ CauseChances chances_of_causes(double log_needed, double error, const Causes& sl
   const double error_if_cracks = elementary::length(error, of_needed * log_needed);
   for (int i = 0; i < points; ++i) {
     const double x = farthest * (2.0 * i / (points - 1) - 1), weight = elementary::exp(-0.5 * x * x);
-    const Causes if_slips = causes_of(slips_by_one_loading, {x * error, error, log_needed});
-    const Causes if_cracks = causes_of(Causes{}, {log_needed + x * error_if_cracks, error, log_needed});
+    const double told_of_slips = x * error, told_of_cracks = log_needed + x * error_if_cracks;
+    const Causes if_slips = causes_of(slips_by_one_loading, {told_of_slips, error, log_needed});
+    const Causes if_cracks = causes_of(Causes{}, {told_of_cracks, error, log_needed});
     weights += weight;
-    if (slips_at_all(if_slips) && !loses_at_all(if_slips, true)) slips += weight;
-    if (loses_at_all(if_cracks, true) && !slips_at_all(if_cracks)) cracks += weight;
+    if (slips_at_all(if_slips) && !loses_at_all(if_slips, true) && !is_loss(told_of_slips, error)) slips += weight;
+    if ((loses_at_all(if_cracks, true) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;
   }
   return {slips / weights, cracks / weights};
 }

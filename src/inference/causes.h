@@ -49,6 +49,9 @@ Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
 bool slips_at_all(const Causes& causes);
 bool loses_at_all(const Causes& causes, bool is_reloaded);
 
+// Is a loss, as -ln of what is left, beyond its error?
+bool is_loss(double log_loss, double error);
+
 // [1] How often a reload finds the true cause of drops: that nothing was lost if they were slips only, and the loss that they need if they were
 // cracks only.
 struct CauseChances {

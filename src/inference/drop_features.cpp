@@ -62,6 +62,13 @@ States states_at(std::span<const double> w, std::span<const double> q, const Fib
   return fibre.on_edges() ? states_on_edges(w, q, fibre) : states_on_supports(w, q, fibre);
 }
 
+// [EI/L^2] The change of the force with friction, as features are read by it. The surface of a bar slides outwards as it is hardly bent; there friction tells
+// nothing of the force, and what is read as friction has an error as large.
+double sensitivity(double F_q, double F) {
+  constexpr double least = 0.01;  // [1] of the force
+  return std::max(F_q, least * std::abs(F));
+}
+
 double snap_length_of(const States& states, std::size_t i, double k) {
   return states.S_w[i] * states.F_q[i] / (k + states.F_w[i]) - states.S_q[i];
 }
@@ -81,18 +88,19 @@ class Rows {
              record.deflection.begin() + static_cast<std::ptrdiff_t>(last));
     F.assign(record.force.begin() + static_cast<std::ptrdiff_t>(first),
              record.force.begin() + static_cast<std::ptrdiff_t>(last));
-    const std::vector<double> usual = states_at(w, std::vector<double>(w.size(), usual_q), rig.fibre).F;
+    const States usual = states_at(w, std::vector<double>(w.size(), usual_q), rig.fibre);
     std::vector<double> pressed = F;
     for (double& each : pressed) each = std::max(each, 0.0);
     q = rig.fibre.tabulated_states_from_forces(w, pressed).q;
     std::vector<double> held = q;  // where the map has slopes; beyond, friction is led on straight
     for (std::size_t i = 0; i < w.size(); ++i) {
-      if (std::isnan(held[i])) held[i] = F[i] > usual[i] ? most_friction : least_friction;
+      if (std::isnan(held[i])) held[i] = usual_q + (F[i] - usual.F[i]) / sensitivity(usual.F_q[i], usual.F[i]);
       held[i] = std::clamp(held[i], least_friction, most_friction);
     }
     const States states = states_at(w, held, rig.fibre);
     S = states.S, F_q = states.F_q, F_w = states.F_w;
     for (std::size_t i = 0; i < w.size(); ++i) {
+      F_q[i] = sensitivity(F_q[i], states.F[i]);
       if (held[i] != q[i]) q[i] = held[i] + (F[i] - states.F[i]) / F_q[i];
       c.push_back(snap_length_of(states, i, rig.stiffness));
       const bool is_read = std::isfinite(q[i]) && std::isfinite(S[i]) && F_q[i] > 0 && c[i] > 0;
@@ -103,7 +111,7 @@ class Rows {
           q[i] = q[i - 1], S[i] = S[i - 1], F_q[i] = F_q[i - 1], F_w[i] = F_w[i - 1], c[i] = c[i - 1];
         }
       }
-      y.push_back(elementary::log(std::max(F[i], 1e-9) / usual[i]));
+      y.push_back(elementary::log(std::max(F[i], 1e-9) / usual.F[i]));
       q_noise.push_back(errors.force / F_q[i]);
       q_by_stiffness.push_back(errors.bending_stiffness * F[i] / F_q[i]);
     }

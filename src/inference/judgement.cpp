@@ -78,8 +78,7 @@ bool allows_for_losses(const TestAnalysis& analysis) {
 }
 
 bool is_lost(const PassesFit& passes) {
-  constexpr double errors = 3;
-  return passes.is_reloaded && log_loss_of(passes) > errors * log_loss_error(passes);
+  return passes.is_reloaded && is_loss(log_loss_of(passes), log_loss_error(passes));
 }
 
 bool is_gained(const PassesFit& passes) {

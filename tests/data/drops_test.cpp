@@ -157,15 +157,25 @@ TEST_CASE("drops: of a coarse force with noise below its resolution none are fal
   CHECK(found <= 2);  // of 0.1 a test
 }
 
-TEST_CASE("drops: one that takes two or three steps is one (truth known)") {
+TEST_CASE("drops: one that takes two steps is one, and what takes three alike is a slow fall (truth known)") {
   Record record = smooth_test(Noise::white, 4);
   for (const std::size_t before : {100u, 101u, 102u, 150u, 151u}) add_drop(record, before, 2e-4);
   const Drops result = find_drops(record);
-  REQUIRE(result.drops.size() == 2);
-  CHECK(result.drops[0].before == 100);
-  CHECK(result.drops[0].after == 103);
-  CHECK(result.drops[1].before == 150);
-  CHECK(result.drops[1].after == 152);
+  REQUIRE(result.drops.size() == 1);
+  CHECK(result.drops[0].before == 150);
+  CHECK(result.drops[0].after == 152);
+  REQUIRE(result.slow_falls.size() == 1);
+  CHECK(result.slow_falls[0].before == 100);
+  CHECK(result.slow_falls[0].after == 103);
+}
+
+TEST_CASE("drops: a step that takes most of a fall makes it a drop, whatever is beside it (truth known)") {
+  Record record = smooth_test(Noise::white, 4);
+  add_drop(record, 100, 6e-4);
+  add_drop(record, 101, 1e-4);
+  add_drop(record, 102, 1e-4);
+  CHECK(find_drops(record).drops.size() == 1);
+  CHECK(find_drops(record).slow_falls.empty());
 }
 
 TEST_CASE("drops: what no single step shows, three together do (truth known)") {
@@ -174,7 +184,8 @@ TEST_CASE("drops: what no single step shows, three together do (truth known)") {
   const Drops without = find_drops(record);
   for (const std::size_t before : {top, top + 1, top + 2}) add_drop(record, before, 0.75 * without.smallest_fall);
   CHECK(without.drops.empty());
-  CHECK(find_drops(record).drops.size() == 1);
+  CHECK(without.slow_falls.empty());
+  CHECK(find_drops(record).slow_falls.size() == 1);
 }
 
 TEST_CASE("drops: the unit of force does not matter (identity)") {
