@@ -21,7 +21,7 @@ namespace {
 
 struct Named {
   const char* name;
-  double DropFeatures::* feature;
+  double DropFeatures::*feature;
 };
 constexpr std::array features{Named{"follows_drops", &DropFeatures::follows_drops},
                               Named{"follows_drops_error", &DropFeatures::follows_drops_error},
@@ -58,8 +58,9 @@ void print(const std::string& file) {
   const bool is_reloaded = flexslip::is_reloaded(analysis);
   const PassesFit none;
   const PassesFit& passes = is_reloaded ? *analysis.passes : none;
-  std::printf(",%d,%d,%.6g,%.6g,%.6g,%.6g,%.6g\n", is_reloaded ? 1 : 0, static_cast<int>(passes.status), passes.loss.value,
-              passes.loss.standard_error, passes.loss_needed, passes.settled.value, passes.settled.standard_error);
+  std::printf(",%d,%d,%.6g,%.6g,%.6g,%.6g,%.6g\n", is_reloaded ? 1 : 0, static_cast<int>(passes.status),
+              passes.loss.value, passes.loss.standard_error, passes.loss_needed, passes.settled.value,
+              passes.settled.standard_error);
 }
 
 int run(int count, char** files) {

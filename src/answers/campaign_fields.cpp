@@ -284,6 +284,7 @@ Json campaign_json(const Campaign& campaign) { return campaign_fields()(campaign
 
 Fields<CampaignTest> test_columns() {
   return name_fields()
+      .all_of(cause_fields())
       .all_of(verdict_fields(), &CampaignTest::summary)
       .all_of(summary_parameter_fields(), &CampaignTest::summary)
       .all_of(Fields<TestSummary>()

@@ -411,9 +411,9 @@ Fields<FittedTest> every_fit_field() {
             parameter_correlation_fields(), correlations_of)
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
              [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
-      .group("judgement",
-             "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
-             judgement_fields(), [](T test) -> const auto& { return test; })
+      .group(
+          "judgement", "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
+          judgement_fields(), [](T test) -> const auto& { return test; })
       .list("drops", "drops of the force", drop_fields(),
             [](T test) {
               std::vector<DropOf> drops;

@@ -111,11 +111,12 @@ constexpr std::tuple parts_of<Causes>{Part{"slips", &Causes::slips}, Part{"crack
                                       Part{"both", &Causes::both}};
 template <>
 constexpr std::tuple parts_of<CampaignTest>{
-    Part{"name", &CampaignTest::name},           Part{"status", &CampaignTest::status},
-    Part{"reason", &CampaignTest::reason},       Part{"file", &CampaignTest::file},
-    Part{"verdict", &CampaignTest::verdict},     Part{"causes", &CampaignTest::causes},       Part{"summary", &CampaignTest::summary},
-    Part{"curves", &CampaignTest::curves},       Part{"remarks", &CampaignTest::remarks},
-    Part{"materials", &CampaignTest::materials}, Part{"standard", &CampaignTest::standard}};
+    Part{"name", &CampaignTest::name},        Part{"status", &CampaignTest::status},
+    Part{"reason", &CampaignTest::reason},    Part{"file", &CampaignTest::file},
+    Part{"verdict", &CampaignTest::verdict},  Part{"causes", &CampaignTest::causes},
+    Part{"summary", &CampaignTest::summary},  Part{"curves", &CampaignTest::curves},
+    Part{"remarks", &CampaignTest::remarks},  Part{"materials", &CampaignTest::materials},
+    Part{"standard", &CampaignTest::standard}};
 
 template <class T>
 constexpr bool is_optional = false;

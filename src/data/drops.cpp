@@ -98,7 +98,10 @@ Drops find_drops(const Record& record, const DropOptions& options) {
     if (std::all_of(begin, end, [](double x) { return x == 0; })) std::fill(begin, end, stretch.significance);
   }
 
-  Drops result{.status = DropStatus::ok, .drops = {}, .slow_falls = {}, .smallest_fall = std::max(needed * noise_of_a_step, coarse)};
+  Drops result{.status = DropStatus::ok,
+               .drops = {},
+               .slow_falls = {},
+               .smallest_fall = std::max(needed * noise_of_a_step, coarse)};
   for (std::size_t i = 1; i < points; ++i) {
     if (significance[i] == 0) continue;
     Drop drop{.before = i - 1, .after = i, .force_fall = 0, .advance = 0, .significance = 0};

@@ -32,8 +32,9 @@ enum class DropStatus {
 struct Drops {
   DropStatus status;
   std::vector<Drop> drops;  // in the order of the record, not overlapping
-  std::vector<Drop> slow_falls;  // likewise, those that take too many steps for a snap: sliding on falling friction, yielding, or relaxation at rest
-  double smallest_fall;     // [N] a fall in one step smaller than this counts as noise
+  std::vector<Drop>
+      slow_falls;  // likewise, those that take too many steps for a snap: sliding on falling friction, yielding, or relaxation at rest
+  double smallest_fall;  // [N] a fall in one step smaller than this counts as noise
 };
 
 // The drops of a record. Take off what follows the failure first (find_failure).

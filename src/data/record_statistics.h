@@ -22,7 +22,7 @@ struct WidestStep {
 // The farthest that the force, of medians of five rows, falls below what it was before, drops apart; it may rise again.
 struct Sinking {
   std::size_t from = 0;  // point at which it begins to fall
-  double share = 0;      // [1] of the greatest force; 0 of a record of fewer than 20 points, or without a force above zero
+  double share = 0;  // [1] of the greatest force; 0 of a record of fewer than 20 points, or without a force above zero
 };
 
 // What changes in drops beyond what changed in the rows before them. A load train of a stiffness k gives back (fall of the force)/k, which bends

@@ -137,19 +137,18 @@ Verdict verdict_of_undecided(T test, const std::vector<Finding>& findings) {
             sinks ? sinks->code : std::string_view()};
   }
   const Finding* open = finding_in(findings, "undecided_drops");
-  Verdict verdict{VerdictCode::undecided,
-                  {friction_in_short(test, is_reloaded(test.analysis)
-                                               ? ""
-                                               : " if the drops are slips and no stiffness was lost"),
-                   count_of_drops(test)},
-                  open ? open->code : std::string_view()};
+  Verdict verdict{
+      VerdictCode::undecided,
+      {friction_in_short(test, is_reloaded(test.analysis) ? "" : " if the drops are slips and no stiffness was lost"),
+       count_of_drops(test)},
+      open ? open->code : std::string_view()};
   add(verdict.parts, causes_in_words(test));
   return verdict;
 }
 
 // What a test comes to that is not what was stated of it.
-constexpr std::array wrong_inputs{"not_bent",        "deflection_for_stage", "wrong_load_train",
-                                  "wrong_stiffness", "impossible_modulus"};
+constexpr std::array wrong_inputs{"not_bent", "deflection_for_stage", "wrong_load_train", "wrong_stiffness",
+                                  "impossible_modulus"};
 
 Verdict verdict_of(T test, const std::vector<Finding>& findings) {
   const Finding* refusal = is_refused(findings) ? &findings.front() : nullptr;  // the rules begin with those

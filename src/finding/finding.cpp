@@ -19,9 +19,9 @@ std::string_view name_of(Severity severity) {
 std::string reading_of(const Slip& slip) {
   if (slip.verdict == SlipVerdict::possible) return slip.can_be_crack ? "slip or crack" : "slip";
   const std::string_view reason = name_in_order<SlipVerdict::too_short>(
-      slip.verdict, {"", "no friction explains a slip", "a slip would need too much friction before it",
-                     "a slip would need negative friction", "a slip would let length out",
-                     "too short to judge as a slip"});
+      slip.verdict,
+      {"", "no friction explains a slip", "a slip would need too much friction before it",
+       "a slip would need negative friction", "a slip would let length out", "too short to judge as a slip"});
   return fmt::format("{}; {}", slip.can_be_crack ? "crack" : "neither slip nor crack", reason);
 }
 

@@ -228,7 +228,8 @@ Found not_bent(T test) {
                    .short_form = "nowhere bent",
                    .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
                                          to_find_contact(test))};
-  constexpr double slender = 1.0 / 400;  // [L] of half of its depth: a span or a unit is wrong where it is bent too little
+  constexpr double slender =
+      1.0 / 400;  // [L] of half of its depth: a span or a unit is wrong where it is bent too little
   const bool explains_slope = test.analysis.rig.fibre.supports().half_depth <= slender || !contradicts_slope(test);
   if (is_bent_enough(test) || deepest <= max_deflection || !explains_slope) return std::nullopt;
   return Finding{
@@ -408,8 +409,9 @@ Found cracks(T test) {
   const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes, false);
   return Finding{
       .severity = Severity::suspicion,
-      .sentence = by_drops ? fmt::format("The specimen lost stiffness in its drops ({}).", causes)
-                           : "The force fell by more than any friction can hold: the specimen lost stiffness or yielded.",
+      .sentence = by_drops
+                      ? fmt::format("The specimen lost stiffness in its drops ({}).", causes)
+                      : "The force fell by more than any friction can hold: the specimen lost stiffness or yielded.",
       .short_form = by_drops ? causes : "lost stiffness",
       .remedy = reload_remedy(test),
       .numbers = {{"loss_needed", features.loss_needed}, {"loss_recovered", features.loss_recovered}}};
@@ -419,7 +421,8 @@ Found cracks(T test) {
 Found changed_reload(T test) {
   if (!test.passes || !test.passes->is_reloaded) return std::nullopt;
   const PassesFit& passes = *test.passes;
-  const bool is_judged_lost = is_reloaded(test.analysis) && (test.judgement.conclusion == Conclusion::cracks || test.judgement.conclusion == Conclusion::slips_and_damage);
+  const bool is_judged_lost = is_reloaded(test.analysis) && (test.judgement.conclusion == Conclusion::cracks ||
+                                                             test.judgement.conclusion == Conclusion::slips_and_damage);
   const std::vector<FindingNumber> numbers{{"loss", passes.loss.value}, {"loss_error", passes.loss.standard_error}};
   if (is_gained(passes))
     return Finding{

@@ -131,10 +131,10 @@ struct TestAnalysis {
   FrictionProfile profile{};
   // Judged at the bending stiffness stated, told at that of the fit.
   std::vector<Slip> slips{};
-  double most_friction = infinity;            // [1] as in the options
+  double most_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   std::optional<PassesFit> passes{};  // as in the description
-  DropFeatures drop_features{};  // whatever the status
+  DropFeatures drop_features{};       // whatever the status
   SuspectReport suspects{};
   FrictionFit fit{};
   FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05
@@ -156,7 +156,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
 
 // What is known of it without a fit: scales, rig, readings, drops and their features, slips, passes. Nothing else is valid.
 // Domain:     as analyse.
-TestAnalysis analyse_drops(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
+TestAnalysis analyse_drops(const Record& record, const TestDescription& description,
+                           const AnalysisOptions& options = {});
 
 // Does the record need more friction than its supports let act, or than the suspect limit?
 // Domain:     analysis.status is ok.

@@ -63,7 +63,7 @@ Causes causes_of(const DropFeatures& features, double load_train) {
 }
 
 Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
-  constexpr double surest = 0.98;     // one loading is no surer
+  constexpr double surest = 0.98;  // one loading is no surer
   const double z = loss.log_loss / loss.error;
   const double c = (loss.log_needed - loss.log_loss) / elementary::length(loss.error, of_needed * loss.log_needed);
   const auto bounded = [surest](double p) { return std::isnan(p) ? 1.0 / 3 : std::clamp(p, (1 - surest) / 2, surest); };

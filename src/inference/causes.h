@@ -18,10 +18,10 @@ struct Causes {
 
 // What the probabilities depend on, each between -1 and 1 or so.
 inline constexpr std::array cause_input_names{
-    "one",           "follows",     "follows_sure",  "steep",       "steep_sure", "steepest", "back_near",  "back_far",
-    "above_zero",    "below_zero",  "first_high",    "given",       "given_sure", "given_in_sure",
-    "rough",         "lost_of_first", "needed_step", "sure",        "drawn_in",   "follows_steep", "given_steep",
-    "end_steep",     "stiff"};
+    "one",        "follows",       "follows_sure", "steep",         "steep_sure",  "steepest",
+    "back_near",  "back_far",      "above_zero",   "below_zero",    "first_high",  "given",
+    "given_sure", "given_in_sure", "rough",        "lost_of_first", "needed_step", "sure",
+    "drawn_in",   "follows_steep", "given_steep",  "end_steep",     "stiff"};
 using CauseInputs = std::array<double, cause_input_names.size()>;
 
 // Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.

@@ -79,9 +79,9 @@ class Rows {
   Rows(const ReducedRecord& record, const Rig& rig, const LoadingErrors& errors) {
     constexpr double from = 0.12;  // [greatest deflection]
     const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
-    first = static_cast<std::size_t>(
-        std::find_if(record.deflection.begin(), record.deflection.end(), [&](double at) { return at > from * greatest; }) -
-        record.deflection.begin());
+    first = static_cast<std::size_t>(std::find_if(record.deflection.begin(), record.deflection.end(),
+                                                  [&](double at) { return at > from * greatest; }) -
+                                     record.deflection.begin());
     std::size_t last = first;
     while (last < record.deflection.size() && record.deflection[last] < deepest && record.deflection[last] > 0) ++last;
     w.assign(record.deflection.begin() + static_cast<std::ptrdiff_t>(first),
@@ -127,7 +127,8 @@ class Rows {
 };
 
 double median_between(const std::vector<double>& values, std::size_t first, std::size_t last) {
-  return median_of({values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last)});
+  return median_of(
+      {values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last)});
 }
 
 // A drop by its rows, and the rise after it.
@@ -142,7 +143,8 @@ struct Tooth {
 };
 
 std::vector<Tooth> teeth_of(const Rows& rows, std::span<const Drop> drops, double greatest_force) {
-  constexpr double shows_from = 0.15, least_w = 0.006, least_fall = 0.002;  // [greatest deflection], [L], [greatest force]
+  constexpr double shows_from = 0.15, least_w = 0.006,
+                   least_fall = 0.002;  // [greatest deflection], [L], [greatest force]
   const double greatest = *std::max_element(rows.w.begin(), rows.w.end());
   std::vector<Tooth> teeth;
   for (const Drop& drop : drops) {
@@ -178,7 +180,8 @@ std::vector<Tooth> teeth_of(const Rows& rows, std::span<const Drop> drops, doubl
 double trend_before(const Rows& rows, std::size_t first_drop) {
   constexpr std::size_t enough = 8;
   if (first_drop <= enough) return 0;
-  return line_through(first_drop + 1, [&](std::size_t i) { return rows.S[i]; }, [&](std::size_t i) { return rows.q[i]; })
+  return line_through(
+             first_drop + 1, [&](std::size_t i) { return rows.S[i]; }, [&](std::size_t i) { return rows.q[i]; })
       .slope;
 }
 
@@ -227,7 +230,8 @@ void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Toot
   for (const Tooth& tooth : teeth) {
     const std::size_t b = tooth.before, a = tooth.after;
     const double friction = needed(b);
-    left = std::max(std::min(rows.F[a] / std::max(rows.F[a] + rows.F_q[a] * (friction - rows.q[a]), 1e-6), left), broken);
+    left =
+        std::max(std::min(rows.F[a] / std::max(rows.F[a] + rows.F_q[a] * (friction - rows.q[a]), 1e-6), left), broken);
     after_drops.push_back(needed(a));
   }
   const std::size_t n = rows.size();

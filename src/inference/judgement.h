@@ -16,18 +16,18 @@ struct FrictionIfLost {
 
 // What became of the specimen.
 enum class Conclusion {
-  no_drops,           // the force falls nowhere as in a snap, and no stiffness was seen to be lost
-  slips,              // it slipped; from one loading, stiffness may have been lost besides
-  cracks,             // it lost stiffness; some of the drops may be slips
-  slips_and_damage,   // it slipped and lost stiffness, by a reload
-  settled,            // it or a support gave way for good, and no stiffness was lost, by a reload
+  no_drops,          // the force falls nowhere as in a snap, and no stiffness was seen to be lost
+  slips,             // it slipped; from one loading, stiffness may have been lost besides
+  cracks,            // it lost stiffness; some of the drops may be slips
+  slips_and_damage,  // it slipped and lost stiffness, by a reload
+  settled,           // it or a support gave way for good, and no stiffness was lost, by a reload
   undecided,
 };
 
 struct Judgement {
   Conclusion conclusion = Conclusion::undecided;
-  Causes causes{};               // of the drops that are judged; NaN of none
-  bool tells_friction = false;   // there is a fit, and it allows for all that was lost
+  Causes causes{};              // of the drops that are judged; NaN of none
+  bool tells_friction = false;  // there is a fit, and it allows for all that was lost
   bool friction_falls =
       false;  // along all that is seen, surely, by a third of its mean or more: as the force of a specimen that cracks would
   // For losses of a tenth and a fifth; none where a reload tells the loss, and where no friction is told.

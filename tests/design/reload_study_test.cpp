@@ -56,7 +56,8 @@ TEST_CASE("reload study, identity: the plan named is the least that suffices") {
 TEST_CASE(
     "reload study, limit: drops that need less than three errors do not suffice, and the changes that are named do") {
   Test polished = toothed();
-  set(polished, "amplitude", 0.03);
+  set(polished, "amplitude", 0.05);
+  set(polished, "travel", 540e-6);
   const auto few = reload_study(polished, {});
   std::size_t small = 0;
   for (const ReloadPlan& plan : few.plans)

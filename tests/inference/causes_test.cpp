@@ -16,8 +16,8 @@ double sum_of(const Causes& causes) { return causes.slips + causes.cracks + caus
 Causes causes_by_one(const SimulatedTruth& truth, const std::vector<Crack>& cracks = {}) {
   const ReducedRecord record = simulated_record(truth, cracks);
   const Record physical = to_physical(record, Scales(1, 1));
-  const DropFeatures features = drop_features(record, {truth.stiffness, truth.fibre}, {force_noise(physical), 0.03},
-                                              find_drops(physical).drops);
+  const DropFeatures features =
+      drop_features(record, {truth.stiffness, truth.fibre}, {force_noise(physical), 0.03}, find_drops(physical).drops);
   REQUIRE(features.drops > 0);
   return causes_of(features, truth.stiffness);
 }
@@ -25,8 +25,10 @@ Causes causes_by_one(const SimulatedTruth& truth, const std::vector<Crack>& crac
 TEST_CASE("identity: slips, cracks and neither, on soft and on stiff load trains") {
   for (const double k : {20.0, 60.0, 200.0}) {
     CAPTURE(k);
-    const Causes slips = causes_by_one(
-        {.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0), .stiffness = k, .noise = 0.01, .deflection = 0.3});
+    const Causes slips = causes_by_one({.friction = Friction::sinusoid(0.6, 0.25, 14.0 / 1278, 1.0),
+                                        .stiffness = k,
+                                        .noise = 0.01,
+                                        .deflection = 0.3});
     CHECK(slips_at_all(slips));
     CHECK_FALSE(loses_at_all(slips, false));
     CHECK(sum_of(slips) == doctest::Approx(1).epsilon(1e-12));
@@ -41,7 +43,8 @@ TEST_CASE("identity: slips, cracks and neither, on soft and on stiff load trains
   }
 }
 
-TEST_CASE("identity: a reload that lost nothing says slips, one that lost what the drops need cracks, and one between both") {
+TEST_CASE(
+    "identity: a reload that lost nothing says slips, one that lost what the drops need cracks, and one between both") {
   const auto by = [&](const Causes& one_loading, double share) {
     return causes_of(one_loading, {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3)});
   };
@@ -56,7 +59,8 @@ TEST_CASE("identity: a reload that lost nothing says slips, one that lost what t
     CHECK(sum_of(by(open, share)) == doctest::Approx(1).epsilon(1e-12));
 }
 
-TEST_CASE("limit: a reload that knows nothing leaves what one loading told, and nothing known is as likely as anything") {
+TEST_CASE(
+    "limit: a reload that knows nothing leaves what one loading told, and nothing known is as likely as anything") {
   const LossByReload nothing{.log_loss = 0.1, .error = 5, .log_needed = 0.3};
   const Causes from_nothing = causes_of(Causes{}, nothing);
   const Causes even{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};

@@ -53,9 +53,9 @@ TEST_CASE("oracle: a snap followed state by state draws in what its length says"
     const double q = before.q - 1e-3;
     for (int i = 0; i < 50; ++i) {  // along the line of the load train
       const double miss = fibre_state(S, q).w + fibre_state(S, q).F / k - stage;
-      const double slope =
-          (fibre_state(S + 1e-7, q).w + fibre_state(S + 1e-7, q).F / k - fibre_state(S, q).w - fibre_state(S, q).F / k) /
-          1e-7;
+      const double slope = (fibre_state(S + 1e-7, q).w + fibre_state(S + 1e-7, q).F / k - fibre_state(S, q).w -
+                            fibre_state(S, q).F / k) /
+                           1e-7;
       S -= miss / slope;
     }
     CHECK((S - before.S) / 1e-3 == doctest::Approx(snap_length({}, 0.2, before.q, k)).epsilon(0.01));

@@ -31,8 +31,8 @@ std::string campaign_of_one(const FittedTest& test) {
 
 TEST_CASE("every finding there is: screen, text, page, JSON and campaign print its very words") {
   // What the verdict is made of is told by the rows of the screen, in other words; a campaign has the verdict.
-  constexpr std::array told_by_rows{"cracks",         "undecided_drops", "sinks",
-                                   "not_explained", "too_few_points",  "drops_elsewhere"};
+  constexpr std::array told_by_rows{"cracks",        "undecided_drops", "sinks",
+                                    "not_explained", "too_few_points",  "drops_elsewhere"};
   for (const Situation& each : situations()) {
     INFO(each.code);
     const Answer answer = answer_of(each.test);
