@@ -34,7 +34,7 @@ struct FallingSteps {
 
 // A snap is over within one step, or within two where the force lags behind it.
 bool is_vertical(const std::vector<double>& force, const Drop& drop) {
-  constexpr double of_one = 0.6, of_two = 0.85;  // [fall]
+  constexpr double of_one = 0.6, of_two = 0.75;  // [fall]
   double steepest = 0, steepest_two = 0;
   for (std::size_t i = drop.before; i < drop.after; ++i) {
     steepest = std::max(steepest, force[i] - force[i + 1]);

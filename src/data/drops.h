@@ -55,7 +55,7 @@ struct Drops {
 //         number of stretches looked at, is the number of false alarms to be expected; it must not exceed that allowed.
 //         A fall is beyond 2.5 steps of the resolution, too, which hides noise from StepNoise.
 //         Of overlapping stretches the most significant counts; stretches that touch are one drop. A snap is vertical: one step takes six
-//         tenths of its fall, or two steps beside each other 85 %; what falls more slowly is a slow fall.
+//         tenths of its fall, or two steps beside each other three quarters; what falls more slowly is a slow fall.
 //         Noise is absolute, so low force needs nothing special: near contact, where the force is hardly more than noise, the
 //         same falls are required as anywhere else. That a drop runs along slope -k_c in (w0, F) is used nowhere: F = k_c (w_s -
 //         w0) holds for every step, slip or noise, so it tells nothing.

@@ -146,7 +146,7 @@ double travel_of(const Test& loading) {
 // What may make a plan suffice, each alone, in its deepest unloading.
 std::vector<ReloadChange> changes_that_suffice(const Test& loading, const ReloadStudy& study,
                                                const ReloadOptions& options) {
-  constexpr double farther = 1.5, softer = 0.5, finer = 1.0 / 3;
+  constexpr double farther = 1.25, softer = 0.5, finer = 1.0 / 3;
   const double travel = loading.stage->program.back();
   std::vector<ReloadChange> all;
   const auto add = [&](std::string_view parameter, double from, double to, const Test& test,

@@ -283,7 +283,7 @@ Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
     rows.push_back({"would suffice", change_of_reload_in_words(change, shown)});
   if (!study.least() && study.changes.empty())
     rows.push_back({"would suffice",
-                    "none of these alone: loading half as far again, a load train half as stiff, twice the "
+                    "none of these alone: loading a quarter farther, a load train half as stiff, twice the "
                     "readings, a third of the noise"});
   chapter.blocks.push_back(rows);
   return chapter;
