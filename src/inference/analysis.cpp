@@ -291,8 +291,8 @@ TestAnalysis analyse_drops(const Record& record, const TestDescription& descript
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
   analysis.slip_summary = summarise(analysis.slips);
-  analysis.drop_features =
-      drop_features(analysis.reduced, analysis.rig, {analysis.force_noise, EI_error}, analysis.drops.drops);
+  analysis.drop_features = drop_features(analysis.reduced, analysis.rig,
+                                         {analysis.force_noise, EI_error, options.drops.halts}, analysis.drops.drops);
   analysis.passes = description.passes;
   return analysis;
 }

@@ -325,14 +325,15 @@ double roughness_of(const Rows& rows, const std::vector<Tooth>& teeth, double us
 // Errors that no friction is read to.
 constexpr double of_friction = 0.05, of_deflection = 0.003;  // [1], [L]
 
-void add_anywhere(DropFeatures& features, const Rows& rows) {
+void add_anywhere(DropFeatures& features, const Rows& rows, std::span<const std::size_t> halts) {
   double highest = -infinity;
   const auto q_of = [&](std::size_t i) { return median_of({rows.q[i - 1], rows.q[i], rows.q[i + 1]}); };
   for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
     const double q = q_of(i);
     const double error = elementary::length(elementary::length(rows.q_by_stiffness[i], 2 * rows.q_noise[i]),
                                             elementary::length(of_deflection * rows.F_w[i] / rows.F_q[i], of_friction));
-    highest = std::max(highest, q);
+    const bool has_halted = std::binary_search(halts.begin(), halts.end(), rows.first + i - 1);
+    highest = has_halted ? q : std::max(highest, q);
     features.least_anywhere = std::min(features.least_anywhere, q / error);
     features.fall_anywhere = std::max(features.fall_anywhere, highest - q);
   }
@@ -350,7 +351,7 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
   const Rows rows(record, rig, errors);
   constexpr std::size_t enough = 5;
   if (rows.size() < enough) return features;
-  add_anywhere(features, rows);
+  add_anywhere(features, rows, errors.halts);
   const double greatest = *std::max_element(record.force.begin(), record.force.end());
   const std::vector<Tooth> teeth = teeth_of(rows, drops, greatest);
   if (teeth.empty()) return features;
@@ -376,7 +377,7 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
 }
 
 bool is_loss_without_friction(const DropFeatures& features) {
-  constexpr double errors = 4, fall = 1.5;
+  constexpr double errors = 4, fall = 0.8;
   return features.least_anywhere < -errors && features.fall_anywhere > fall;
 }
 

@@ -26,6 +26,8 @@ double snap_length(const Fibre& fibre, double w, double q, double k);
 struct LoadingErrors {
   double force;              // [EI/L^2] noise of one reading
   double bending_stiffness;  // [1] of EI
+  std::span<const std::size_t>
+      halts{};  // points after which the stage halted, rising: what the force did meanwhile is relaxation
 };
 
 // Friction is meant as it is read at the nominal bending stiffness.
@@ -50,7 +52,8 @@ struct DropFeatures {
   double loss_needed = 0;        // of the stiffness, by the drops, if they were cracks only
   double loss_recovered = 0;     // of it, what is back after twelve lengths of the snaps
 
-  // Of all rows, in drops or not: the least friction [errors], and the farthest that friction fell below what it was before.
+  // Of all rows, in drops or not: the least friction [errors], and the farthest that friction fell
+  // below what it was before, while the stage moved.
   double least_anywhere = 0, fall_anywhere = 0;
 };
 

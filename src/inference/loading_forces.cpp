@@ -26,7 +26,7 @@ double force_near(const ReducedRecord& record, const Leg& leg, double w, double 
 }
 
 // The loss between two loadings by their forces at the same deflections, friction being what it was: ln(F2/F1) = ln(1 - loss) + c/w, c being the
-// difference of the contacts.
+// difference of the contacts and what settled.
 std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
                                      const std::vector<char>& left_out) {
   const ReducedRecord& record = problem.record;
@@ -54,7 +54,7 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
   }
   if (count < independent) return std::nullopt;
   constexpr double least = 0.003;  // [1] of the scatter
-  const double of_contact = problem.options.contact_change;
+  const double of_contact = elementary::length(problem.options.contact_change, problem.options.settling);
   double variance = least * least;
   Eigen::Vector2d solution;
   Eigen::Matrix2d covariance;

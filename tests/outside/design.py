@@ -6,7 +6,7 @@ import unittest
 
 from program import PROGRAM, SOURCE, InFolder
 
-sys.path.insert(0, str(SOURCE / "bench" / "reload"))
+sys.path.insert(0, str(SOURCE / "bench" / "causes"))
 import decide  # noqa: E402
 
 CASE = """[specimen]

@@ -250,7 +250,7 @@ class Options(InFolder):
                      "--stage", "stage", "--force", "force", "--report", self.folder / "report")
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("flexslip read", result.stdout)
-        self.assertIn("NO ANSWER; the answer says why", result.stderr)
+        self.assertIn("CHECK INPUT; the answer says why", result.stderr)
         self.assertNotIn("flexslip read", result.stderr)  # said once
         self.assertGreater(len((self.folder / "report/figures/record-measured.csv").read_text().splitlines()), 100)
         self.assertIn("Figure 1", (self.folder / "report/report.html").read_text(encoding="utf-8"))
@@ -311,7 +311,7 @@ step = "2 um"
         result = run("fit", CRACKED / "K12.csv", "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
                      "--stage", "w_s_m [m]", "--force", "F_N [N]")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertTrue(result.stdout.startswith("K12  CRACK   7 drops, none of them a slip"), result.stdout)
+        self.assertTrue(result.stdout.startswith("K12  CRACK   7 drops"), result.stdout)
         self.assertIn("no friction can be read off", " ".join(result.stdout.split()))
 
     def test_an_answer_fits_one_screen(self):
@@ -338,7 +338,8 @@ step = "2 um"
         text = self.succeeds("fit", SOURCE / "examples" / "cracked" / "case.toml")
         self.assertIn("friction        none can be read off a specimen that loses stiffness", text)
         self.assertNotIn("went into friction", text)
-        self.assertTrue(text.startswith("cracked  CRACK   8 drops, 3 of them no slip"), text)
+        self.assertTrue(text.startswith("cracked  CRACK   8 drops"), text)
+        self.assertIn("3 of 8 cannot be slips", " ".join(text.split()))
 
     def test_a_terminal_sets_the_width_and_colours_the_verdict(self):
         def on_terminal(**environment):

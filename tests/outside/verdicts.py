@@ -9,6 +9,7 @@ from program import SOURCE, InFolder, against, run
 
 FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
 SHARED = SOURCE / "../shared/data"
+CASES = SOURCE / "../shared/cases"
 
 
 class Verdicts(InFolder):
@@ -29,7 +30,7 @@ class Verdicts(InFolder):
                 fit, result = self.answer(self.file(f"{name}.csv", text), *FLAGS)
                 self.assertTrue(fit is None or against(fit), result.stdout[:600])
                 if name != "straight":  # of which friction explains three readings in five
-                    self.assertEqual(fit["verdict"]["code"], "no_answer", fit["verdict"])
+                    self.assertEqual(fit["verdict"]["code"], "check_input", fit["verdict"])
 
     def test_the_cracked_example_is_one_that_cracks(self):
         answer = self.json("fit", SOURCE / "examples/cracked/case.toml")
@@ -72,10 +73,10 @@ force = "F_N [N]"
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_the_published_sawtooths_are_not_cracks(self):
-        """In which tests cracks alone are below 5 %, in which they are not, and that none is called cracks."""
+        """In which tests the drops are surely not cracks only, in which they may be, and that none is called cracks."""
         specimens = {row["test"]: row for row in csv.DictReader((SHARED / "spicules/specimens.csv").read_text(encoding="utf-8").splitlines())}
         verdicts = {}
-        for name in ("SS4", "SS14", "SS18", "SS20", "SS25", "SS29", "SS5", "SS19", "SS33"):
+        for name in ("SS4", "SS11", "SS12", "SS14", "SS18", "SS20", "SS25", "SS29", "SS32", "SS33", "SS5", "SS19"):
             row = specimens[name]
             case = self.file("case.toml", f'''[specimen]
 bending_stiffness = {{ value = "{float(row["EI_over_L3_N_per_m"]) * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
@@ -89,13 +90,13 @@ force = "F_N [N]"
 until = {int(float(row["index_of_failure"]))}
 ''')
             verdicts[name] = self.answer(case)[0]["verdict"]["code"]
-        for name in ("SS4", "SS14", "SS18", "SS19", "SS20", "SS25", "SS29"):
+        for name in ("SS4", "SS11", "SS12", "SS14", "SS18", "SS20", "SS25", "SS29", "SS32", "SS33"):
             self.assertEqual(verdicts[name], "slip", name)
-        for name in ("SS5", "SS33"):
+        for name in ("SS5", "SS19"):
             self.assertEqual(verdicts[name], "undecided", name)
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
-    def test_a_load_train_stated_far_too_stiff_leaves_no_probability(self):
+    def test_a_load_train_stated_far_too_stiff_or_too_soft_makes_no_cracks(self):
         case = self.file("case.toml", f'''[specimen]
 bending_stiffness = {{ value = "{1.0208333333333333 * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
 [rig]
@@ -108,10 +109,33 @@ force = "F_N [N]"
 until = 267
 ''')
         self.assertLess(self.json("fit", case)["judgement"]["cracks_alone"], 0.05)
-        for stiffness in "150 N/m", "200 N/m":
-            answer = self.json("fit", case, "--set", f'rig.stiffness="{stiffness}"')
-            self.assertIsNone(answer["judgement"]["cracks_alone"])
-            self.assertEqual(answer["verdict"]["code"], "undecided")
+        for stiffness in "45 N/m", "150 N/m", "200 N/m":
+            answer, _ = self.answer(case, "--set", f'rig.stiffness="{stiffness}"')
+            self.assertNotEqual(answer["verdict"]["code"], "crack", stiffness)
+
+    @unittest.skipUnless((CASES / "cracks_on_stiff_frame").is_dir(), "no cases")
+    def test_cracks_on_stiff_frames_are_cracks_one_drop_or_many(self):
+        folder = CASES / "cracks_on_stiff_frame"
+        stiff = ["--displacement", "crosshead", "--diameter", "1 mm", "--stiffness", "20 N/mm"]
+        for call in ([folder / "texture_analyser.txt", "--span", "40 mm", "--displacement-column", "Distance", "--force", "Force [gf]", *stiff],
+                     [folder / "one_crack.csv", "--span", "50 mm", *stiff],
+                     [folder / "four_cracks.csv", "--span", "50 mm", *stiff],
+                     [folder / "slips_and_cracks.csv", "--span", "20 mm", *stiff[:-1], "1 N/mm"]):
+            fit, _ = self.answer(*call)
+            self.assertEqual(fit["verdict"]["code"], "crack", call[0])
+
+    @unittest.skipUnless((CASES / "climbing_friction").is_dir(), "no cases")
+    def test_cracks_on_climbing_friction_are_no_slips(self):
+        self.assertEqual(self.answer(CASES / "climbing_friction/climb.toml")[0]["verdict"]["code"], "undecided")
+
+    @unittest.skipUnless((CASES / "broken_plateau").is_dir(), "no cases")
+    def test_a_force_that_falls_farther_than_friction_lets_it_is_a_loss_however_slowly(self):
+        bar = ["--displacement", "deflection", "--stiffness", "5 kN/mm", "--span", "40 mm", "--width", "16 mm", "--height", "1.9 mm"]
+        self.assertEqual(self.answer(CASES / "broken_plateau/crushed.csv", *bar)[0]["verdict"]["code"], "crack")
+        bone = ["--displacement", "crosshead", "--displacement-column", "Stage [mm]", "--stiffness", "0.5 kN/mm", "--span", "8 mm", "--diameter", "1.2 mm"]
+        fit, _ = self.answer(CASES / "slow_fall/bone.csv", *bone)
+        self.assertEqual(fit["verdict"]["code"], "crack")
+        self.assertIn("sinks", {finding["code"] for finding in fit["findings"]})
 
     @unittest.skipUnless((SHARED / "spicules").is_dir(), "no measured data of spicules")
     def test_a_record_that_no_friction_on_such_rollers_gives_is_said_to_be_one(self):
