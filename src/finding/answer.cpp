@@ -92,7 +92,7 @@ Verdict verdict_of_slips(T test) {
 
 Verdict verdict_of_cracks(T test) {
   const bool has_drops = test.analysis.drop_features.drops > 0;
-  if (!is_reloaded(test.analysis)) {
+  if (!is_reloaded(test.analysis) && !lost_before(test.analysis)) {
     Verdict verdict{VerdictCode::crack, {}, "cracks"};
     if (has_drops && loses_at_all(test.judgement.causes, false))
       verdict.parts = {count_of_drops(test),

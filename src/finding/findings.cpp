@@ -403,7 +403,8 @@ std::string reload_remedy(T test) {
 }
 
 Found cracks(T test) {
-  if (test.judgement.conclusion != Conclusion::cracks || is_reloaded(test.analysis)) return std::nullopt;
+  if (test.judgement.conclusion != Conclusion::cracks || is_reloaded(test.analysis) || lost_before(test.analysis))
+    return std::nullopt;
   const DropFeatures& features = test.analysis.drop_features;
   const std::string causes = causes_in_words(test);
   const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes, false);

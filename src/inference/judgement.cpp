@@ -47,6 +47,7 @@ Conclusion conclusion_by_one_loading(const TestAnalysis& analysis, const Causes&
       0.9;  // [1] cracks only would need less friction than that to the end: then slips are not told from them
   const DropFeatures& features = analysis.drop_features;
   if (loses_at_all(causes, false) || is_loss_without_friction(features)) return Conclusion::cracks;
+  if (lost_before(analysis)) return Conclusion::cracks;
   if (analysis.drops.drops.empty()) return sinks(analysis) ? Conclusion::undecided : Conclusion::no_drops;
   return slips_at_all(causes) && features.needed_at_end > crests ? Conclusion::slips : Conclusion::undecided;
 }
@@ -66,6 +67,10 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
 
 double log_loss_error(const PassesFit& passes) {
   return elementary::length(passes.loss.standard_error / (1 - passes.loss.value), usual_difference);
+}
+
+bool lost_before(const TestAnalysis& analysis) {
+  return analysis.passes && !is_reloaded(analysis) && analysis.drops.drops.empty() && is_lost(*analysis.passes);
 }
 
 bool sinks(const TestAnalysis& analysis) {

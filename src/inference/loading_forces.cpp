@@ -70,7 +70,9 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
   }
   constexpr double alike = 0.1;  // [1] loadings that scatter by more about a loss and a shift are not of one friction
   if (variance > alike * alike) return std::nullopt;
+  constexpr double broken = 0.1;  // [1] of the stiffness: with less left there is nothing to compare
   const double left = elementary::exp(solution[0]);
+  if (left < broken) return std::nullopt;
   return normal_estimate(1 - left, left * elementary::length(std::sqrt(covariance(0, 0)), problem.options.of_forces));
 }
 
