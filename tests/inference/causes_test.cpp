@@ -50,8 +50,8 @@ TEST_CASE(
   };
   const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
   const Causes slipped{.slips = 0.6, .cracks = 0.01, .both = 0.39}, cracked{.slips = 0.02, .cracks = 0.7, .both = 0.28};
-  CHECK(by(slipped, 0).slips > 0.9);
-  CHECK(by(open, 0).slips > by(open, 0).both);
+  CHECK(by(slipped, 0).slips > 0.7);
+  CHECK(by(open, 0).cracks < 0.2);
   CHECK(by(cracked, 0.3).cracks > by(cracked, 0.3).both);
   CHECK(by(cracked, 0.3).slips < 0.01);
   CHECK(by(slipped, 0.12).both > 0.5);
