@@ -27,8 +27,8 @@ using CauseInputs = std::array<double, cause_input_names.size()>;
 // Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.
 CauseInputs inputs_of(const DropFeatures& features, double load_train);
 
-// By one loading. It tells whether the specimen slipped at all, and whether it lost stiffness at all: `slips` below .5 and `cracks` are reliable, and slips
-// are not told from slips and cracks.
+// By one loading. `cracks`, and `slips` below .5, are reliable: they say whether the specimen slipped at all, and whether it lost stiffness at all. One
+// loading cannot distinguish slips only from slips and cracks.
 // Domain:     as inputs_of.
 // Method:     multinomial logistic regression on simulated records (tools/calibrate-verdict; docs/slip-or-crack.md).
 Causes causes_of(const DropFeatures& features, double load_train);
@@ -44,12 +44,11 @@ struct LossByReload {
 // Method:     likewise.
 Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
 
-// Did the specimen slip at all, or lose stiffness at all? Where it did not, cracks only or slips only are probable enough. From one loading more is asked
-// before stiffness is said to be lost.
+// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %, or below 3 % by one loading?
 bool slips_at_all(const Causes& causes);
 bool loses_at_all(const Causes& causes, bool is_reloaded);
 
-// Is a loss, as -ln of what is left, beyond its error?
+// Is a loss, as -ln of what is left, more than three times its error?
 bool is_loss(double log_loss, double error);
 
 // [1] How often a reload finds the true cause of drops: that nothing was lost if they were slips only, and the loss that they need if they were
@@ -60,9 +59,9 @@ struct CauseChances {
   double least() const { return std::min(slips, cracks); }
 };
 
-// Domain:     as causes_of; one loading of slips tells what is given, and one of cracks is taken to tell nothing.
+// Domain:     as causes_of. Of cracks, one loading is assumed to show nothing.
 // Max error:  0.002.
-// Method:     the loss told is normally distributed; what the drops need is uncertain besides.
+// Method:     the measured loss is normally distributed, and the loss that the drops need is uncertain besides.
 CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading);
 
 }  // namespace flexslip

@@ -221,7 +221,7 @@ void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth
     features.given_back_before_last = (rises - last_rise) / std::max(falls - teeth.front().fall, 1e-6);
 }
 
-// The friction that would have acted if the drops were cracks only: at its drops, and at the end (MODEL 19).
+// The friction that would have acted if the drops were cracks only: at its drops, and at the end.
 void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth, double usual_fall) {
   constexpr double broken = 0.02;  // [1] of the stiffness
   double left = 1;

@@ -5,10 +5,8 @@
 // Reduced variables of the nominal bending stiffness.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 
 #include "bending_test/rig.h"
 #include "data/drops.h"
@@ -19,7 +17,7 @@ namespace flexslip {
 // [L] The length drawn in by a snap, for each unit of friction lost in it: -dS/dq along the line of the load train.
 // Domain:     a state at the deflection w [L] with the mobilised friction q, before it is bent through the supports; k [EI/L^3] > 0, may be infinite.
 //             NaN where there is no state.
-// Source:     MODEL 24, c = S_w F_q/(k + F_w) - S_q, with the slopes of S(w, q) and F(w, q).
+// Source:     theory.md, "Slip or crack": c = S_w F_q/(k + F_w) - S_q, with the slopes of S(w, q) and F(w, q).
 double snap_length(const Fibre& fibre, double w, double q, double k);
 
 // What is known of a loading besides its rows and drops.

@@ -27,7 +27,7 @@ ReducedRecord a_cracking_record() {
   return simulated_record({.friction = Friction::constant(0.5), .stiffness = train, .noise = 0.01}, six_cracks);
 }
 
-TEST_CASE("table: the length that a snap draws in, on train and on stiff load trains (MODEL 24)") {
+TEST_CASE("table: the length that a snap draws in, on soft and on stiff load trains") {
   constexpr std::array w{0.02, 0.05, 0.1, 0.2, 0.3};
   struct Row {
     double k;

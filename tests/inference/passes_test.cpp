@@ -75,7 +75,7 @@ bool holds(const Estimate& estimate, double truth) {
 
 }  // namespace
 
-TEST_CASE("table: forces of both branches of a worn, cracked and settled specimen (MODEL 18, 24, 25)") {
+TEST_CASE("table: forces of both branches of a worn, cracked and settled specimen") {
   const VectorXd w = three(.10, .15, .20);
   constexpr double digits = 2e-8;
   check_near(.94 * forces(w, .5), three(4.56548416, 6.40283782, 7.66865298), digits);
@@ -98,7 +98,7 @@ TEST_CASE("identity: friction read in and out at the right stiffness is equal an
   CHECK(sum(.93).minCoeff() > 0.01);
 }
 
-TEST_CASE("table: what each error of the rig does to the force of the model (MODEL 26)") {
+TEST_CASE("table: what each error of the rig does to the force of the model") {
   const PassesProblem problem = simulated({});
   const std::vector<Leg> legs = find_legs(problem.record.stage);
   struct Column {

@@ -90,7 +90,7 @@ export function openTests(studio: Studio): void {
   } }, "Save as CSV");
   const note = el("span", { class: "note", role: "status" }, "every column of a campaign, evaluated once more together; its modulus is that of the slope, not of the fit"), left = studio.tests.length - fitted.length;
   openDialog("Tests", [
-    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "cracks alone", "friction", "spacing", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
+    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "cracks only", "friction", "spacing", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
     ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", note),
   ]);
 }
