@@ -82,16 +82,17 @@ Plot losses_figure(const Campaign& campaign) {
   if (!has_losses(campaign)) throw std::invalid_argument("losses_figure: no test with drops was loaded again");
   constexpr double percent = 100;
   PlotTable tests{"tests", {"needed (%)", "lost (%)", "low (%)", "high (%)"}};
-  double most = 10;
+  double most = 10, least = 0;
   for (const CampaignTest& test : campaign.tests) {
     if (!tells_loss(test)) continue;
     const auto& [lost, error, needed] = *test.summary->loss;
     const double reach = two_sided_95 * error;
     tests.rows.push_back({percent * needed, percent * lost, percent * (lost - reach), percent * (lost + reach)});
     most = std::max({most, percent * needed, percent * (lost + reach)});
+    least = std::min(least, percent * (lost - reach));
   }
   const Axis x{"Loss of stiffness that the drops need", "%", 0, 1.05 * most},
-      y{"Loss of stiffness", "%", -0.2 * most, 1.05 * most};
+      y{"Loss of stiffness", "%", std::min(-0.2 * most, 1.05 * least), 1.05 * most};
   return {.name = "losses",
           .title = "Slips or cracks, by the reload",
           .caption =

@@ -178,4 +178,7 @@ TEST_CASE("losses: a test that was loaded again and has drops lies where its los
   REQUIRE(figure.data[0].rows.size() == 1);
   CHECK(figure.data[0].rows[0][0] == doctest::Approx(30));
   CHECK(figure.data[0].rows[0][1] == doctest::Approx(10));
+  with_summary->summary->loss->lost = -0.07;  // a gain is seen whole
+  with_summary->summary->loss->error = 0.04;
+  CHECK(losses_figure(campaign).panels[0].y.from < 100 * (-0.07 - 1.96 * 0.04));
 }
