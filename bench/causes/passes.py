@@ -163,6 +163,8 @@ class Specimen:
 
         Returns a row each: S, q, w, F, stiffness left, and +1, 0, -1 for sliding in, stuck, sliding out.
         """
+        if len(stages) == 0:
+            return np.zeros((0, 6))
         branch = Branch(self, self.S, direction, level)
         balance, left = self.stage(branch)
         slides = direction * (stages - balance[0]) > 0
@@ -173,11 +175,9 @@ class Specimen:
         lifted = slides & (rows[:, 5] == 0)
         if np.any(lifted):
             rows[lifted] = Stuck(self, branch.S[-1]).rows(stages[lifted])
-        if len(rows):
-            self.S = rows[-1, 0]
-            self.greatest = max(self.greatest, rows[:, 2].max()) if direction > 0 else self.greatest
+        self.S = rows[-1, 0]
+        self.greatest = max(self.greatest, rows[:, 2].max()) if direction > 0 else self.greatest
         return rows
-
 
     def _events(self, branch, balance, left, stages):
         """Where a branch snaps or loses stiffness at stage positions that are gone through."""

@@ -73,7 +73,10 @@ Verdict verdict_of_no_drops(T test, const std::vector<Finding>& findings) {
   const std::string_view condition = may_have_lost_stiffness(test) ? " if no stiffness was lost" : "";
   if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
     return {VerdictCode::undecided, {friction_in_short(test, condition), elsewhere->short_form}, elsewhere->code};
-  Verdict verdict{VerdictCode::no_drops, {friction_in_short(test, condition)}};
+  Verdict verdict{VerdictCode::no_drops, {}};
+  if (test.measurement.end == MeasurementEnd::failure)
+    verdict.parts.push_back(fmt::format("the specimen broke after row {}", last_row(test)));
+  verdict.parts.push_back(friction_in_short(test, condition));
   add(verdict.parts, work_in_short(test));
   return verdict;
 }
@@ -94,7 +97,7 @@ Verdict verdict_of_cracks(T test) {
   const bool has_drops = test.analysis.drop_features.drops > 0;
   if (!is_reloaded(test.analysis) && !lost_before(test.analysis)) {
     Verdict verdict{VerdictCode::crack, {}, "cracks"};
-    if (has_drops && loses_at_all(test.judgement.causes, false))
+    if (has_drops && loses_at_all(test.judgement.causes))
       verdict.parts = {count_of_drops(test),
                        fmt::format("the specimen lost {} of its stiffness if they are cracks, or settled",
                                    loss_by_drops_in_words(test)),

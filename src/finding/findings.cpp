@@ -407,7 +407,7 @@ Found cracks(T test) {
     return std::nullopt;
   const DropFeatures& features = test.analysis.drop_features;
   const std::string causes = causes_in_words(test);
-  const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes, false);
+  const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes);
   return Finding{
       .severity = Severity::suspicion,
       .sentence = by_drops

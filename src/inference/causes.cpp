@@ -8,6 +8,7 @@
 namespace flexslip {
 namespace {
 
+constexpr double doubt = 0.05;      // probability below which a cause is excluded
 constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
 
 double squashed(double x) { return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -20.0, 20.0))); }  // tanh
@@ -31,30 +32,19 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
   constexpr double usual = 100, stiffest = 1e5;  // [EI/L^3] load trains
   const double sure = std::sqrt(std::min(static_cast<double>(f.drops), many) / many);
   const double follows = squashed((f.follows_drops - 0.5) / (3 * elementary::length(f.follows_drops_error, 0.12)));
-  const double steep = squashed(f.steepness / 0.3), given = squashed((f.given_back - 0.5) / 0.5);
-  const double end = squashed((f.needed_at_end - 1.3) / 0.4);
   return {1,
           follows,
           follows * sure,
-          steep,
-          steep * sure,
           squashed(f.greatest_steepness / 0.5),
           squashed(f.recovery_near),
           squashed(f.recovery_far),
           squashed(f.least_after_drop / 3),
           squashed(std::min(f.least_after_drop, 0.0) / 6),
-          squashed((f.before_first_drop - 0.6) / 0.5),
-          given,
-          given * sure,
-          squashed((f.given_back_before_last - 0.5) / 0.5) * sure,
+          squashed((f.given_back - 0.5) / 0.5) * sure,
           squashed(f.roughness),
           squashed(std::max(f.lost_of_first - 0.7, 0.0)),
-          squashed(f.needed_step),
           sure,
           squashed(f.drawn_in / 0.5),
-          follows * steep,
-          given * steep,
-          end * steep,
           elementary::log(std::min(load_train, stiffest) / usual)};
 }
 
@@ -79,9 +69,9 @@ Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
   return causes_by(inputs, cause_coefficients::cracks_by_reload, cause_coefficients::both_by_reload);
 }
 
-bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
+bool slips_at_all(const Causes& causes) { return causes.cracks < doubt; }
 
-bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
+bool loses_at_all(const Causes& causes) { return causes.slips < doubt; }
 
 bool is_loss(double log_loss, double error) {
   constexpr double errors = 3;
@@ -99,8 +89,8 @@ CauseChances chances_of_causes(double log_needed, double error, const Causes& sl
     const Causes if_slips = causes_of(slips_by_one_loading, {told_of_slips, error, log_needed});
     const Causes if_cracks = causes_of(Causes{}, {told_of_cracks, error, log_needed});
     weights += weight;
-    if (slips_at_all(if_slips) && !loses_at_all(if_slips, true) && !is_loss(told_of_slips, error)) slips += weight;
-    if ((loses_at_all(if_cracks, true) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;
+    if (slips_at_all(if_slips) && !loses_at_all(if_slips) && !is_loss(told_of_slips, error)) slips += weight;
+    if ((loses_at_all(if_cracks) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;
   }
   return {slips / weights, cracks / weights};
 }

@@ -17,11 +17,9 @@ struct Causes {
 };
 
 // What the probabilities depend on, each between -1 and 1 or so.
-inline constexpr std::array cause_input_names{
-    "one",        "follows",       "follows_sure", "steep",         "steep_sure",  "steepest",
-    "back_near",  "back_far",      "above_zero",   "below_zero",    "first_high",  "given",
-    "given_sure", "given_in_sure", "rough",        "lost_of_first", "needed_step", "sure",
-    "drawn_in",   "follows_steep", "given_steep",  "end_steep",     "stiff"};
+inline constexpr std::array cause_input_names{"one",           "follows",    "follows_sure", "steepest",   "back_near",
+                                              "back_far",      "above_zero", "below_zero",   "given_sure", "rough",
+                                              "lost_of_first", "sure",       "drawn_in",     "stiff"};
 using CauseInputs = std::array<double, cause_input_names.size()>;
 
 // Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.
@@ -44,9 +42,9 @@ struct LossByReload {
 // Method:     likewise.
 Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
 
-// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %, or below 3 % by one loading?
+// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %?
 bool slips_at_all(const Causes& causes);
-bool loses_at_all(const Causes& causes, bool is_reloaded);
+bool loses_at_all(const Causes& causes);
 
 // Is a loss, as -ln of what is left, more than three times its error?
 bool is_loss(double log_loss, double error);

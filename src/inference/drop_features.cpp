@@ -197,50 +197,36 @@ double recovery(const Rows& rows, const Tooth& tooth, double lengths, double tre
 void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth) {
   constexpr double near = 3, far = 12;
   const double trend = trend_before(rows, teeth.front().before);
-  double weights = 0, falls = 0, rises = 0, last_rise = 0;
-  std::size_t risen = 0;
+  double weights = 0, falls = 0, rises = 0;
   for (const Tooth& tooth : teeth) {
     falls += tooth.fall;
     if (!tooth.rises) continue;
     const double weight = tooth.fall / (tooth.fall + 2 * rows.q_noise[tooth.after]);
     const double steepness =
         tooth.snap * tooth.rise / std::max(tooth.snap * std::abs(tooth.rise) + tooth.length, 1e-12);
+    features.greatest_steepness = weights == 0 ? steepness : std::max(features.greatest_steepness, steepness);
     weights += weight;
-    features.steepness += weight * steepness;
-    features.greatest_steepness = risen == 0 ? steepness : std::max(features.greatest_steepness, steepness);
     features.recovery_near += weight * recovery(rows, tooth, near, trend);
     features.recovery_far += weight * recovery(rows, tooth, far, trend);
     rises += tooth.rise;
-    last_rise = tooth.rise;
-    ++risen;
   }
-  if (weights > 0)
-    for (double* each : {&features.steepness, &features.recovery_near, &features.recovery_far}) *each /= weights;
+  if (weights > 0) features.recovery_near /= weights, features.recovery_far /= weights;
   features.given_back = rises / falls;
-  if (teeth.size() > 1 && risen > 1)
-    features.given_back_before_last = (rises - last_rise) / std::max(falls - teeth.front().fall, 1e-6);
 }
 
-// The friction that would have acted if the drops were cracks only: at its drops, and at the end.
-void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth, double usual_fall) {
+// The friction that would have acted at the end if the drops were cracks only.
+void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth) {
   constexpr double broken = 0.02;  // [1] of the stiffness
   double left = 1;
-  std::vector<double> after_drops;
   const auto needed = [&](std::size_t i) { return rows.q[i] + (1 / left - 1) * rows.F[i] / rows.F_q[i]; };
   for (const Tooth& tooth : teeth) {
     const std::size_t b = tooth.before, a = tooth.after;
     const double friction = needed(b);
     left =
         std::max(std::min(rows.F[a] / std::max(rows.F[a] + rows.F_q[a] * (friction - rows.q[a]), 1e-6), left), broken);
-    after_drops.push_back(needed(a));
   }
   const std::size_t n = rows.size();
   features.needed_at_end = median_of({needed(n - 3), needed(n - 2), needed(n - 1)});
-  after_drops.push_back(needed(n - 1));
-  std::vector<double> steps;
-  for (std::size_t i = 1; i < after_drops.size(); ++i) steps.push_back(after_drops[i] - after_drops[i - 1]);
-  std::sort(steps.begin(), steps.end());
-  features.needed_step = quantile_in_order(steps, 0.2) / usual_fall;
   features.loss_needed = 1 - left;
   features.loss_recovered = features.loss_needed * std::clamp(features.recovery_far, 0.0, 1.0);
 }
@@ -360,11 +346,10 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
   for (const Tooth& tooth : teeth) falls.push_back(tooth.fall);
   const double usual_fall = median_of(falls);
   add_rises(features, rows, teeth);
-  add_needed(features, rows, teeth, usual_fall);
+  add_needed(features, rows, teeth);
   add_following(features, rows, teeth, errors.force / greatest);
   features.roughness = roughness_of(rows, teeth, usual_fall);
-  features.before_first_drop = teeth.front().q_before;
-  features.lost_of_first = usual_fall / std::max(features.before_first_drop, of_friction);
+  features.lost_of_first = usual_fall / std::max(teeth.front().q_before, of_friction);
   features.least_after_drop = infinity;
   for (const Tooth& tooth : teeth) {
     const std::size_t a = tooth.after;

@@ -34,21 +34,18 @@ struct DropFeatures {
 
   // How far the apparent stiffness follows the drops, 0 for slips and 1 for cracks.
   double follows_drops = 0, follows_drops_error = 0;
-  // Of the rises between the drops, 0 for sliding at a constant friction, 1 for sticking.
-  double steepness = 0, greatest_steepness = 0;
+  // Of the rise that is most like sticking: 0 for sliding at a constant friction, 1 for sticking.
+  double greatest_steepness = 0;
   // Of a drop, the part of friction that is back after three and twelve lengths of its snap.
   double recovery_near = 0, recovery_far = 0;
-  // The sum of the rises of friction over that of its falls, and without the last rise and the first fall.
-  double given_back = 0, given_back_before_last = 0;
-  double least_after_drop = 0;   // [errors] the least friction after a drop
-  double needed_at_end = 0;      // friction at the end of the loading, if the drops were cracks only
-  double needed_step = 0;        // its usual change from one drop to the next, over the usual drop
-  double before_first_drop = 0;  // friction
-  double lost_of_first = 0;      // the usual drop of friction over that before the first drop
-  double roughness = 0;          // of friction within the rises, over the usual drop
-  double drawn_in = 0;           // the length of all snaps over the length that slid
-  double loss_needed = 0;        // of the stiffness, by the drops, if they were cracks only
-  double loss_recovered = 0;     // of it, what is back after twelve lengths of the snaps
+  double given_back = 0;        // the sum of the rises of friction over that of its falls
+  double least_after_drop = 0;  // [errors] the least friction after a drop
+  double needed_at_end = 0;     // friction at the end of the loading, if the drops were cracks only
+  double lost_of_first = 0;     // the usual drop of friction over that before the first drop
+  double roughness = 0;         // of friction within the rises, over the usual drop
+  double drawn_in = 0;          // the length of all snaps over the length that slid
+  double loss_needed = 0;       // of the stiffness, by the drops, if they were cracks only
+  double loss_recovered = 0;    // of it, what is back after twelve lengths of the snaps
 
   // Of all rows, in drops or not: the least friction [errors], and the farthest that friction fell
   // below what it was before, while the stage moved.
