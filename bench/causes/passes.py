@@ -163,6 +163,8 @@ class Specimen:
 
         Returns a row each: S, q, w, F, stiffness left, and +1, 0, -1 for sliding in, stuck, sliding out.
         """
+        if len(stages) == 0:
+            return np.zeros((0, 6))
         branch = Branch(self, self.S, direction, level)
         balance, left = self.stage(branch)
         slides = direction * (stages - balance[0]) > 0
