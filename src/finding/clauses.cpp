@@ -25,8 +25,7 @@ std::string mean_friction(const FrictionFit& fit) {
 
 std::string loss_in_words(const PassesFit& passes) {
   const Estimate& loss = passes.loss;
-  if (!(loss.high > 0)) return "0 %";
-  if (loss.value < loss.standard_error) return fmt::format("at most {:.1f} %", 100 * loss.high);
+  if (loss.high > 0 && loss.value < loss.standard_error) return fmt::format("at most {:.1f} %", 100 * loss.high);
   return fmt::format("{:.1f} ± {:.1f} %", 100 * loss.value, 100 * loss.standard_error);
 }
 

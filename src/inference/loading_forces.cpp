@@ -55,12 +55,14 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
   if (count < independent) return std::nullopt;
   constexpr double least = 0.003;  // [1] of the scatter
   const double of_contact = elementary::length(problem.options.contact_change, problem.options.settling);
+  const double of_gain = elementary::length(problem.options.of_forces, problem.options.stiffening);
   double variance = least * least;
-  Eigen::Vector2d solution;
+  Eigen::Vector2d solution(0, 0);
   Eigen::Matrix2d covariance;
-  for (int again = 0; again < 3; ++again) {
+  for (int again = 0; again < 4; ++again) {
     Eigen::Matrix2d precision = A * (independent / count / variance);
     precision(1, 1) += 1 / (of_contact * of_contact);
+    if (solution[0] > 0) precision(0, 0) += 1 / (of_gain * of_gain);
     const double determinant = precision(0, 0) * precision(1, 1) - precision(0, 1) * precision(1, 0);
     covariance << precision(1, 1), -precision(0, 1), -precision(1, 0), precision(0, 0);
     covariance /= determinant;

@@ -116,14 +116,21 @@ PassUnknowns::PassUnknowns(const PassesProblem& problem, const std::vector<Leg>&
 
 Index PassUnknowns::add(double prior_mean, double prior_deviation) {
   const Index column = size();
-  for (VectorXd* each : {&mean, &deviation, &log_loss, &settled}) each->conservativeResize(column + 1);
+  for (VectorXd* each : {&mean, &deviation, &below_zero, &log_loss, &settled}) each->conservativeResize(column + 1);
   mean[column] = prior_mean;
-  deviation[column] = prior_deviation;
+  deviation[column] = below_zero[column] = prior_deviation;
   log_loss[column] = settled[column] = 0;
   for (MatrixXd* map : {&W, &G, &E, &L}) {
     map->conservativeResize(Eigen::NoChange, column + 1);
     map->col(column).setZero();
   }
+  return column;
+}
+
+// What hardly is less than nothing.
+Index PassUnknowns::add_one_sided(double prior_deviation, double below) {
+  const Index column = add(0, prior_deviation);
+  below_zero[column] = std::min(below, prior_deviation);
   return column;
 }
 
@@ -213,21 +220,23 @@ void PassUnknowns::add_losses(const PassesProblem& problem, const std::vector<Le
         E.col(column) = -in_drops;
         log_loss[column] = is_followed * whole;
       }
-      const Index slowly = add(0, options.gradual_loss);
+      const Index slowly = add_one_sided(options.gradual_loss, options.stiffening);
       E.col(slowly) = -gradually;
       log_loss[slowly] = is_followed;
       E.col(add(0, options.course_of_loss)) = -4 * gradually.cwiseProduct((1 - gradually.array()).matrix());
-      const Index settles = add(0, options.settling);
+      const Index settles = add_one_sided(options.settling, options.rising);
       W.col(settles) = -gradually;
       settled[settles] = is_followed;
     }
     if (leg == 0) continue;
     const VectorXd after = column_of(rows, [&](std::size_t i) { return rows.pass[i] >= leg ? 1.0 : 0.0; });
     const bool at_bottom = is_inwards(legs[leg]);
-    const Index at_turn = add(0, at_bottom && is_followed > 0 ? options.loss_at_reload : options.loss_at_turn);
+    const Index at_turn =
+        add_one_sided(at_bottom && is_followed > 0 ? options.loss_at_reload : options.loss_at_turn, options.stiffening);
     E.col(at_turn) = -after;
     log_loss[at_turn] = 1;
-    if (at_bottom) W.col(add(0, options.contact_change)) = -after;
+    const double contact_change = at_bottom ? options.contact_change : options.contact_change_at_top;
+    if (contact_change > 0) W.col(add(0, contact_change)) = -after;
   }
 }
 

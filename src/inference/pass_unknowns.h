@@ -36,6 +36,7 @@ class PassUnknowns {
   Eigen::Index size() const { return mean.size(); }
 
   Eigen::VectorXd mean, deviation;  // of the prior of each
+  Eigen::VectorXd below_zero;       // its deviation there
   Eigen::MatrixXd W, G, E, L;       // a row for each of `rows`
 
   // W and G at other deflections and forces of the same rows. At those read, noise itself would pass for an error of the rig.
@@ -53,6 +54,7 @@ class PassUnknowns {
 
  private:
   Eigen::Index add(double prior_mean, double prior_deviation);
+  Eigen::Index add_one_sided(double prior_deviation, double below);
   void add_rig(const PassRows& rows);
   void add_zero(const PassesProblem& problem, const PassRows& rows);
   void add_wear(const PassesOptions& options, const std::vector<Leg>& legs, const PassRows& rows,

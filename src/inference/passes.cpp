@@ -317,9 +317,7 @@ MatrixXd PassesFitter::prior_precision(const MatrixXd& covariance_of_friction) c
   constexpr double exact = 1e-9;  // a deviation so small is none
   MatrixXd precision = MatrixXd::Zero(prior_mean_.size(), prior_mean_.size());
   precision.topLeftCorner(nodes_.size(), nodes_.size()) = Symmetric(covariance_of_friction).inverse();
-  VectorXd deviation = unknowns_.deviation.cwiseMax(exact);
-  for (Index j = 0; j < deviation.size(); ++j)
-    if (unknowns_.settled[j] != 0 && theta_[j] < 0) deviation[j] = options_.rising;
+  const VectorXd deviation = (theta_.array() < 0).select(unknowns_.below_zero, unknowns_.deviation).cwiseMax(exact);
   precision.diagonal().tail(unknowns_.size()) = deviation.cwiseAbs2().cwiseInverse();
   return precision;
 }
@@ -486,6 +484,10 @@ void PassesFitter::advance(int round) {
   correlation_ = std::clamp(products / std::max(squares, 1e-300), 0.0, most_correlated);
 }
 
+double greatest_of(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
+
+double noise_of(const std::vector<double>& force) { return noise_of_second_differences(second_differences(force)); }
+
 // [L] Beyond, one pass alone shows the fibre, and says nothing that the others could be compared with.
 double length_passed_twice(const PassRows& rows, const PassStates& read, std::size_t passes) {
   constexpr double beside = 1.04, least = 0.005;  // [1], [L] what is a little farther is compared, too
@@ -507,7 +509,42 @@ double mean_of_band(const ProfileBand& band, double S_first, double S_last) {
   return count > 0 ? sum / count : mean_of(band.mean);
 }
 
-PassesFit with(PassesFit fit, const std::optional<LoadingForces>& forces) {
+// [EI/L^2] As those of a specimen that lost nothing in the evaluated loading. One that lost much seems to slide out at less force than any friction
+// allows, and to stick where it slides.
+VectorXd unharmed_forces(const PassRows& rows, std::size_t after, double loss) {
+  VectorXd forces = rows.F;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (rows.row[i] + 1 >= after) forces[index_of(i)] /= 1 - loss;
+  return forces;
+}
+
+// The rows of all passes, and what they read at the nominal EI.
+struct ReadPasses {
+  PassRows rows;
+  PassStates states;
+  std::vector<char> stuck;
+};
+
+ReadPasses read_passes(const PassesProblem& problem, const std::vector<Leg>& legs) {
+  PassRows rows = rows_of(problem, legs);
+  PassStates states = states_read(rows.w, rows.F, problem.rig.fibre);
+  std::vector<char> stuck = stuck_rows(rows, states, 1 / problem.rig.stiffness, noise_of(problem.record.force));
+  return {std::move(rows), std::move(states), std::move(stuck)};
+}
+
+// What the forces of two loadings say.
+PassesFit told_by_forces(const PassesProblem& problem, const std::vector<Leg>& legs) {
+  const ReducedRecord& record = problem.record;
+  const double least = problem.options.min_force * greatest_of(record.force);
+  std::vector<char> left_out;  // without contact, or where the specimen sticks
+  for (const double force : record.force) left_out.push_back(force < least);
+  if (greatest_of(record.deflection) > judged_from) {  // less deep, friction holds hardly any of the force
+    const ReadPasses read = read_passes(problem, legs);
+    if (read.rows.size() >= min_rows)
+      for (std::size_t i = 0; i < read.rows.size(); ++i) left_out[read.rows.row[i]] = read.stuck[i];
+  }
+  PassesFit fit;
+  const std::optional<LoadingForces> forces = compare_loading_forces(problem, legs, left_out);
   if (!forces) return fit;
   fit.is_reloaded = true;
   fit.is_followed = forces->is_followed;
@@ -516,13 +553,41 @@ PassesFit with(PassesFit fit, const std::optional<LoadingForces>& forces) {
   return fit;
 }
 
-// [EI/L^2] As those of a specimen that lost nothing in the evaluated loading. One that lost much seems to slide out at less force than any friction
-// allows, and to stick where it slides.
-VectorXd unharmed_forces(const PassRows& rows, std::size_t after, double loss) {
-  VectorXd forces = rows.F;
+// The contact is off, in each pass by another length, and rows are deep enough for it to stay so.
+PassesProblem bedding_down(PassesProblem problem) {
+  PassesOptions& options = problem.options;
+  options.min_deflection =
+      std::max(options.min_deflection, options.bedded_from * greatest_of(problem.record.deflection));
+  options.contact_change = options.contact_change_at_top = options.bedding;
+  problem.errors.contact = std::max(problem.errors.contact, options.bedding);
+  return problem;
+}
+
+// What all passes tell if they leave five times the noise, or this part of the maximum force; else what is known already.
+PassesFit fit_together(PassesFit fit, const PassesProblem& problem, const std::vector<Leg>& legs, double left_over) {
+  fit.status = PassesStatus::not_sliding_out;
+  ReadPasses read = read_passes(problem, legs);
+  const PassRows& rows = read.rows;
+  if (rows.size() < min_rows) return fit;
+  const double force_noise = noise_of(problem.record.force);
+  if (fit.is_followed && fit.loss.low > 0) {
+    read.states = states_read(rows.w, unharmed_forces(rows, problem.last, fit.loss.low), problem.rig.fibre);
+    const std::vector<char> still = stuck_rows(rows, read.states, 1 / problem.rig.stiffness, force_noise);
+    for (std::size_t i = 0; i < rows.size(); ++i) read.stuck[i] = read.stuck[i] && still[i];
+  }
   for (std::size_t i = 0; i < rows.size(); ++i)
-    if (rows.row[i] + 1 >= after) forces[index_of(i)] /= 1 - loss;
-  return forces;
+    fit.sliding_out += !read.stuck[i] && rows.side[i] < 0 && read.states.is_read(index_of(i));
+  if (fit.sliding_out < min_rows) return fit;
+  fit.status = PassesStatus::not_explained;
+  const auto needed =
+      losses_needed(problem.record, with_breaks(problem.drops, problem.record, legs), problem.rig.fibre);
+  const PassUnknowns unknowns(problem, legs, needed, rows, read.states);
+  const double longest = length_passed_twice(rows, read.states, legs.size());
+  const auto best = PassesFitter(problem, legs, rows, unknowns, read.stuck, longest).run();
+  constexpr double explained = 5;  // [noise]
+  if (!best || best->noise > std::max(explained * force_noise, left_over * greatest_of(problem.record.force)))
+    return fit;
+  return told_of(*best, problem, legs, needed, rows, unknowns);
 }
 
 // Of a mean friction whose error is one of its own and one in common with the bending stiffness.
@@ -551,39 +616,12 @@ PassesFit fit_passes(const PassesProblem& problem) {
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(problem.rig.stiffness));
   const std::vector<Leg> legs = find_legs(problem.record.stage);
   if (legs.size() < 2) throw std::invalid_argument("a record of one pass has none to be compared with");
-  PassesFit fit;
-  const PassRows rows = rows_of(problem, legs);
-  fit.status = PassesStatus::not_sliding_out;
-  const double greatest = *std::max_element(problem.record.force.begin(), problem.record.force.end());
-  std::vector<char> left_out;  // without contact, or where the specimen sticks
-  for (const double force : problem.record.force) left_out.push_back(force < problem.options.min_force * greatest);
-  if (rows.size() < min_rows) return with(fit, compare_loading_forces(problem, legs, left_out));
-  const double force_noise = noise_of_second_differences(second_differences(problem.record.force));
-  const double compliance = 1 / problem.rig.stiffness;
-  PassStates stated = states_read(rows.w, rows.F, problem.rig.fibre);
-  std::vector<char> stuck = stuck_rows(rows, stated, compliance, force_noise);
-  const double deepest = *std::max_element(problem.record.deflection.begin(), problem.record.deflection.end());
-  if (deepest > judged_from)  // less deep, friction holds hardly any of the force
-    for (std::size_t i = 0; i < rows.size(); ++i) left_out[rows.row[i]] = stuck[i];
-  fit = with(fit, compare_loading_forces(problem, legs, left_out));
-  if (fit.is_followed && fit.loss.low > 0) {
-    stated = states_read(rows.w, unharmed_forces(rows, problem.last, fit.loss.low), problem.rig.fibre);
-    const std::vector<char> still = stuck_rows(rows, stated, compliance, force_noise);
-    for (std::size_t i = 0; i < stuck.size(); ++i) stuck[i] = stuck[i] && still[i];
-  }
-  const double longest = length_passed_twice(rows, stated, legs.size());
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    fit.sliding_out += !stuck[i] && rows.side[i] < 0 && stated.is_read(index_of(i));
-  if (fit.sliding_out < min_rows) return fit;
-  fit.status = PassesStatus::not_explained;
-  const auto needed =
-      losses_needed(problem.record, with_breaks(problem.drops, problem.record, legs), problem.rig.fibre);
-  const PassUnknowns unknowns(problem, legs, needed, rows, stated);
-  const auto best = PassesFitter(problem, legs, rows, unknowns, stuck, longest).run();
-  if (!best) return fit;
-  constexpr double explained = 5, least_explained = 0.01;  // [noise]; [maximum force]
-  if (best->noise > std::max(explained * force_noise, least_explained * greatest)) return fit;
-  return told_of(*best, problem, legs, needed, rows, unknowns);
+  const PassesFit by_forces = told_by_forces(problem, legs);
+  constexpr double beside_noise = 0.005, of_bedding = 0.04;  // [maximum force]
+  PassesFit fit = fit_together(by_forces, problem, legs, beside_noise);
+  if (fit.status != PassesStatus::not_explained) return fit;
+  PassesFit bedded = fit_together(by_forces, bedding_down(problem), legs, of_bedding);
+  return bedded.status == PassesStatus::ok ? bedded : fit;
 }
 
 FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, const FitOptions& options) {

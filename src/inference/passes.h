@@ -44,11 +44,17 @@ struct PassesOptions {
       0.04;  // by which half of a gradual loss may come earlier or later than in proportion to the deflection
   double loss_at_turn = 0.012;
   double loss_at_reload = 0.06;  // where the pass that is loaded again is unloaded, too
+  double stiffening = 0.02;      // any of these but those of drops, as a gain, which nothing does
 
   // Deflections.
-  double settling = 0.03;          // [L] that a loading leaves for good
-  double rising = 0.001;           // [L] likewise upwards, which nothing does
-  double contact_change = 0.0015;  // [L] where the specimen is loaded again
+  double settling = 0.03;            // [L] that a loading leaves for good
+  double rising = 0.001;             // [L] likewise upwards, which nothing does
+  double contact_change = 0.0015;    // [L] where the specimen is loaded again
+  double contact_change_at_top = 0;  // [L] where it is unloaded
+
+  // A specimen that beds down on its supports: what is tried where that does not explain the record.
+  double bedding = 0.006;    // [L] the contact, and its changes at either turn
+  double bedded_from = 0.3;  // [greatest deflection] rows with less are left out
 
   // The zero of the force, besides RigErrors.
   double zero = 0.0015;    // [maximum force]
@@ -90,7 +96,7 @@ struct PassPoint {
 enum class PassesStatus {
   ok,
   not_sliding_out,  // fewer than 20 rows slide outwards; only sliding_out, and the loss by the forces of two loadings, are valid
-  not_explained,  // no friction and no losses give the rows to within five times their noise: likewise
+  not_explained,  // no friction, losses and bedding give the rows to within five times their noise, nor .04 of the greatest force: likewise
 };
 
 struct PassesFit {

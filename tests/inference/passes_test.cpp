@@ -35,6 +35,7 @@ struct Programme {
   double friction = 0.5, wear = 1, k = 60, bottom = 0.1;
   double noise = 0.002;  // [maximum force]
   std::vector<Crack> cracks{};
+  std::vector<double> toes{0, 0, 0};  // [L] by which a pass gives way under the first forces
 };
 
 // Loaded, unloaded and loaded again, with noise that alternates and drifts.
@@ -57,9 +58,11 @@ PassesProblem simulated(const Programme& programme) {
   NormalSource normal(7);
   for (const PathPoint& point : history.path) {
     const double F = point.F + programme.noise * greatest * normal();
-    problem.record.stage.push_back(point.stage);
+    const double toe = programme.toes[problem.record.stage.size() / 160];
+    const double stage = point.stage + toe * (1 - elementary::exp(-point.F / (0.05 * greatest)));
+    problem.record.stage.push_back(stage);
     problem.record.force.push_back(F);
-    problem.record.deflection.push_back(point.stage - F / programme.k);
+    problem.record.deflection.push_back(stage - F / programme.k);
   }
   const ReducedRecord& all = problem.record;
   const auto loading = [&](const std::vector<double>& column) {
@@ -148,6 +151,19 @@ TEST_CASE("oracle: friction, stiffness and loss of a simulated test, whether it 
     REQUIRE(fit.passes.size() == 3);
     CHECK(holds(fit.passes[1].friction, programme.friction * programme.wear));
     CHECK(holds(fit.passes[2].friction, programme.friction * programme.wear * programme.wear));
+  }
+}
+
+TEST_CASE(
+    "limit: of a sound specimen that beds down, in each pass by another length, no stiffness is told to be lost or "
+    "gained") {
+  for (const double toe : {0.0, 0.005, 0.01}) {
+    CAPTURE(toe);
+    const PassesFit fit = fit_passes(simulated({.noise = 0.0005, .toes = {toe, 2 * toe, toe}}));
+    REQUIRE(fit.status == PassesStatus::ok);
+    CHECK(holds(fit.loss, 0));
+    CHECK(holds(fit.mean_friction, 0.5));
+    CHECK(holds(fit.log_stiffness, 0));
   }
 }
 
