@@ -24,7 +24,8 @@ from record import truth_of
 from rig import read, write_record
 
 REPOSITORY = pathlib.Path(__file__).resolve().parents[2]
-KINDS = [*cycles.KINDS, *loadings.KINDS]
+GROUPS = {"cycles": cycles.KINDS, "loadings": loadings.KINDS}
+KINDS = [kind for group in GROUPS.values() for kind in group]
 
 
 class Workshop:
@@ -106,7 +107,8 @@ def missing(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("out", type=pathlib.Path, nargs="?")
-    parser.add_argument("--kinds", nargs="+", default=[kind for kind in KINDS if simulator_of(kind) != "rod"], choices=KINDS)
+    parser.add_argument("--kinds", nargs="+", choices=KINDS, help="rods only if they are named")
+    parser.add_argument("--of", nargs="+", default=list(GROUPS), choices=GROUPS, help="where no kinds are named: what is loaded and unloaded, what is judged by its drops, or both")
     parser.add_argument("--count", type=int, default=20, help="records of each kind; a rod takes some seconds")
     parser.add_argument("--first", type=int, default=0, help="number of the first record of each kind")
     parser.add_argument("--seed", type=int, default=1)
@@ -115,6 +117,7 @@ def main():
     parser.add_argument("--prototypes", type=pathlib.Path, default=REPOSITORY.parent / "shared" / "prototypes")
     parser.add_argument("--list", action="store_true", help="print the kinds, their simulators and what acts in them")
     options = parser.parse_args()
+    options.kinds = options.kinds or [kind for group in options.of for kind in GROUPS[group] if simulator_of(kind) != "rod"]
     if options.list:
         list_kinds()
         return 0

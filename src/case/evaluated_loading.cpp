@@ -230,14 +230,40 @@ Done end_before_failure(Preparing& at) {
   return done;
 }
 
+namespace {
+
+// Of the falls of the force during which a reckoned stage runs back, by more than its noise and than an error of the load train explains, the one that
+// asks for the stiffest train.
+std::optional<LeastTrain> least_train(const Record& record) {
+  constexpr double noise_range = 5, of_fall = 0.25;  // [1] of what the load train gives back in the fall
+  const double noise = stage_noise(record.stage);
+  std::optional<LeastTrain> found;
+  std::size_t farthest = 0;
+  for (std::size_t i = 1; i < record.stage.size(); ++i) {
+    const LeastTrain fall{farthest, i, record.force[farthest] - record.force[i],
+                          record.deflection[i] - record.deflection[farthest]};
+    const double back = record.stage[farthest] - record.stage[i];
+    const bool runs_back = back > std::max(noise_range * noise, of_fall * (fall.advance + back));
+    if (runs_back && fall.advance > 0 && (!found || fall.fall * found->advance > found->fall * fall.advance))
+      found = fall;
+    if (record.stage[i] > record.stage[farthest]) farthest = i;
+  }
+  return found;
+}
+
+}  // namespace
+
 Done hold_stage(Preparing& at) {
   // A stage that runs back by less, the larger of both, is one whose encoder is noisy; farther, the record is another test, or out of order.
   constexpr double max_noise = 0.005;  // [travel]
   constexpr double noise_range = 5;    // [noise of the stage] between the extremes of some hundred readings
   std::vector<double>& stage = at.result.record.stage;
   const auto [least, most] = std::minmax_element(stage.begin(), stage.end());
-  const double allowed =
-      at.result.cycles ? infinity : std::max(max_noise * (*most - *least), noise_range * stage_noise(stage));
+  const bool is_reckoned = !at.readings.has(Reading::stage);
+  if (is_reckoned) at.result.least_train = least_train(at.result.record);
+  const double allowed = at.result.cycles || is_reckoned
+                             ? infinity
+                             : std::max(max_noise * (*most - *least), noise_range * stage_noise(stage));
   double farthest = stage.front(), largest = 0;
   std::size_t held = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {

@@ -35,6 +35,14 @@ struct EvaluatedLoading {
 
 // The part of a record that is evaluated: one loading, from the contact to the failure or to where the stage turns back; of a
 // test that is unloaded, all of it besides.
+// A fall of the force during which the specimen bent farther by less than the load train stated would have given back, so that
+// this is stiffer than fall/advance.
+struct LeastTrain {
+  std::size_t before, after;  // points of the record
+  double fall;                // [N] of the force
+  double advance;             // [m] of the deflection, > 0
+};
+
 struct Measurement {
   Test test;                                   // completed with what the file says, see Readings
   std::vector<PreparationStep> preparation{};  // how the file became the record
@@ -53,6 +61,8 @@ struct Measurement {
   ContactSource contact = ContactSource::first_point;
   bool is_derived = false;   // the deflection is what the load train leaves of the stage
   bool begins_free = false;  // with rows before the contact, so that no preload hides in its zero
+  // Where the stage is reckoned from deflection and force, and would have run back while the force fell.
+  std::optional<LeastTrain> least_train{};
   double begins_under =
       0;  // [N] the force of its first points, where nothing of the specimen could be there; below 0: an error of the zero
   double contact_offset = 0;  // [m] taken off stage and deflection

@@ -97,7 +97,7 @@ Verdict verdict_of_cracks(T test) {
   const bool has_drops = test.analysis.drop_features.drops > 0;
   if (!is_reloaded(test.analysis) && !lost_before(test.analysis)) {
     Verdict verdict{VerdictCode::crack, {}, "cracks"};
-    if (has_drops && loses_at_all(test.judgement.causes))
+    if (has_drops && loses_at_all(test.judgement.causes, false))
       verdict.parts = {count_of_drops(test),
                        fmt::format("the specimen lost {} of its stiffness if they are cracks, or settled",
                                    loss_by_drops_in_words(test)),

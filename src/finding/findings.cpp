@@ -279,6 +279,28 @@ Found train_by_drops(T test) {
                   {"load_train", 1 / train.compliance, kind::stiffness}}};
 }
 
+// Where only the deflection was measured, the machine cannot have gone back while the force fell.
+Found train_by_reckoned_stage(T test) {
+  const std::optional<LeastTrain>& least = test.measurement.least_train;
+  if (!least) return std::nullopt;
+  const double train = least->fall / least->advance;
+  const double stated = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
+  const Print print(test);
+  const std::string bound = format_roughly(train, print.as(kind::stiffness));
+  return Finding{
+      .severity = Severity::refusal,
+      .sentence = fmt::format("Behind row {} the deflection rises by only {} while the force falls by {}: on the load "
+                              "train stated ({}) the "
+                              "machine would have gone back by {}. The load train is stiffer than {}.",
+                              file_row(test, least->before), format_roughly(least->advance, print.as(kind::length)),
+                              format_roughly(least->fall, print.as(kind::force)), load_train_in_words(test),
+                              format_roughly(least->fall / stated - least->advance, print.as(kind::length)), bound),
+      .short_form = fmt::format("load train stiffer than {}", bound),
+      .remedy = fmt::format("State the stiffness of the load train ({}).", rig_keys(test, {"stiffness"})),
+      .numbers = {{"row", static_cast<double>(file_row(test, least->before))},
+                  {"least_load_train", train, kind::stiffness}}};
+}
+
 Found too_few_points(T test) {
   if (is_bent_enough(test)) return std::nullopt;
   const std::size_t rows = test.analysis.record.force.size();
@@ -313,6 +335,7 @@ Found force_sinks(T test) {
 // Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
 Found wrong_load_train(T test) {
   const TestAnalysis& analysis = test.analysis;
+  if (Found found = train_by_reckoned_stage(test)) return found;
   if (!is_bent_enough(test)) return std::nullopt;
   if (Found found = train_by_drops(test)) return found;
   const double times = analysis.stiffness_over_slope;
@@ -407,7 +430,7 @@ Found cracks(T test) {
     return std::nullopt;
   const DropFeatures& features = test.analysis.drop_features;
   const std::string causes = causes_in_words(test);
-  const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes);
+  const bool by_drops = features.drops > 0 && loses_at_all(test.judgement.causes, false);
   return Finding{
       .severity = Severity::suspicion,
       .sentence = by_drops

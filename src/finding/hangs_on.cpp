@@ -161,7 +161,8 @@ std::string hangs_on_in_words(T test, bool tells_work) {
   constexpr double worth_saying = 0.005;
   const HangsOn* most = nullptr;  // of the work
   for (const HangsOn& each : all) {
-    if (std::abs(each.friction_moves) >= worth_saying)
+    const bool is_measured_by_few = each.quantity == name_of(StatedQuantity::load_train);  // always told
+    if (std::abs(each.friction_moves) >= worth_saying || is_measured_by_few)
       words.push_back(fmt::format("{} +{}: {}", each.title, each.step, signed_number(each.friction_moves)));
     if (!each.is_supposed && (!most || std::abs(each.work_moves) > std::abs(most->work_moves))) most = &each;
   }

@@ -8,7 +8,6 @@
 namespace flexslip {
 namespace {
 
-constexpr double doubt = 0.05;      // probability below which a cause is excluded
 constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
 
 double squashed(double x) { return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -20.0, 20.0))); }  // tanh
@@ -69,9 +68,9 @@ Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
   return causes_by(inputs, cause_coefficients::cracks_by_reload, cause_coefficients::both_by_reload);
 }
 
-bool slips_at_all(const Causes& causes) { return causes.cracks < doubt; }
+bool slips_at_all(const Causes& causes) { return causes.cracks < 0.05; }
 
-bool loses_at_all(const Causes& causes) { return causes.slips < doubt; }
+bool loses_at_all(const Causes& causes, bool is_reloaded) { return causes.slips < (is_reloaded ? 0.05 : 0.03); }
 
 bool is_loss(double log_loss, double error) {
   constexpr double errors = 3;
@@ -89,8 +88,8 @@ CauseChances chances_of_causes(double log_needed, double error, const Causes& sl
     const Causes if_slips = causes_of(slips_by_one_loading, {told_of_slips, error, log_needed});
     const Causes if_cracks = causes_of(Causes{}, {told_of_cracks, error, log_needed});
     weights += weight;
-    if (slips_at_all(if_slips) && !loses_at_all(if_slips) && !is_loss(told_of_slips, error)) slips += weight;
-    if ((loses_at_all(if_cracks) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;
+    if (slips_at_all(if_slips) && !loses_at_all(if_slips, true) && !is_loss(told_of_slips, error)) slips += weight;
+    if ((loses_at_all(if_cracks, true) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;
   }
   return {slips / weights, cracks / weights};
 }

@@ -42,9 +42,9 @@ struct LossByReload {
 // Method:     likewise.
 Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
 
-// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %?
+// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %, or below 3 % by one loading?
 bool slips_at_all(const Causes& causes);
-bool loses_at_all(const Causes& causes);
+bool loses_at_all(const Causes& causes, bool is_reloaded);
 
 // Is a loss, as -ln of what is left, more than three times its error?
 bool is_loss(double log_loss, double error);

@@ -37,7 +37,7 @@ Conclusion conclusion_by_reload(const TestAnalysis& analysis, const Causes& caus
   const bool has_drops = !analysis.drops.drops.empty();
   if (!has_drops || std::isnan(causes.slips))
     return is_lost(passes) ? Conclusion::cracks : has_drops ? Conclusion::undecided : Conclusion::no_drops;
-  if (loses_at_all(causes) || is_lost(passes))
+  if (loses_at_all(causes, true) || is_lost(passes))
     return slips_at_all(causes) ? Conclusion::slips_and_damage : Conclusion::cracks;
   return slips_at_all(causes) ? Conclusion::slips : Conclusion::undecided;
 }
@@ -46,7 +46,7 @@ Conclusion conclusion_by_one_loading(const TestAnalysis& analysis, const Causes&
   constexpr double crests =
       0.9;  // [1] cracks only would need less friction than that to the end: then slips are not told from them
   const DropFeatures& features = analysis.drop_features;
-  if (loses_at_all(causes) || is_loss_without_friction(features)) return Conclusion::cracks;
+  if (loses_at_all(causes, false) || is_loss_without_friction(features)) return Conclusion::cracks;
   if (lost_before(analysis)) return Conclusion::cracks;
   if (analysis.drops.drops.empty()) return sinks(analysis) ? Conclusion::undecided : Conclusion::no_drops;
   return slips_at_all(causes) && features.needed_at_end > crests ? Conclusion::slips : Conclusion::undecided;

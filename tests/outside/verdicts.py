@@ -113,6 +113,15 @@ until = 267
             answer, _ = self.answer(case, "--set", f'rig.stiffness="{stiffness}"')
             self.assertNotEqual(answer["verdict"]["code"], "crack", stiffness)
 
+    @unittest.skipUnless((CASES / "load_train_too_soft").is_dir(), "no shared cases")
+    def test_a_measured_deflection_tells_how_stiff_the_load_train_is_at_least(self):
+        record = CASES / "load_train_too_soft" / "drop_66N.csv"
+        flags = ["--displacement", "deflection", "--span", "40 mm", "--set", 'specimen.width="17.7 mm"', "--set", 'specimen.height="2.26 mm"']
+        fit, result = self.answer(str(record), *flags, "--stiffness", "1 kN/mm")
+        self.assertEqual((result.returncode, fit["verdict"]["code"], fit["findings"][0]["code"]), (1, "check_input", "wrong_load_train"))
+        self.assertRegex(fit["verdict"]["sentence"], "rises by only 13 µm while the force falls by 62 N.* stiffer than 4.8 kN/mm")
+        self.assertEqual(self.answer(str(record), *flags, "--stiffness", "10 kN/mm")[0]["verdict"]["code"], "crack")
+
     @unittest.skipUnless((CASES / "cracks_on_stiff_frame").is_dir(), "no cases")
     def test_cracks_on_stiff_frames_are_cracks_one_drop_or_many(self):
         folder = CASES / "cracks_on_stiff_frame"
