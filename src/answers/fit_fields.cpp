@@ -66,7 +66,7 @@ Fields<TestAnalysis> slips_fields() {
   };
   return Fields<TestAnalysis>()
       .number("median_spacing", kind::length,
-              "median length of specimen that passes over each support from the beginning of one slip to the next",
+              "median distance along the specimen from the beginning of one slip to that of the next",
               summary(&SlipSummary::median_spacing))
       .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
       .list("slips", "drops that can be slips, in the order of drops", slip_fields(), [](const TestAnalysis& analysis) {

@@ -168,6 +168,10 @@ constexpr std::array keys{
              "radius of the loading nose; sharp unless given",
              ". It has no effect until the specimen is bent more sharply than nose and half depth allow; simulate, "
              "design and fit say where that happens, and go on computing with a sharp nose"),
+    word(
+        at<&RigInput::nose>, "nose", "holds|free", R"("free")",
+        "whether the loading nose holds the middle of the specimen; it does unless given",
+        R"(. A nose whose friction is at least half of the difference between the sides' holds it, and two sides that differ act by their mean. `"free"`: a nose without friction, or one that turns; the weaker side slides, and `fit` reports lengths along the specimen twice as long ([theory](theory.md#two-supports)))"),
     plain(at<&RigInput::support_material>, "support_material", Holds::text, R"("steel")", "material of the supports",
           "; friction is compared with the literature only if both materials are stated"),
     // friction

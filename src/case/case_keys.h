@@ -40,7 +40,7 @@ using Slot = std::variant<std::monostate, double*, std::optional<double>*, std::
                           std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*,
                           std::optional<Known>*, std::optional<StatedStiffness>*, std::vector<double>*,
                           std::vector<CrackInput>*, std::vector<WaveInput>*, Rollers*, FrictionAt*,
-                          std::optional<SupportKind>*, std::optional<FrictionModel>*, TraceDirection*, SnapRest*,
+                          std::optional<SupportKind>*, std::optional<FrictionModel>*, Nose*, TraceDirection*, SnapRest*,
                           std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
                           std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
 inline bool is_required(const Slot& slot) {

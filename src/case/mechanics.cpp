@@ -413,9 +413,11 @@ void require_covered(const Asked& asked) {
       waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and that of reference");
 }
 
-// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
-// one may slide alone.
-double one_sided_reach(const Test& test, double S_max) { return test.other ? 1 + 2 * (S_max - 1) : S_max; }
+// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: under a free nose one of two may
+// slide alone.
+double one_sided_reach(const Test& test, double S_max) {
+  return test.other && test.rig->nose == Nose::free ? 1 + 2 * (S_max - 1) : S_max;
+}
 
 Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales, double S_max) {
   const double reach = one_sided_reach(side.test, S_max);
@@ -606,7 +608,8 @@ Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales,
   if (fibre.supports().radius > 0)
     throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
                       "delete it, or [friction.other]");
-  return Friction::on_two_supports(std::move(first), *std::move(other), S_max);
+  const auto together = test.rig->nose == Nose::holds ? Friction::mean_of : Friction::on_two_supports;
+  return together(std::move(first), *std::move(other), S_max);
 }
 
 Test with_files_read(Test test) {
@@ -640,9 +643,13 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
     refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
            fmt::format("{:g}", excess), "delete it, or roller_radius");
   const SnapRest snaps = test.stage ? test.stage->snaps : SnapRest::nearest_stable;
-  if (kinetic.two_supports() && snaps == SnapRest::overshoot)
-    refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
-           "delete it, or [friction.other]");
+  if (kinetic.two_supports()) {
+    const std::string one_slides = "as the two supports differ and the nose is free", remedy = "delete it, or [rig] nose";
+    if (excess > 0)
+      refuse("friction.static_excess", "no excess of static friction, " + one_slides, fmt::format("{:g}", excess), remedy);
+    if (snaps == SnapRest::overshoot)
+      refuse("stage.snaps", "snaps that rest at the nearest stable state, " + one_slides, "\"overshoot\"", remedy);
+  }
   const double wear = test.friction->wear.value_or(1);
   if (wear < 1 && test.stage && test.stage->file)
     refuse("friction.wear", "a program of the stage, as the noise of a measured one turns it again and again",

@@ -76,6 +76,7 @@ struct RigInput {
   std::optional<double> pin_radius{}, pin_friction{};  // [m], [1] of rollers on pins
   FrictionAt friction_at = FrictionAt::surface;  // one with the axis where no section says how thick the specimen is
   std::optional<double> nose_radius{};           // [m] none: sharp
+  Nose nose = Nose::holds;
   std::optional<std::string> support_material{};
   bool in_inches = false;  // the span is stated so: people are answered in inches and pounds
   bool operator==(const RigInput&) const = default;

@@ -215,6 +215,7 @@ Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   p.fibre = problem.rig.fibre;
   p.noise = noise_of_second_differences(second_differences(record.force));
   p.compliance = 1 / problem.rig.stiffness;
+  p.share = share_of_sliding(problem.nose);
   p.stiffness_error = problem.errors.bending_stiffness;
   const std::vector<std::size_t> rows = readings_judged(record, p.fibre);
   p.judged = rows.size();
@@ -243,7 +244,7 @@ Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   const double beyond = 0.1 * (*most - *least);
   p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, min_S), *most + beyond);
   p.S_middle = 0.5 * (p.along.at(p.S.front()) + p.along.at(p.S.back()));
-  p.range = 0.5 * (p.along.at(*most) - p.along.at(*least));
+  p.range = p.share * (p.along.at(*most) - p.along.at(*least));
   return p;
 }
 
@@ -443,7 +444,7 @@ std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at,
     const double jump = S[i] - S[i - 1];
     const double blur = std::abs(at.S_force[i]) * noise;
     if (!(jump > options.gap_advances * passages.advance[i] + options.gap_noise * blur)) continue;
-    const double spacing = passages.range / options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
+    const double spacing = 0.5 * passages.range / passages.share / options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
     const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), options.min_gap_places,
                                                            std::max(options.min_gap_places, options.max_gap_places)));
     for (std::size_t node = 1; node <= count; ++node) {

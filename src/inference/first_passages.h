@@ -45,12 +45,13 @@ struct Passages {
   PerQuantity<RigError> quantities;  // of each that is larger than stated, as RigShifts::by
   double noise;                      // [EI/L^2] of a reading, by second differences
   ContactTravel along;               // the specimen, past its contacts
+  double share;                      // [1] of what slides (share_of_sliding)
   double S_middle;                   // [L] of it
-  double range;                      // [L] of places on the fibre: half of what has passed
+  double range;                      // [L] of places on the fibre: that share of what has passed
 
   std::size_t size() const { return row.size(); }
-  double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of matern.h
-  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + 2 * place); }
+  double place(double S_at) const { return share * (along.at(S_at) - S_middle); }  // [L] x of matern.h
+  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + place / share); }
 };
 
 // [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below friction_told_from.

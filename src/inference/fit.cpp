@@ -54,7 +54,7 @@ FitProblem usable_part(const FitProblem& whole) {
   constexpr double max_deflection = 0.8;  // [L]
   std::size_t size = 0;
   while (size < whole.record.stage.size() && whole.record.deflection[size] <= max_deflection) ++size;
-  return {every(1, size, whole.record), whole.rig, whole.errors, whole.rig_errors};
+  return whole.with(every(1, size, whole.record));
 }
 
 std::size_t thinning_of(std::size_t points) {
@@ -64,7 +64,7 @@ std::size_t thinning_of(std::size_t points) {
 
 FitProblem thinned(const FitProblem& problem) {
   const std::size_t size = problem.record.stage.size();
-  return {every(thinning_of(size), size, problem.record), problem.rig, problem.errors, problem.rig_errors};
+  return problem.with(every(thinning_of(size), size, problem.record));
 }
 
 namespace {
@@ -180,7 +180,8 @@ std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_
   return parts;
 }
 
-WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength, double hidden_by_rig,
+// place: [L] of the middle of the fibre seen, from the straight fibre's midspan on.
+WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double place, double log_wavelength, double hidden_by_rig,
                      bool rolls_back) {
   std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle;
   std::vector<JointPart> joint;
@@ -190,7 +191,7 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     sine += draw.weight * draw.sine;
   }
   const double about = -elementary::angle(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
-  const double usual = elementary::wrapped_angle(about - pi * S_middle * elementary::exp(-log_wavelength));
+  const double usual = elementary::wrapped_angle(about - 2 * pi * place * elementary::exp(-log_wavelength));
   for (const auto& draw : draws) {
     const double lambda = elementary::exp(draw.log_wavelength);
     const double angle = about + elementary::wrapped_angle(-elementary::angle(draw.sine, draw.cosine) - about);
@@ -198,7 +199,7 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     wavelength.push_back({lambda, draw.weight});
     at_middle.push_back({angle, draw.weight});
     phase.push_back(
-        {usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
+        {usual + (angle - about) - 2 * pi * place * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
     JointPart part = draw.beside;
     part.value[JointPart::amplitude] = amplitude.back().value;
     part.value[JointPart::wavelength] = lambda;
@@ -256,6 +257,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.S_begin = *least;
   fit.S_end = *greatest;
   fit.along = passages.along;
+  fit.share = passages.share;
   fit.S_middle = fit.along.length_at(passages.S_middle);
   const auto mean = mean_friction({{1, constant.mu0, constant.standard_error}});
   fit.mu0 = mean.estimate;
@@ -344,6 +346,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.S_begin = posterior.S_begin;
   fit.S_end = posterior.S_end;
   fit.along = passages.along;
+  fit.share = passages.share;
   fit.S_middle = fit.along.length_at(passages.S_middle);
   if (options.search.parts.hidden_by_rig) fit.hidden_by_rig = hidden_by_soft_rig(problem.rig.stiffness);
   const NormalMixture of_mean = widened(posterior.mean, fit.hidden_by_rig);
@@ -365,7 +368,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (auto wave : posterior.waves) {
     if (rolls_back)
       for (auto& draw : wave.draws) draw.sine = -draw.sine;
-    fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
+    fit.waves.push_back(wave_of(wave.draws, passages.share * fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
   }
   // What is longer may be a trend.
   const auto repeats = [&](const WaveEstimate& wave) { return wave.wavelength.value < passages.range / 4; };

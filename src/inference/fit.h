@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bending_test/rig.h"
@@ -31,9 +32,9 @@ inline constexpr double claiming_gain = 3;
 // A wave of friction, (4.25).
 struct WaveEstimate {
   Estimate amplitude;                       // [1] A, relative to mu0
-  Estimate wavelength;                      // [L] λ
+  Estimate wavelength;                      // [L] λ; under a free nose the period in S, which else is 2 λ
   Estimate phase;                           // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  Estimate phase_at_middle;                 // [rad] π S_middle/λ + φ, which is not
+  Estimate phase_at_middle;                 // [rad] π S_middle/λ + φ, which is not; under a free nose 2π S_middle/λ + φ
   std::vector<Correlation> correlations{};  // with all that goes with it
 };
 
@@ -83,6 +84,10 @@ struct FitProblem {
   Rig rig;
   MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
   RigErrors rig_errors{};
+  Nose nose = Nose::holds;  // under a free one lengths along the fibre are twice as long
+
+  // The same rig with another record of its test.
+  FitProblem with(ReducedRecord other) const { return {std::move(other), rig, errors, rig_errors, nose}; }
 };
 
 inline constexpr double max_stiffness_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
@@ -141,6 +146,7 @@ struct FrictionFit {
   std::size_t readings;   // that tell of friction
   double S_begin, S_end;  // [L] the fibre seen, by what has been drawn in
   ContactTravel along;    // where its contacts were then
+  double share;           // [1] of what slides: share_of_sliding
   double S_middle;    // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
   Estimate mu0;       // [1] mean of μ over the fibre seen
   bool mu0_is_bound;  // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
@@ -189,7 +195,7 @@ MeanFriction mean_friction(const NormalMixture& mixture);
 double weight_without_roughness(const FrictionFit& fit);
 
 // Does it tell a length along the fibre? A wave that is claimed does, and roughness where there is some: a fit whose explanations have none by more
-// than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
+// than half tells none.
 bool tells_lengths(const FrictionFit& fit);
 
 // Domain:     as usable_part.

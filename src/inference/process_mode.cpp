@@ -42,7 +42,7 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   std::vector<double> advance, place_error;  // [L] of x
   const auto slopes = rises_of(passages_);
   for (std::size_t i = 1; i < passages_.size(); ++i) {
-    const double x_by_S = 0.5 * passages_.along.slope(passages_.S[i]);
+    const double x_by_S = passages_.share * passages_.along.slope(passages_.S[i]);
     advance.push_back(x_by_S * passages_.advance[i]);
     place_error.push_back(x_by_S * std::abs(slopes.S_force[i]) * passages_.noise);
   }
@@ -340,7 +340,7 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       waves += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
-    const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
+    const double x_by_S = passages_.share * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
     slopes.push_back({x_by_S * (smoothed[k].slope + beta[columns_.drift] / passages_.range + waves), x_by_S * waves});
   }
   return slopes;

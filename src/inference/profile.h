@@ -158,6 +158,6 @@ struct SlipSummary {
       median_spacing;  // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
   double median_fall;  // [1] of μ in a slip; NaN without slips
 };
-SlipSummary summarise(std::span<const Slip> slips);
+SlipSummary summarise(std::span<const Slip> slips, Nose nose = Nose::holds);
 
 }  // namespace flexslip
