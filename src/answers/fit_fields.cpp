@@ -398,6 +398,9 @@ Fields<FittedTest> every_fit_field() {
               [](T test) { return is_suspect(findings_of(test)); })
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
       .only_where(is_fitted)
+      .yes_no("snaps_overshoot",
+              "whether snaps carry the specimen beyond the nearest stable state, as stated or as the record shows",
+              [](T test) { return test.analysis.fit.overshoots; })
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })

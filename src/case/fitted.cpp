@@ -100,6 +100,7 @@ TestDescription description_of(const Measurement& measurement, const BendingStif
           .contact_error = measurement.contact_error,
           .fibre = fibre_of(input, Scales(span_of(input), 1)),
           .nose = input.rig->nose,
+          .snaps = input.rig->snaps,
           .rig_errors = rig_errors_of(measurement)};
 }
 

@@ -444,7 +444,7 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   if (friction.static_excess.value_or(0) > 0)
     refuse("friction.static_excess", fmt::format("{:g}", *friction.static_excess));
   if (friction.wear.value_or(1) < 1) refuse("friction.wear", fmt::format("{:g}", *friction.wear));
-  if (test.stage->snaps == SnapRest::overshoot) refuse("stage.snaps", "\"overshoot\"");
+  if (const auto key = key_of_overshoot(test); !key.empty()) refuse(key, "\"overshoot\"");
   FrictionTable out = std::get<FrictionTable>(inwards.form());
   const double mu0 = *friction.mu0;
   for (std::size_t i = 0; i < out.mu.size(); ++i) {
@@ -460,6 +460,11 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
 }
 
 }  // namespace
+
+std::string_view key_of_overshoot(const Test& test) {
+  if (test.stage && test.stage->snaps) return test.stage->snaps == SnapRest::overshoot ? "stage.snaps" : "";
+  return test.rig && test.rig->snaps == SnapRest::overshoot ? "rig.snaps" : "";
+}
 
 std::string_view name_of(StiffnessSource source) {
   return name_in_order<StiffnessSource::initial_slope>(source,
@@ -642,19 +647,22 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   if (excess > 0 && rig.fibre.supports().radius > 0)
     refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
            fmt::format("{:g}", excess), "delete it, or roller_radius");
-  const SnapRest snaps = test.stage ? test.stage->snaps : SnapRest::nearest_stable;
+  const std::string_view overshoot = key_of_overshoot(test);
   if (kinetic.two_supports()) {
-    const std::string one_slides = "as the two supports differ and the nose is free", remedy = "delete it, or [rig] nose";
+    const std::string one_slides = "as the two supports differ and the nose is free",
+                      remedy = "delete it, or [rig] nose";
     if (excess > 0)
-      refuse("friction.static_excess", "no excess of static friction, " + one_slides, fmt::format("{:g}", excess), remedy);
-    if (snaps == SnapRest::overshoot)
-      refuse("stage.snaps", "snaps that rest at the nearest stable state, " + one_slides, "\"overshoot\"", remedy);
+      refuse("friction.static_excess", "no excess of static friction, " + one_slides, fmt::format("{:g}", excess),
+             remedy);
+    if (!overshoot.empty())
+      refuse(overshoot, "snaps that rest at the nearest stable state, " + one_slides, "\"overshoot\"", remedy);
   }
   const double wear = test.friction->wear.value_or(1);
   if (wear < 1 && test.stage && test.stage->file)
     refuse("friction.wear", "a program of the stage, as the noise of a measured one turns it again and again",
            fmt::format("{:g}", wear), "write a program into [stage] instead of its file");
-  return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps, wear};
+  const SnapRest rest = overshoot.empty() ? SnapRest::nearest_stable : SnapRest::overshoot;
+  return {{std::move(kinetic), Friction::constant(excess)}, rig, rest, wear};
 }
 
 double periods_up_to(const Friction& friction, double stage) {

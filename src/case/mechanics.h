@@ -106,6 +106,9 @@ Rig rig_of(const Test& test, const Scales& scales);
 // Fails:      InputError if that of the preload exceeds a twentieth of the span.
 RigErrors rig_errors_of(const Measurement& measurement);
 
+// The key by which the snaps of a test overshoot; "" if they do not.
+std::string_view key_of_overshoot(const Test& test);
+
 // [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
 std::optional<double> pin_limit_of(const Test& test);
 

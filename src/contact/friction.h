@@ -89,16 +89,6 @@ class PathDependentFriction {
   virtual std::shared_ptr<const PathDependentFriction> scaled(double factor) const;
 };
 
-// What a nose does with the middle of a specimen whose sides pull it unlike.
-enum class Nose {
-  holds,  // both sides slide alike
-  free,   // it has no friction, or turns: the weaker side slides
-};
-
-// [1] Of the length that slides over both supports, that by which places on the specimen pass a support that slides: all of it where one does at a
-// time.
-constexpr double share_of_sliding(Nose nose) { return nose == Nose::holds ? 0.5 : 1; }
-
 class TwoSupportPath;
 
 class Friction {
@@ -115,8 +105,7 @@ class Friction {
   // S_max [L]. The same seed gives the same profile on every machine.
   static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
 
-  // Of two supports that are not alike, from where the fibre is straight, up to a length S_most (two_supports.h): under a nose that holds the fibre
-  // the mean of both sides, under a free one the friction of a way.
+  // Of two unlike supports, up to a length S_most (two_supports.h): the mean of both, under a nose that holds; the friction of a way, under a free one.
   static Friction mean_of(Friction left, Friction right, double S_most);
   static Friction on_two_supports(Friction left, Friction right, double S_most);
 
@@ -130,7 +119,7 @@ class Friction {
   Friction from(double S, double q, double direction) const;
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
-  const TwoSupportPath* two_supports() const;  // none but under a free nose
+  const TwoSupportPath* two_supports() const;                               // none but under a free nose
 
   // So many times as large everywhere along the specimen: of rollers on pins, the friction of the pins stays.
   // Domain: factor finite and >= 0, friction of the points of a specimen; std::invalid_argument otherwise.

@@ -307,7 +307,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
   analysis.most_friction = options.most_friction;
-  const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors, description.nose};
+  const FitProblem problem{analysis.reduced,       analysis.rig,     errors,
+                           description.rig_errors, description.nose, description.snaps};
   stages.enter("friction", 0.8);
   const auto are_fitted = [&] { return analysis.passes && analysis.passes->status == PassesStatus::ok; };
   if (are_fitted()) analysis.fit = fit_evaluated(problem, *analysis.passes, options.fit);
@@ -407,8 +408,9 @@ TestPath mean_run_forward(const TestAnalysis& analysis) {
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = std::min(*std::max_element(stage.begin(), stage.end()), farthest_run(analysis));
   const double stiffening = stiffening_of(analysis);
-  TestPath forward = path_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
-                                       {&farthest, 1}, points);
+  const SnapRest rest = analysis.fit.overshoots ? SnapRest::overshoot : SnapRest::nearest_stable;
+  TestPath forward = path_continuously(
+      {Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening), rest}, {&farthest, 1}, points);
   for (auto& point : forward.path) read_by_rig(point, analysis);
   return forward;
 }

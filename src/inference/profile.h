@@ -11,6 +11,7 @@
 
 #include "bending_test/rig.h"
 #include "contact/friction.h"
+#include "contact/nose.h"
 #include "data/drops.h"
 #include "data/record.h"
 #include "fibre/supported_state.h"

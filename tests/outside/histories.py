@@ -1,13 +1,16 @@
 #!/usr/bin/python3
 """outside: stage programmes of every kind, static friction, energies of legs, and the programmes that are refused."""
+import csv
 import json
 import math
 import shutil
+import subprocess
 import unittest
 
 from program import SOURCE, InFolder, numbers, run, table
 
 CASES = SOURCE / "../shared/cases"
+PROTOTYPES = SOURCE / "../shared/prototypes"
 
 RIG = "reduced = true\n[rig]\nstiffness = 30\n"
 WAVY = RIG + '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.3\nwavelength = 0.02\n'
@@ -418,6 +421,66 @@ class Nose(InFolder):
         self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", 'nose = "loose"')), says=["[rig] nose", '"holds" or "free"'])
         for radius in "0", "-1", '"sharp"':
             self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", f"nose_radius = {radius}")), says=["[rig] nose_radius"])
+
+
+class SnapsThatOvershoot(InFolder):
+    FIG_8C = RIG + '[friction]\nmodel = "sinusoid"\nmu0 = 0.6\namplitude = 0.4\nwavelength = 0.0628318530717959\n[stage]\nprogram = [0, 0.632]\nstep = 0.008\n'
+
+    @unittest.skipUnless((PROTOTYPES / "rod/der.cpp").is_file(), "no ../shared/prototypes/rod")
+    @unittest.skipUnless(shutil.which("c++"), "no C++ compiler for ../shared/prototypes/rod")
+    def test_a_dynamic_rod_rests_where_a_simulated_snap_does(self):
+        rod = self.folder / "rod"
+        subprocess.run(["c++", "-O2", "-w", "-o", rod, PROTOTYPES / "rod/der.cpp"], check=True)
+        simulated = {}
+        for rest in "nearest", "overshoot":
+            path = self.json("simulate", self.file("case.toml", self.FIG_8C), "--set", f'rig.snaps="{rest}"')["path"]
+            simulated[rest] = {round(point["stage"], 3): point["length"] for point in path}
+        for damping, rest in (0.05, "overshoot"), (0.3, "overshoot"), (1.5, "nearest"):
+            out = subprocess.run([rod, "M=1", f"zn={damping}", "prog=0,.634", "mun=.5", "k=30", "vel=.006", "be=1.2e-4", "dt=5e-5", "al=.2", "N=80", "out=.008"],
+                                 check=True, capture_output=True, text=True).stdout
+            measured = {round(float(row["ws"]), 3): float(row["S"]) for row in csv.DictReader(out.splitlines())}
+            with self.subTest(damping=damping):
+                for stage in 0.616, 0.624, 0.632:
+                    self.assertAlmostEqual(measured[stage], simulated[rest][stage], delta=0.007)  # of a snap of 0.06 or 0.08; the rod's nose moves on
+                slid, expected = (of[0.632] - of[0.616] for of in (measured, simulated[rest]))
+                self.assertAlmostEqual(slid, expected, delta=0.0008)  # 0 or 0.006
+
+    @unittest.skipUnless((CASES / "snaps_that_overshoot").is_dir(), "no cases")
+    def test_a_record_of_them_tells_its_friction(self):
+        folder = CASES / "snaps_that_overshoot"
+        for name in "overshoot.toml", "overshoot_fit.toml":
+            shutil.copy(folder / name, self.folder / name)
+        self.succeeds("simulate", self.folder / "overshoot.toml", "-o", self.folder / "overshoot.csv", "--noise", "10 uN")
+        fit = self.json("fit", self.folder / "overshoot_fit.toml", "--quiet")
+        low, high = fit["parameters"]["mu0"]["interval95"]
+        self.assertTrue(fit["snaps_overshoot"])
+        self.assertTrue(low < 0.6 < high, fit["parameters"]["mu0"])
+        self.assertLess(abs(fit["parameters"]["mu0"]["value"] - 0.6), 0.06)
+        self.assertIn("snaps that overshoot, as the record shows", " ".join(self.succeeds("fit", self.folder / "overshoot_fit.toml", "--quiet").split()))
+        nearest = self.json("fit", self.folder / "overshoot_fit.toml", "--quiet", "--set", 'rig.snaps="nearest"')
+        self.assertFalse(nearest["snaps_overshoot"])
+        self.assertLess(nearest["parameters"]["mu0"]["value"], low)
+
+    @unittest.skipUnless((CASES / "snaps_that_overshoot").is_dir(), "no cases")
+    def test_records_of_a_dynamic_rod(self):
+        """Hardly damped and overdamped. The contacts of the rod give way, so that friction of 0.57 along it reads as 0.50."""
+        for name, overshoots in ("h1_light", True), ("h3_over", False):
+            fit = self.json("fit", CASES / f"snaps_that_overshoot/{name}.toml", "--quiet")
+            low, high = fit["parameters"]["mu0"]["interval95"]
+            self.assertEqual(fit["snaps_overshoot"], overshoots)
+            self.assertTrue(low < 0.5 < high, (name, low, high))
+
+    def test_the_stage_says_so_before_the_rig(self):
+        once = WAVY + "[stage]\nprogram = [0, 0.5]\nstep = 0.002\n"
+
+        def lengths(case):
+            return [point["length"] for point in self.json("simulate", self.file("case.toml", case))["path"]]
+
+        over = once.replace("[rig]\n", '[rig]\nsnaps = "overshoot"\n')
+        self.assertEqual(lengths(over), lengths(once + 'snaps = "overshoot"\n'))
+        self.assertEqual(lengths(over + 'snaps = "nearest"\n'), lengths(once))
+        self.assertNotEqual(lengths(over), lengths(once))
+        self.refused("design", self.file("case.toml", over), says=["[rig] snaps", "overshoot"])
 
 
 class SupportsThatGiveWay(InFolder):
