@@ -1,5 +1,5 @@
 // How often 95 % intervals hold the truth, on simulated tests: bench/coverage KIND FIRST COUNT prints a line of CSV for each test.
-// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured, smooth.
+// Kinds: independent, correlated, exponential, squared_exponential, roughness, two_waves, constant, soft, quiet, measured, smooth, overshoot.
 #include <algorithm>
 #include <array>
 #include <chrono>

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bending_test/history.h"
 #include "bending_test/sliding_table.h"
 #include "inference/chain.h"
 #include "inference/fit.h"
@@ -45,6 +46,7 @@ struct Wave {
 
 struct Truth {
   double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0, length = 30;
+  bool overshoots = false;  // its snaps do
   std::vector<Wave> waves;
   std::vector<double> bumps;  // of the fibre, so many µm apart
   double spacing = 1;
@@ -130,7 +132,7 @@ inline std::vector<double> smooth_bumps(double rms, double length, Random& rando
 
 inline constexpr std::array kinds_of_tests{"independent", "correlated", "exponential", "squared_exponential",
                                            "roughness",   "two_waves",  "constant",    "soft",
-                                           "quiet",       "measured",   "smooth"};
+                                           "quiet",       "measured",   "smooth",      "overshoot"};
 
 // Domain:     a kind among kinds_of_tests.
 inline Truth truth_of(const std::string& kind, Random& random) {
@@ -140,9 +142,11 @@ inline Truth truth_of(const std::string& kind, Random& random) {
   t.noise = random.between(0.01, 0.05);
   t.stiffening = std::exp(0.03 * random.normal());
   t.k = 90 / std::exp(random.between(std::log(0.36), std::log(3.2)));
+  if (kind == "overshoot") t.noise = random.between(0.004, 0.025);
   if (kind == "quiet") t.noise = random.between(0.001, 0.004);
   if (kind == "soft") t.k = std::exp(random.between(std::log(6), std::log(44)));
-  t.correlation = kind == "independent" || kind == "constant" || kind == "quiet" ? 0 : 0.7;
+  t.overshoots = kind == "overshoot";
+  t.correlation = kind == "independent" || t.overshoots || kind == "constant" || kind == "quiet" ? 0 : 0.7;
   if (kind == "soft") {
     t.correlation = 0;
     t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
@@ -189,6 +193,14 @@ inline FitProblem simulated(const Truth& t, Random& random) {
   std::vector<double> mu, stages;
   for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
   for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
+  if (t.overshoots) {
+    const FrictionTable friction{{ladder.lengths().begin(), ladder.lengths().end()}, mu};
+    std::vector<double> forces;
+    stages.resize(static_cast<std::size_t>((0.4 + 12 / t.k) * span / 2));  // to a deflection of 0.4 or more
+    const BendingTest test{Friction::table(friction), {t.k / t.stiffening}, SnapRest::overshoot};
+    for (const PathPoint& point : follow_in_steps(test, stages).path) forces.push_back(t.stiffening * point.F);
+    return measured(stages, forces, t, random);
+  }
   const auto curve = ladder.curve(mu);
   auto F = measured_curve(curve.w, curve.F, t.stiffening / t.k, stages);
   for (double& force : F) force *= t.stiffening;

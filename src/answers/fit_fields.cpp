@@ -66,7 +66,7 @@ Fields<TestAnalysis> slips_fields() {
   };
   return Fields<TestAnalysis>()
       .number("median_spacing", kind::length,
-              "median length of specimen that passes over each support from the beginning of one slip to the next",
+              "median distance along the specimen from the beginning of one slip to that of the next",
               summary(&SlipSummary::median_spacing))
       .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
       .list("slips", "drops that can be slips, in the order of drops", slip_fields(), [](const TestAnalysis& analysis) {
@@ -398,6 +398,9 @@ Fields<FittedTest> every_fit_field() {
               [](T test) { return is_suspect(findings_of(test)); })
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
       .only_where(is_fitted)
+      .yes_no("snaps_overshoot",
+              "whether snaps carry the specimen beyond the nearest stable state, as stated or as the record shows",
+              [](T test) { return test.analysis.fit.overshoots; })
       .number("residual_rms", kind::force,
               "root mean square difference between the force and the mean of the fit run forward",
               [](T test) { return test.analysis.fit.residual_rms; })

@@ -176,10 +176,9 @@ void read_supports(const Keys& keys, Test& test) {
     if (!node->is_table())
       keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(*node));
     const Keys side(*node->as_table(), keys.key("other"), test);
-    for (const Keys* each : {&keys, &side})
-      if (each->has("static_excess") && (each == &side || friction.static_excess.value_or(0) > 0))
-        each->refuse("static_excess", "no excess of static friction, as the two supports differ", "one",
-                     "delete it, or [friction.other]");
+    if (side.has("static_excess"))
+      side.refuse("static_excess", "an excess of static friction in [friction], for both supports", "another one",
+                  "delete it");
     read_friction(side, test.other.emplace(), {});
     if (test.other->model == FrictionModel::roughness)
       side.refuse("model", "a model to compute with", "'roughness', which can only be fitted",

@@ -168,6 +168,14 @@ constexpr std::array keys{
              "radius of the loading nose; sharp unless given",
              ". It has no effect until the specimen is bent more sharply than nose and half depth allow; simulate, "
              "design and fit say where that happens, and go on computing with a sharp nose"),
+    word(
+        at<&RigInput::nose>, "nose", "holds|free", R"("free")",
+        "whether the loading nose holds the middle of the specimen; it does unless given",
+        R"(. A nose whose friction is at least half of the difference between the sides' holds it, and two sides that differ act by their mean. `"free"`: a nose without friction, or one that turns; the weaker side slides, and `fit` reports lengths along the specimen twice as long ([theory](theory.md#two-supports)))"),
+    word(
+        at<&RigInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
+        "where a snap comes to rest: nearest stable state, or beyond",
+        R"(. Unless given, simulate takes the nearest, and fit what the record shows ([theory](theory.md#where-a-snap-comes-to-rest)). `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it carries the specimen on until friction has consumed it, as on a rig that is hardly damped; the specimen then sticks until the force has risen again)"),
     plain(at<&RigInput::support_material>, "support_material", Holds::text, R"("steel")", "material of the supports",
           "; friction is compared with the literature only if both materials are stated"),
     // friction
@@ -252,10 +260,8 @@ constexpr std::array keys{
     title(at<&StageInput::time>, "time", kind::time, R"("t [s]")", R"("t")", "title of the column of time in that file",
           ", to check that no row is earlier than the one before. The model has no speed"),
     word(at<&StageInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file of stage positions"),
-    word(
-        at<&StageInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
-        "where a snap comes to rest: nearest stable state, or beyond; nearest unless given",
-        R"(. `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it carries the specimen on until friction has consumed it)"),
+    word(at<&StageInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
+         "where a simulated snap comes to rest: as on the rig unless given", "; see `[rig] snaps`"),
     // record
     plain(at<&RecordInput::file>, "file", Holds::file, R"("ss14.csv")", "file with the measured record",
           ": a table of text, an export of a testing machine, or a workbook (.xlsx), read as `flexslip read` reads it"),

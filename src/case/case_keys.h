@@ -36,13 +36,14 @@ enum class Holds {
 // What the keys of a section are members of, and what a key may be there. A number or a text that is not optional is required.
 using TestPart =
     std::variant<SpecimenInput*, CrackInput*, RigInput*, FrictionInput*, WaveInput*, StageInput*, RecordInput*>;
-using Slot = std::variant<std::monostate, double*, std::optional<double>*, std::string*, std::optional<std::string>*,
-                          std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*,
-                          std::optional<Known>*, std::optional<StatedStiffness>*, std::vector<double>*,
-                          std::vector<CrackInput>*, std::vector<WaveInput>*, Rollers*, FrictionAt*,
-                          std::optional<SupportKind>*, std::optional<FrictionModel>*, TraceDirection*, SnapRest*,
-                          std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*,
-                          std::optional<ContactRule>*, std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
+using Slot =
+    std::variant<std::monostate, double*, std::optional<double>*, std::string*, std::optional<std::string>*,
+                 std::uint64_t*, std::optional<std::uint64_t>*, char*, std::optional<char>*, std::optional<Known>*,
+                 std::optional<StatedStiffness>*, std::vector<double>*, std::vector<CrackInput>*,
+                 std::vector<WaveInput>*, Rollers*, FrictionAt*, std::optional<SupportKind>*,
+                 std::optional<FrictionModel>*, Nose*, TraceDirection*, std::optional<SnapRest>*,
+                 std::optional<DisplacementOf>*, SignRule*, FailureRule*, ForceZeroRule*, std::optional<ContactRule>*,
+                 std::optional<PlaceInRecord>*, std::optional<SheetChoice>*>;
 inline bool is_required(const Slot& slot) {
   return std::holds_alternative<double*>(slot) || std::holds_alternative<std::string*>(slot);
 }

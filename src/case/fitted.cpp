@@ -99,6 +99,8 @@ TestDescription description_of(const Measurement& measurement, const BendingStif
           .bending_stiffness_error = stiffness.relative_error,
           .contact_error = measurement.contact_error,
           .fibre = fibre_of(input, Scales(span_of(input), 1)),
+          .nose = input.rig->nose,
+          .snaps = input.rig->snaps,
           .rig_errors = rig_errors_of(measurement)};
 }
 

@@ -413,9 +413,11 @@ void require_covered(const Asked& asked) {
       waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and that of reference");
 }
 
-// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: of two supports that are not alike
-// one may slide alone.
-double one_sided_reach(const Test& test, double S_max) { return test.other ? 1 + 2 * (S_max - 1) : S_max; }
+// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: under a free nose one of two may
+// slide alone.
+double one_sided_reach(const Test& test, double S_max) {
+  return test.other && test.rig->nose == Nose::free ? 1 + 2 * (S_max - 1) : S_max;
+}
 
 Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales, double S_max) {
   const double reach = one_sided_reach(side.test, S_max);
@@ -442,7 +444,7 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   if (friction.static_excess.value_or(0) > 0)
     refuse("friction.static_excess", fmt::format("{:g}", *friction.static_excess));
   if (friction.wear.value_or(1) < 1) refuse("friction.wear", fmt::format("{:g}", *friction.wear));
-  if (test.stage->snaps == SnapRest::overshoot) refuse("stage.snaps", "\"overshoot\"");
+  if (const auto key = key_of_overshoot(test); !key.empty()) refuse(key, "\"overshoot\"");
   FrictionTable out = std::get<FrictionTable>(inwards.form());
   const double mu0 = *friction.mu0;
   for (std::size_t i = 0; i < out.mu.size(); ++i) {
@@ -458,6 +460,11 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
 }
 
 }  // namespace
+
+std::string_view key_of_overshoot(const Test& test) {
+  if (test.stage && test.stage->snaps) return test.stage->snaps == SnapRest::overshoot ? "stage.snaps" : "";
+  return test.rig && test.rig->snaps == SnapRest::overshoot ? "rig.snaps" : "";
+}
 
 std::string_view name_of(StiffnessSource source) {
   return name_in_order<StiffnessSource::initial_slope>(source,
@@ -606,7 +613,8 @@ Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales,
   if (fibre.supports().radius > 0)
     throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
                       "delete it, or [friction.other]");
-  return Friction::on_two_supports(std::move(first), *std::move(other), S_max);
+  const auto together = test.rig->nose == Nose::holds ? Friction::mean_of : Friction::on_two_supports;
+  return together(std::move(first), *std::move(other), S_max);
 }
 
 Test with_files_read(Test test) {
@@ -639,15 +647,22 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   if (excess > 0 && rig.fibre.supports().radius > 0)
     refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
            fmt::format("{:g}", excess), "delete it, or roller_radius");
-  const SnapRest snaps = test.stage ? test.stage->snaps : SnapRest::nearest_stable;
-  if (kinetic.two_supports() && snaps == SnapRest::overshoot)
-    refuse("stage.snaps", "snaps that rest at the nearest stable state, as the two supports differ", "\"overshoot\"",
-           "delete it, or [friction.other]");
+  const std::string_view overshoot = key_of_overshoot(test);
+  if (kinetic.two_supports()) {
+    const std::string one_slides = "as the two supports differ and the nose is free",
+                      remedy = "delete it, or [rig] nose";
+    if (excess > 0)
+      refuse("friction.static_excess", "no excess of static friction, " + one_slides, fmt::format("{:g}", excess),
+             remedy);
+    if (!overshoot.empty())
+      refuse(overshoot, "snaps that rest at the nearest stable state, " + one_slides, "\"overshoot\"", remedy);
+  }
   const double wear = test.friction->wear.value_or(1);
   if (wear < 1 && test.stage && test.stage->file)
     refuse("friction.wear", "a program of the stage, as the noise of a measured one turns it again and again",
            fmt::format("{:g}", wear), "write a program into [stage] instead of its file");
-  return {{std::move(kinetic), Friction::constant(excess)}, rig, snaps, wear};
+  const SnapRest rest = overshoot.empty() ? SnapRest::nearest_stable : SnapRest::overshoot;
+  return {{std::move(kinetic), Friction::constant(excess)}, rig, rest, wear};
 }
 
 double periods_up_to(const Friction& friction, double stage) {

@@ -106,11 +106,14 @@ Rig rig_of(const Test& test, const Scales& scales);
 // Fails:      InputError if that of the preload exceeds a twentieth of the span.
 RigErrors rig_errors_of(const Measurement& measurement);
 
+// The key by which the snaps of a test overshoot; "" if they do not.
+std::string_view key_of_overshoot(const Test& test);
+
 // [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
 std::optional<double> pin_limit_of(const Test& test);
 
-// The kinetic friction of a test for lengths up to S_max [L], of both supports together: of supports that are not alike that of the way on which the
-// specimen is drawn in (contact/two_supports.h).
+// The kinetic friction of a test for lengths up to S_max [L], of both supports together: of supports that are not alike the mean, or under a free nose
+// that of the way on which the specimen is drawn in (contact/two_supports.h).
 // Fails:      InputError if the test has none, a model without parameters, or one that is not covered.
 Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "bending_test/motion.h"
+#include "contact/nose.h"
 #include "data/section.h"
 #include "io/table.h"
 
@@ -42,8 +43,7 @@ struct Known {
 inline constexpr double max_uncertainty = 0.3;  // [1] of a value: beyond it the test would be another one
 using StatedStiffness = std::variant<ToFit, Known>;
 
-// A loss of bending stiffness, at once and for good.
-struct CrackInput {
+struct CrackInput {   // a loss of bending stiffness, at once and for good
   double deflection;  // [m] at which it happens when that is first reached
   double loss;        // [1] of what is left, in (0, 1)
   bool operator==(const CrackInput&) const = default;
@@ -76,6 +76,8 @@ struct RigInput {
   std::optional<double> pin_radius{}, pin_friction{};  // [m], [1] of rollers on pins
   FrictionAt friction_at = FrictionAt::surface;  // one with the axis where no section says how thick the specimen is
   std::optional<double> nose_radius{};           // [m] none: sharp
+  Nose nose = Nose::holds;
+  std::optional<SnapRest> snaps{};
   std::optional<std::string> support_material{};
   bool in_inches = false;  // the span is stated so: people are answered in inches and pounds
   bool operator==(const RigInput&) const = default;
@@ -128,7 +130,7 @@ struct StageInput {
   std::optional<double> step{};                        // [m] none: continuous, with exact snaps
   std::optional<std::string> file{}, stage{}, time{};  // and the titles of its columns
   char decimal = '.';
-  SnapRest snaps = SnapRest::nearest_stable;
+  std::optional<SnapRest> snaps{};  // of a simulation; none: as those of the rig
   bool operator==(const StageInput&) const = default;
 };
 

@@ -170,6 +170,10 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   return Friction(std::move(table));
 }
 
+Friction Friction::mean_of(Friction left, Friction right, double S_most) {
+  return Friction(std::make_shared<const MeanOfSides>(std::move(left), std::move(right), S_most));
+}
+
 Friction Friction::on_two_supports(Friction left, Friction right, double S_most) {
   return Friction(
       std::make_shared<const TwoSupportPath>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));

@@ -105,7 +105,8 @@ class Friction {
   // S_max [L]. The same seed gives the same profile on every machine.
   static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
 
-  // Of two supports that are not alike, from where the fibre is straight, up to a length S_most (two_supports.h).
+  // Of two unlike supports, up to a length S_most (two_supports.h): the mean of both, under a nose that holds; the friction of a way, under a free one.
+  static Friction mean_of(Friction left, Friction right, double S_most);
   static Friction on_two_supports(Friction left, Friction right, double S_most);
 
   // A table over what has been drawn in, as a fibre on rollers meets it on the way in: on edges a table.
@@ -118,7 +119,7 @@ class Friction {
   Friction from(double S, double q, double direction) const;
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
   bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
-  const TwoSupportPath* two_supports() const;                               // none of one profile
+  const TwoSupportPath* two_supports() const;                               // none but under a free nose
 
   // So many times as large everywhere along the specimen: of rollers on pins, the friction of the pins stays.
   // Domain: factor finite and >= 0, friction of the points of a specimen; std::invalid_argument otherwise.

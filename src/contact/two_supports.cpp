@@ -21,7 +21,43 @@ FrictionPoint at_point(const Friction& side, double x) {
   return {mu, 2 * slope};
 }
 
+// The lengths between two at which a profile of friction begins or ends to be held at zero.
+std::vector<double> kinks_between(const Friction& side, double from, double to) {
+  std::vector<double> kinks;
+  if (!side.may_be_held() || !(to > from)) return kinks;
+  const auto is_held = [&](double S) { return side.unheld(S) < 0; };
+  const double sample = std::min(0.25 * side.smooth_scale(), to - from);
+  const auto samples = static_cast<std::size_t>(std::ceil((to - from) / sample));
+  for (std::size_t k = 0; k < samples; ++k) {
+    const double S = from + static_cast<double>(k) * sample, next = std::min(S + sample, to);
+    if (const bool then = is_held(next); then != is_held(S))
+      kinks.push_back(first_where(S, next, [&](double at) { return is_held(at) == then; }));
+  }
+  return kinks;
+}
+
+void sort_and_merge(std::vector<double>& knots) {
+  std::sort(knots.begin(), knots.end());
+  knots.erase(std::unique(knots.begin(), knots.end()), knots.end());
+}
+
 }  // namespace
+
+MeanOfSides::MeanOfSides(Friction left, Friction right, double S_most)
+    : left_(std::move(left)), right_(std::move(right)), S_most_(S_most) {
+  for (const Friction* side : {&left_, &right_}) {
+    const auto own = side->knots();
+    const auto kinks = kinks_between(*side, 1, S_most);
+    knots_.insert(knots_.end(), own.begin(), own.end());
+    knots_.insert(knots_.end(), kinks.begin(), kinks.end());
+  }
+  sort_and_merge(knots_);
+}
+
+FrictionPoint MeanOfSides::at(double S) const {
+  const FrictionPoint left = left_.at(S), right = right_.at(S);
+  return {0.5 * (left.mu + right.mu), 0.5 * (left.slope + right.slope)};
+}
 
 // One way, in or out: y is what a side has gone of it.
 class TwoSupportPath::Tracer {
@@ -194,8 +230,7 @@ TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from
   pieces_.back().to = S_most;
   for (std::size_t i = 1; i < pieces_.size(); ++i) pieces_[i].from = pieces_[i - 1].to;
   for (const Piece& piece : pieces_) add_knots(piece);
-  std::sort(knots_.begin(), knots_.end());
-  knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
+  sort_and_merge(knots_);
 }
 
 // Where it begins, and where a side that slides meets a knot of its own, or begins or ends to be held at zero.
@@ -216,15 +251,7 @@ void TwoSupportPath::add_knots(const Piece& piece) {
     const auto last = std::lower_bound(knots.begin(), knots.end(), 1 + 2 * end);
     for (auto knot = std::upper_bound(knots.begin(), knots.end(), 1 + 2 * begin); knot < last; ++knot)
       add(0.5 * (*knot - 1));
-    if (!side.may_be_held() || !(end > begin)) continue;
-    const auto is_held = [&](double x) { return side.unheld(1 + 2 * x) < 0; };
-    const double sample = std::min(0.125 * side.smooth_scale(), end - begin);
-    const auto samples = static_cast<std::size_t>(std::ceil((end - begin) / sample));
-    for (std::size_t k = 0; k < samples; ++k) {
-      const double x = begin + static_cast<double>(k) * sample, next = std::min(x + sample, end);
-      if (const bool then = is_held(next); then != is_held(x))
-        add(first_where(x, next, [&](double at) { return is_held(at) == then; }));
-    }
+    for (const double kink : kinks_between(side, 1 + 2 * begin, 1 + 2 * end)) add(0.5 * (kink - 1));
   }
 }
 

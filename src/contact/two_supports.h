@@ -1,11 +1,14 @@
-// A fibre on two supports that are not alike: the way of its two contact points, and the friction that it shows on that way.
+// A fibre on two supports that are not alike: the friction that it shows under a nose that holds its middle, and under one that does not.
 //
-// The shape of the fibre does not know which of its points touch, only how much of it lies between the supports: S = 1 + left + right. Each
-// support holds while the mobilised friction, which is one for both, stays below that of its own point; so the weaker side slides, alone
-// where its friction falls or is the lower, and both at once where both rise at one level. Drawn in from somewhere the fibre so meets a
-// friction that depends on S alone, whatever the rig; let out, another one (theory.md, "Two supports").
+// Sides that are not alike pull a nose sideways, by half of the difference of their frictions. A nose that bears that holds the fibre's middle:
+// both sides slide alike, and their mean friction counts. A free one bears nothing, and the weaker side slides. The shape of the fibre does not
+// know which of its points touch, only how much of it lies between the supports: S = 1 + left + right. Each support holds while the mobilised
+// friction, which is one for both, stays below that of its own point; so the weaker side slides, alone where its friction falls or is the lower,
+// and both at once where both rise at one level. Drawn in from somewhere the fibre so meets a friction that depends on S alone, whatever the rig;
+// let out, another one (theory.md, "Two supports").
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
@@ -14,6 +17,26 @@
 #include "contact/friction.h"
 
 namespace flexslip {
+
+// The mean friction of two sides, at a length up to S_most that both have let in alike.
+// Domain:     profiles, at lengths from 1 on.
+class MeanOfSides final : public PathDependentFriction {
+ public:
+  MeanOfSides(Friction left, Friction right, double S_most);
+
+  FrictionPoint at(double S) const override;
+  double smooth_scale() const override { return std::min(left_.smooth_scale(), right_.smooth_scale()); }
+  double max_up_to(double S_max) const override { return 0.5 * (left_.max_up_to(S_max) + right_.max_up_to(S_max)); }
+  std::span<const double> knots() const override { return knots_; }
+  std::shared_ptr<const PathDependentFriction> scaled(double factor) const override {
+    return std::make_shared<const MeanOfSides>(left_.scaled(factor), right_.scaled(factor), S_most_);
+  }
+
+ private:
+  Friction left_, right_;
+  double S_most_;
+  std::vector<double> knots_;
+};
 
 // [L] of fibre drawn in over each support since it was straight; below 0 where a side has let out more.
 struct ContactPoints {

@@ -125,7 +125,7 @@ std::optional<PhaseStudy> phases_of(Test input) {
   constexpr int phases = 24;
   constexpr double finest =
       1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
-  if (design_of(input).design.friction.two_supports()) return std::nullopt;
+  if (input.other) return std::nullopt;
   if (!value_of(input, "phase") || value_of(input, "amplitude").value() == 0) return std::nullopt;
   if (design_of(input).units.scales.reduced_length(value_of(input, "wavelength").value()) < finest) return std::nullopt;
   PhaseStudy study{0, 0, infinity, 0, 0};
@@ -186,7 +186,7 @@ DesignAnswer answer_of(const Test& input) {
   }
   std::vector<std::string_view> others{"span"};
   // Of supports that are not alike the case varies one.
-  if (!design.friction.two_supports()) others.insert(others.end(), {"mu0", "amplitude", "wavelength", "pin_friction"});
+  if (!input.other) others.insert(others.end(), {"mu0", "amplitude", "wavelength", "pin_friction"});
   if (depth_is_more) others.insert(others.begin(), {"diameter", "height"});
   for (const auto parameter : others)
     if (value_of(input, parameter) && !is_told(parameter))

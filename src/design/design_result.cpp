@@ -37,8 +37,8 @@ void require_one_loading(const Test& input) {
                       fmt::format("one loading up to the farthest position of {}", shown(*farthest)),
                       fmt::format("a way back to {}", shown(*turn)),
                       "leave out the positions before; flexslip simulate shows what the whole programme does");
-  if (input.stage->snaps != SnapRest::nearest_stable)
-    throw wrong_value(input, "stage.snaps", "snaps that rest at the nearest stable state, as one loading is planned",
+  if (const auto key = key_of_overshoot(input); !key.empty())
+    throw wrong_value(input, key, "snaps that rest at the nearest stable state, as one loading is planned",
                       "\"overshoot\"", "leave it out; flexslip simulate shows what overshooting does");
   if (input.friction && input.friction->static_excess.value_or(0) > 0)
     throw wrong_value(input, "friction.static_excess", "no excess of static friction, as one loading is planned",

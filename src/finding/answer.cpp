@@ -407,6 +407,8 @@ std::string assumed_in_words(T test) {
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
   parts.emplace_back("a slender, straight, elastic beam, its nose at midspan to 3 % of the span");
+  if (test.analysis.fit.overshoots && !measurement.test.rig->snaps)
+    parts.emplace_back("snaps that overshoot, as the record shows");
   std::vector<std::string> errors;
   for (const auto& [what, error, kind] : assumed_errors(test))
     errors.push_back(fmt::format(

@@ -813,7 +813,7 @@ Found hidden_waves(T test) {
   if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || !test.judgement.tells_friction) return std::nullopt;
   if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
   constexpr double lengths_told_apart = 20;
-  const double seen = 0.5 * (fit.S_end - fit.S_begin);  // of places on the specimen
+  const double seen = fit.share * (fit.S_end - fit.S_begin);  // of places on the specimen
   if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
   const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
   const std::string length = format_roughly(shortest, Print(test).as(kind::length));

@@ -290,7 +290,7 @@ TestAnalysis analyse_drops(const Record& record, const TestDescription& descript
   analysis.rig_errors = description.rig_errors;
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
   analysis.slips = slips_of(analysis.profile, analysis.drops.drops, errors, options.suspect_limit);
-  analysis.slip_summary = summarise(analysis.slips);
+  analysis.slip_summary = summarise(analysis.slips, description.nose);
   analysis.drop_features = drop_features(analysis.reduced, analysis.rig,
                                          {analysis.force_noise, EI_error, options.drops.halts}, analysis.drops.drops);
   analysis.passes = description.passes;
@@ -307,7 +307,8 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
   analysis.most_friction = options.most_friction;
-  const FitProblem problem{analysis.reduced, analysis.rig, errors, description.rig_errors};
+  const FitProblem problem{analysis.reduced,       analysis.rig,     errors,
+                           description.rig_errors, description.nose, description.snaps};
   stages.enter("friction", 0.8);
   const auto are_fitted = [&] { return analysis.passes && analysis.passes->status == PassesStatus::ok; };
   if (are_fitted()) analysis.fit = fit_evaluated(problem, *analysis.passes, options.fit);
@@ -325,7 +326,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const AtFit fitted = at_fit(analysis);
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
   analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
-  analysis.slip_summary = summarise(analysis.slips);
+  analysis.slip_summary = summarise(analysis.slips, description.nose);
   // Of a specimen that lost stiffness the force may lie below that of any friction; the passes allow for it.
   const auto slides = [&] {
     return may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
@@ -407,8 +408,9 @@ TestPath mean_run_forward(const TestAnalysis& analysis) {
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = std::min(*std::max_element(stage.begin(), stage.end()), farthest_run(analysis));
   const double stiffening = stiffening_of(analysis);
-  TestPath forward = path_continuously({Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening)},
-                                       {&farthest, 1}, points);
+  const SnapRest rest = analysis.fit.overshoots ? SnapRest::overshoot : SnapRest::nearest_stable;
+  TestPath forward = path_continuously(
+      {Friction::as_met(analysis.fit.mean), analysis.rig.in_units_of(stiffening), rest}, {&farthest, 1}, points);
   for (auto& point : forward.path) read_by_rig(point, analysis);
   return forward;
 }
@@ -420,7 +422,7 @@ std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis) {
   constexpr double points_a_period = 24;
   const double seen = fit.S_end - fit.S_begin;
   double shortest = seen;
-  for (const auto& each : fit.waves) shortest = std::min(shortest, 2 * each.wavelength.value);  // a period in S
+  for (const auto& each : fit.waves) shortest = std::min(shortest, each.wavelength.value / fit.share);  // a period in S
   const int points = static_cast<int>(std::clamp(points_a_period * seen / shortest, 100.0, 20000.0));
   for (int i = 0; i <= points; ++i) {
     const double S = fit.S_begin + seen * i / points;
@@ -428,7 +430,7 @@ std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis) {
     double mu = fit.mu0.value + fit.drift.value * away;
     for (const auto& each : fit.waves)
       mu += fit.mu0.value * each.amplitude.value *
-            std::cos(std::numbers::pi * away / each.wavelength.value + each.phase_at_middle.value);
+            std::cos(2 * std::numbers::pi * fit.share * away / each.wavelength.value + each.phase_at_middle.value);
     waves.push_back({S, mu});
   }
   return waves;

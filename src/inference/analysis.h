@@ -65,6 +65,8 @@ struct TestDescription {
   double bending_stiffness_error = usual_stiffness_error;  // [1] standard deviation
   std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: usual_contact_error
   Fibre fibre{};                          // on its supports
+  Nose nose = Nose::holds;
+  std::optional<SnapRest> snaps{};  // not given: as the record shows
   RigErrors rig_errors{};
   std::optional<PassesFit> passes{};  // of all passes of the record, where it has several
 };

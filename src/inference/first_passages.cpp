@@ -14,6 +14,7 @@
 #include "fibre/state_table.h"
 #include "inference/chain.h"
 #include "inference/profile.h"
+#include "inference/snap_rests.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
 #include "numerics/root.h"
@@ -208,6 +209,38 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
   return rows;
 }
 
+namespace {
+
+// Takes out the readings at which the fibre sticks after a snap.
+void take_out(const std::vector<StuckReadings>& stuck, std::span<const double> S_force, Passages& p) {
+  std::vector<std::size_t> slides;
+  std::size_t next = 0;
+  for (const auto& [first, beyond] : stuck) {
+    for (; next < first; ++next) slides.push_back(next);
+    Rest& rest = p.rests.emplace_back();
+    rest.jump = p.S[first] - p.S[first - 1];
+    double S = 0;
+    for (; next < beyond; ++next) {
+      S += p.S[next] / static_cast<double>(beyond - first);
+      rest.S.push_back(p.S[next]);
+      rest.S_force.push_back(S_force[next]);
+    }
+    if (!p.stuck.empty() && p.stuck.back().reading == slides.size()) p.stuck.pop_back();  // it snapped on
+    if (!slides.empty())
+      p.stuck.push_back({.reading = slides.size(), .S = S, .landing = p.stage[first], .last = p.stage[beyond - 1]});
+  }
+  for (; next < p.size(); ++next) slides.push_back(next);
+  p.judged -= p.size() - slides.size();
+  for (std::size_t k = 0; k < slides.size(); ++k) p.row[k] = p.row[slides[k]];
+  p.row.resize(slides.size());
+  for (auto* column : {&p.stage, &p.force, &p.S, &p.q, &p.advance}) {
+    for (std::size_t k = 0; k < slides.size(); ++k) (*column)[k] = (*column)[slides[k]];
+    column->resize(slides.size());
+  }
+}
+
+}  // namespace
+
 Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   const auto& record = problem.record;
   Passages p{};
@@ -215,6 +248,7 @@ Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   p.fibre = problem.rig.fibre;
   p.noise = noise_of_second_differences(second_differences(record.force));
   p.compliance = 1 / problem.rig.stiffness;
+  p.share = share_of_sliding(problem.nose);
   p.stiffness_error = problem.errors.bending_stiffness;
   const std::vector<std::size_t> rows = readings_judged(record, p.fibre);
   p.judged = rows.size();
@@ -233,18 +267,57 @@ Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
     p.q.push_back(states.q[k]);
   }
   if (p.size() == 0) return p;
+  const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
+  const auto inverse = inverse_slopes(slopes);
+  p.advance.assign(p.size(), 0);
+  std::vector<double> S_force, noise_of_S;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    if (i > 0) p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
+    S_force.push_back(inverse.S_F[i] - inverse.S_w[i] * p.compliance);
+    noise_of_S.push_back(std::abs(S_force[i]) * p.noise);
+  }
+  const SnapRests rests =
+      rests_of_snaps({p.stage, p.force, p.S, p.advance, noise_of_S}, options.gap_advances, options.gap_noise);
+  p.overshoots = problem.snaps == SnapRest::overshoot;
+  p.may_overshoot = !problem.snaps && rests.log_evidence > claiming_gain;
+  if (p.overshoots) take_out(rests.stuck, S_force, p);
   add_errors(p, problem, deflection_judged_from(record, p.fibre));
   if (p.size() == 0) return p;
-  const auto slopes = p.fibre.tabulated_states_slopes({p.S, p.q});
-  p.advance.assign(p.size(), 0);
-  for (std::size_t i = 1; i < p.size(); ++i)
-    p.advance[i] = (p.stage[i] - p.stage[i - 1]) / (slopes.w_S[i] + slopes.F_S[i] * p.compliance);
   const auto [least, most] = std::minmax_element(p.S.begin(), p.S.end());
   const double beyond = 0.1 * (*most - *least);
   p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, min_S), *most + beyond);
   p.S_middle = 0.5 * (p.along.at(p.S.front()) + p.along.at(p.S.back()));
-  p.range = 0.5 * (p.along.at(*most) - p.along.at(*least));
+  p.range = p.share * (p.along.at(*most) - p.along.at(*least));
   return p;
+}
+
+double log_density_of_rests(const Passages& passages, double noise, double correlation) {
+  const double innovation = std::sqrt(1 - correlation * correlation);
+  const auto deviation_at = [&](const Rest& rest, std::size_t k) {
+    return elementary::length(noise * rest.S_force[k], passages.options.rises_deviation);
+  };
+  double sum = 0;
+  for (const Rest& rest : passages.rests) {
+    double vv = 0, uv = 0, uu = 0;  // of lengths and ones, whitened
+    elementary::LogProduct scales;
+    for (std::size_t k = 0; k < rest.S.size(); ++k) {
+      const double deviation = deviation_at(rest, k);
+      double u = (rest.S[k] - rest.S[0]) / deviation, v = 1 / deviation;
+      if (k > 0) {
+        const double before = deviation_at(rest, k - 1);
+        u = (u - correlation * (rest.S[k - 1] - rest.S[0]) / before) / innovation;
+        v = (v - correlation / before) / innovation;
+      }
+      vv += v * v;
+      uv += u * v;
+      uu += u * u;
+      scales.multiply(std::sqrt(2 * std::numbers::pi) * deviation * (k > 0 ? innovation : 1) /
+                      std::max(std::abs(rest.S_force[k]), 1e-9));  // of a force
+    }
+    sum += -scales.value() - 0.5 * (uu - uv * uv / vv) +
+           elementary::log(std::sqrt(2 * std::numbers::pi / vv) / (2 * rest.jump));
+  }
+  return sum;
 }
 
 namespace {
@@ -432,6 +505,10 @@ Linearisation rises_of(const Passages& passages) {
   return at;
 }
 
+double landing_of(const Stuck& stuck, std::span<const double> S) {
+  return std::clamp(stuck.S, S[stuck.reading - 1], stuck.reading < S.size() ? S[stuck.reading] : infinity);
+}
+
 std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at, double noise,
                               const std::vector<GapSite>& before) {
   const auto& options = passages.options;
@@ -439,21 +516,30 @@ std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at,
   std::vector<GapSite> sites;
   if (!options.parts.gaps) return sites;
   auto kept = before.begin();
-  for (std::size_t i = 1; i < S.size(); ++i) {
-    const double jump = S[i] - S[i - 1];
-    const double blur = std::abs(at.S_force[i]) * noise;
-    if (!(jump > options.gap_advances * passages.advance[i] + options.gap_noise * blur)) continue;
-    const double spacing = passages.range / options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
+  auto stuck = passages.stuck.begin();
+  const auto keep = [&](GapSite site) {
+    const auto place = [](const GapSite& each) { return std::pair{each.reading, each.node}; };
+    while (kept != before.end() && place(*kept) < place(site)) ++kept;
+    const bool was_there = kept != before.end() && place(*kept) == place(site) && kept->nodes == site.nodes;
+    sites.push_back(was_there ? *kept : site);
+  };
+  for (std::size_t i = 1; i <= S.size(); ++i) {
+    std::optional<Stuck> rest;
+    if (stuck != passages.stuck.end() && stuck->reading == i) rest = *stuck++;
+    if (i == S.size() && !rest) break;
+    const double jump = (rest ? landing_of(*rest, S) : S[i]) - S[i - 1];
+    const double blur = std::abs(at.S_force[std::min(i, S.size() - 1)]) * noise;
+    if (!rest && !(jump > options.gap_advances * passages.advance[i] + options.gap_noise * blur)) continue;
+    const double spacing = 0.5 * passages.range / passages.share /
+                           options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
     const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), options.min_gap_places,
                                                            std::max(options.min_gap_places, options.max_gap_places)));
     for (std::size_t node = 1; node <= count; ++node) {
       if (jump * static_cast<double>(count + 1 - node) < options.gap_margin * blur * static_cast<double>(count + 1))
         break;
-      GapSite site{.reading = i, .node = node, .nodes = count};
-      while (kept != before.end() && (kept->reading < i || (kept->reading == i && kept->node < node))) ++kept;
-      if (kept != before.end() && kept->reading == i && kept->node == node && kept->nodes == count) site = *kept;
-      sites.push_back(site);
+      keep({.reading = i, .node = node, .nodes = count, .stuck = rest});
     }
+    if (rest) keep({.reading = i, .node = count + 1, .nodes = count, .stuck = rest, .held = true});
   }
   return sites;
 }

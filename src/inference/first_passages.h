@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,19 @@ struct RigError {
 
 inline constexpr std::size_t most_rig_errors = 9;  // which the columns of a chain have room for
 
+// Where the fibre stuck after a snap that overshot: its friction is at least what held it.
+struct Stuck {
+  std::size_t reading;   // the first that slides again; the number of readings where none does
+  double S;              // [L]
+  double landing, last;  // [L] stage positions at which the snap came to rest, and up to which it stuck
+};
+
+// The readings of it.
+struct Rest {
+  std::vector<double> S, S_force;  // [L] as inverted; dS/de of an error of the force
+  double jump;                     // [L] of the snap before it
+};
+
 // The readings of a record that tell of friction, in its order.
 struct Passages {
   SearchOptions options{};           // by which they were chosen and are searched
@@ -37,6 +51,10 @@ struct Passages {
   std::vector<double> stage, force;  // [L], [EI/L^2]
   std::vector<double> S, q;          // [L], [1] inverted at the nominal EI
   std::vector<double> advance;       // [L] of S since the reading before, were friction constant
+  bool overshoots;                   // its snaps are taken to
+  bool may_overshoot;                // they are not, and the record leaves it open
+  std::vector<Stuck> stuck;          // after each that does, but one before the first reading
+  std::vector<Rest> rests;           // of each
   Fibre fibre;                       // on its supports
   double compliance;                 // [L^3/EI] of the load train
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
@@ -45,12 +63,13 @@ struct Passages {
   PerQuantity<RigError> quantities;  // of each that is larger than stated, as RigShifts::by
   double noise;                      // [EI/L^2] of a reading, by second differences
   ContactTravel along;               // the specimen, past its contacts
+  double share;                      // [1] of what slides (share_of_sliding)
   double S_middle;                   // [L] of it
-  double range;                      // [L] of places on the fibre: half of what has passed
+  double range;                      // [L] of places on the fibre: that share of what has passed
 
   std::size_t size() const { return row.size(); }
-  double place(double S_at) const { return 0.5 * (along.at(S_at) - S_middle); }  // [L] x of matern.h
-  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + 2 * place); }
+  double place(double S_at) const { return share * (along.at(S_at) - S_middle); }  // [L] x of matern.h
+  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + place / share); }
 };
 
 // [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below friction_told_from.
@@ -63,8 +82,13 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
 // Fewer of them tell no friction.
 inline constexpr std::size_t min_readings = 20;
 
-// Method:     Of the readings judged those that some friction in [-1.5, 2.2] explains.
+// Method:     Of the readings judged those that some friction in [-1.5, 2.2] explains; where the problem states that snaps overshoot, without those at
+//             which the fibre sticks (snap_rests.h).
 Passages passages_of(const FitProblem& problem, const SearchOptions& options = {});
+
+// ln p of the forces read while the fibre stuck, of errors of this deviation [EI/L^2] and correlation.
+// Method:     each rest anywhere within twice its jump beforehand.
+double log_density_of_rests(const Passages& passages, double noise, double correlation);
 
 inline constexpr double nugget = 0.0007;  // [1] of μ, what no kernel follows
 
@@ -114,14 +138,20 @@ Linearisation rises_of(const Passages& passages);
 
 inline constexpr double bound_softness = 0.003;  // [1] of μ
 
-// What a place in a gap, where friction must have been below a bound, is taken for: a Gaussian of the slack between the two.
+// What a place in a gap, where friction must have been below a bound, or one where it held the fibre, above it, is taken for: a Gaussian of the slack
+// between the two.
 struct GapSite {
-  std::size_t reading;        // the first beyond the gap
-  std::size_t node, nodes;    // which of how many
-  double precision = 0;       // [1]
-  double precision_mean = 0;  // [1]
-  double wave_slope = 0;      // [1/L] dμ/dS of the waves fitted
+  std::size_t reading;           // the first beyond the gap
+  std::size_t node, nodes;       // which of how many
+  std::optional<Stuck> stuck{};  // beyond the gap; none where it slid on at once
+  bool held = false;             // where it stuck: friction is above the level
+  double precision = 0;          // [1]
+  double precision_mean = 0;     // [1]
+  double wave_slope = 0;         // [1/L] dμ/dS of the waves fitted
 };
+
+// [L] Where the fibre stuck, between the readings around it at lengths fitted.
+double landing_of(const Stuck& stuck, std::span<const double> S);
 
 // The sites of a linearisation at a noise [EI/L^2] of the force: where the fibre advanced by far more than friction that stays would let it, it jumped.
 // Those that were there before stay as they were.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <numeric>
 #include <span>
@@ -10,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "bending_test/history.h"
 #include "bending_test/sliding_table.h"
 #include "data/names.h"
 #include "inference/process_forward.h"
@@ -54,7 +56,7 @@ FitProblem usable_part(const FitProblem& whole) {
   constexpr double max_deflection = 0.8;  // [L]
   std::size_t size = 0;
   while (size < whole.record.stage.size() && whole.record.deflection[size] <= max_deflection) ++size;
-  return {every(1, size, whole.record), whole.rig, whole.errors, whole.rig_errors};
+  return whole.with(every(1, size, whole.record));
 }
 
 std::size_t thinning_of(std::size_t points) {
@@ -64,7 +66,7 @@ std::size_t thinning_of(std::size_t points) {
 
 FitProblem thinned(const FitProblem& problem) {
   const std::size_t size = problem.record.stage.size();
-  return {every(thinning_of(size), size, problem.record), problem.rig, problem.errors, problem.rig_errors};
+  return problem.with(every(thinning_of(size), size, problem.record));
 }
 
 namespace {
@@ -180,7 +182,8 @@ std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_
   return parts;
 }
 
-WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double log_wavelength, double hidden_by_rig,
+// place: [L] of the middle of the fibre seen, from the straight fibre's midspan on.
+WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double place, double log_wavelength, double hidden_by_rig,
                      bool rolls_back) {
   std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle;
   std::vector<JointPart> joint;
@@ -190,7 +193,7 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     sine += draw.weight * draw.sine;
   }
   const double about = -elementary::angle(sine, cosine);  // a cos + b sin = A cos(2πx/λ + about)
-  const double usual = elementary::wrapped_angle(about - pi * S_middle * elementary::exp(-log_wavelength));
+  const double usual = elementary::wrapped_angle(about - 2 * pi * place * elementary::exp(-log_wavelength));
   for (const auto& draw : draws) {
     const double lambda = elementary::exp(draw.log_wavelength);
     const double angle = about + elementary::wrapped_angle(-elementary::angle(draw.sine, draw.cosine) - about);
@@ -198,7 +201,7 @@ WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double S_middle, double
     wavelength.push_back({lambda, draw.weight});
     at_middle.push_back({angle, draw.weight});
     phase.push_back(
-        {usual + (angle - about) - pi * S_middle * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
+        {usual + (angle - about) - 2 * pi * place * (1 / lambda - elementary::exp(-log_wavelength)), draw.weight});
     JointPart part = draw.beside;
     part.value[JointPart::amplitude] = amplitude.back().value;
     part.value[JointPart::wavelength] = lambda;
@@ -218,12 +221,22 @@ Hypotheses asked_by(ProfileModel model) {
   return asked;
 }
 
+// The force at stage positions, each beyond the last, under friction with which snaps overshoot; NaN from where the fibre slips through.
+std::vector<double> forces_overshooting(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {
+  std::vector<double> rising;
+  for (const double stage : stages) rising.push_back(std::max(stage, rising.empty() ? 0 : rising.back()));
+  const History run = follow_in_steps({Friction::as_met(friction), rig, SnapRest::overshoot}, rising);
+  std::vector<double> forces(stages.size(), not_a_number);
+  for (std::size_t i = 0; i < std::min(run.path.size(), forces.size()); ++i) forces[i] = run.path[i].F;
+  return forces;
+}
+
 // The force at stage positions that the mean profile lets this rig read.
 std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
   const double stiffening = fit.bending_stiffness.value;
   std::vector<double> corrected;
   for (const double stage : stages) corrected.push_back(fit.correction.corrected_stage(stage));
-  auto forces = forces_of(fit.mean, rig.in_units_of(stiffening), corrected);
+  auto forces = (fit.overshoots ? forces_overshooting : forces_of)(fit.mean, rig.in_units_of(stiffening), corrected);
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] = stiffening * forces[i] - fit.correction.at(stages[i]).force;
   return forces;
@@ -256,6 +269,8 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
   fit.S_begin = *least;
   fit.S_end = *greatest;
   fit.along = passages.along;
+  fit.share = passages.share;
+  fit.overshoots = passages.overshoots;
   fit.S_middle = fit.along.length_at(passages.S_middle);
   const auto mean = mean_friction({{1, constant.mu0, constant.standard_error}});
   fit.mu0 = mean.estimate;
@@ -307,36 +322,67 @@ bool tells_lengths(const FrictionFit& fit) {
          (fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5));
 }
 
+namespace {
+
+// What explains the readings of a record, where anything does.
+struct Explained {
+  std::shared_ptr<const FrictionProcess> process;
+  ProcessSearch found;
+  double log_evidence = -infinity;  // of all forces read: of passages, and of rests
+};
+
+Explained explained_by(const Passages& passages, const Hypotheses& asked) {
+  if (passages.size() < min_readings) return {};
+  Explained explained{std::make_shared<const FrictionProcess>(passages), {}};
+  explained.found = search(*explained.process, asked);
+  if (explained.found.components.empty()) return {};
+  const Component& best = explained.found.components.front();
+  const Hyperparameters at = hyperparameters_of(best.mode.theta);
+  explained.log_evidence = best.log_evidence + log_density_of_rests(passages, at.noise, at.correlation);
+  return explained;
+}
+
+}  // namespace
+
 FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const FitProblem usable = usable_part(whole);
   const FitProblem problem = thinned(usable);
   FrictionFit fit{};
   fit.model = options.model;
-  const Passages passages = problem.record.force.size() < 3 ? Passages{} : passages_of(problem, options.search);
-  fit.readings = passages.size();
-  if (passages.judged < min_readings) {
+  const Passages read = problem.record.force.size() < 3 ? Passages{} : passages_of(problem, options.search);
+  fit.readings = read.size();
+  if (read.judged < min_readings) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;
   }
   // Friction gives every reading of the authors' tests and of cracked ones, three in five of noise.
-  const bool mostly_given = 3 * passages.size() >= 2 * passages.judged;
+  const bool mostly_given = 3 * read.size() >= 2 * read.judged;
   // On a rig so soft nothing bends that a history could follow, whatever deflections the record says.
   constexpr double hardly_bends = 1e-5;  // [L]
   const bool bends = beam_deflection(problem.record.stage.back(), problem.rig.stiffness) > hardly_bends;
-  if (passages.size() < min_readings || !mostly_given || !bends) {
+  if (read.size() < min_readings || !mostly_given || !bends) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }
-  if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, passages);
+  if (options.model == ProfileModel::constant) return constant_fit_of(whole, problem, read);
   Stages stages;
   stages.enter("", 0.79);
-  const FrictionProcess process(passages);
   const Hypotheses asked = asked_by(options.model);
-  const ProcessSearch found = search(process, asked);
-  if (found.components.empty() || !has_slid(found.components.front().mode.at)) {  // whatever is read is no sliding
+  Explained explained = explained_by(read, asked);
+  if (read.may_overshoot) {
+    FitProblem overshooting = problem;
+    overshooting.snaps = SnapRest::overshoot;
+    Explained other = explained_by(passages_of(overshooting, options.search), asked);
+    if (other.log_evidence > explained.log_evidence + claiming_gain) explained = std::move(other);
+  }
+  if (!explained.process || !has_slid(explained.found.components.front().mode.at)) {  // whatever is read is no sliding
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }
+  const FrictionProcess& process = *explained.process;
+  const ProcessSearch& found = explained.found;
+  const Passages& passages = process.passages();
+  fit.readings = passages.size();
   stages.enter("how certain friction is", 0.21);
   const ProcessPosterior posterior = posterior_of(process, found.components);
 
@@ -344,6 +390,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.S_begin = posterior.S_begin;
   fit.S_end = posterior.S_end;
   fit.along = passages.along;
+  fit.share = passages.share;
+  fit.overshoots = passages.overshoots;
   fit.S_middle = fit.along.length_at(passages.S_middle);
   if (options.search.parts.hidden_by_rig) fit.hidden_by_rig = hidden_by_soft_rig(problem.rig.stiffness);
   const NormalMixture of_mean = widened(posterior.mean, fit.hidden_by_rig);
@@ -365,7 +413,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   for (auto wave : posterior.waves) {
     if (rolls_back)
       for (auto& draw : wave.draws) draw.sine = -draw.sine;
-    fit.waves.push_back(wave_of(wave.draws, fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
+    fit.waves.push_back(
+        wave_of(wave.draws, passages.share * fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
   }
   // What is longer may be a trend.
   const auto repeats = [&](const WaveEstimate& wave) { return wave.wavelength.value < passages.range / 4; };

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bending_test/rig.h"
@@ -16,6 +17,7 @@
 #include "data/record.h"
 #include "fibre/fibre.h"
 #include "inference/correlations.h"
+#include "inference/fit_problem.h"
 #include "inference/kernel.h"
 #include "inference/profile.h"
 #include "inference/rig_correction.h"
@@ -30,10 +32,10 @@ inline constexpr double claiming_gain = 3;
 
 // A wave of friction, (4.25).
 struct WaveEstimate {
-  Estimate amplitude;                       // [1] A, relative to mu0
-  Estimate wavelength;                      // [L] λ
-  Estimate phase;                           // [rad] φ of (4.25), at S = 0: strongly correlated with λ
-  Estimate phase_at_middle;                 // [rad] π S_middle/λ + φ, which is not
+  Estimate amplitude;        // [1] A, relative to mu0
+  Estimate wavelength;       // [L] λ; under a free nose the period in S, which else is 2 λ
+  Estimate phase;            // [rad] φ of (4.25), at S = 0: strongly correlated with λ
+  Estimate phase_at_middle;  // [rad] π S_middle/λ + φ, which is not; under a free nose 2π S_middle/λ + φ
   std::vector<Correlation> correlations{};  // with all that goes with it
 };
 
@@ -62,30 +64,6 @@ struct ProfileBand {
   std::vector<double> S;                // [L] drawn in, rising
   std::vector<double> mean, deviation;  // [1]
 };
-
-// [L] Sagitta of a specimen that is called straight. It reads as a preload: the specimen lies as one bent so far, and bears nothing.
-inline constexpr double usual_bow = 0.003;
-
-// By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
-// by, unless the case states better (theory.md, "What the answer hangs on").
-struct RigErrors {
-  double load_train = 0.01, span = 0.005;
-  double force_gain = 0.01;
-  double thickness = 0.01, support_radius = 0.01;
-  double preload =
-      0.005;  // [L] of deflection that was there before displacement and force were set to zero, or of a bow
-  double slow_force = 0.0065;  // of the greatest force: bow, relaxation, drift of the cell
-};
-
-// Units: reduced, with the nominal bending stiffness.
-struct FitProblem {
-  ReducedRecord record;  // one loading, up to the failure; stage rising
-  Rig rig;
-  MeasurementErrors errors;  // bending_stiffness is the standard deviation of its prior: 0 if it is exact
-  RigErrors rig_errors{};
-};
-
-inline constexpr double max_stiffness_error = 0.3;  // of EI: beyond it the fit would be that of another specimen
 
 // Without deflections beyond 0.8.
 // Domain:     a record without faults, stage not falling; rig.stiffness > 0; errors >= 0, that of EI at most max_stiffness_error;
@@ -138,9 +116,11 @@ enum class FrictionFitStatus {
 struct FrictionFit {
   FrictionFitStatus status;
   ProfileModel model;
-  std::size_t readings;   // that tell of friction
-  double S_begin, S_end;  // [L] the fibre seen, by what has been drawn in
-  ContactTravel along;    // where its contacts were then
+  std::size_t readings;     // that tell of friction
+  double S_begin, S_end;    // [L] the fibre seen, by what has been drawn in
+  ContactTravel along;      // where its contacts were then
+  double share = 0.5;       // [1] of what slides: share_of_sliding
+  bool overshoots = false;  // snaps do, as stated or by the record
   double S_middle;    // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave
   Estimate mu0;       // [1] mean of μ over the fibre seen
   bool mu0_is_bound;  // the record does not tell it from 0: mu0.high is an upper limit of 95 %, mu0.low is 0
@@ -189,7 +169,7 @@ MeanFriction mean_friction(const NormalMixture& mixture);
 double weight_without_roughness(const FrictionFit& fit);
 
 // Does it tell a length along the fibre? A wave that is claimed does, and roughness where there is some: a fit whose explanations have none by more
-// than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
+// than half tells none.
 bool tells_lengths(const FrictionFit& fit);
 
 // Domain:     as usable_part.

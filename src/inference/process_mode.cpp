@@ -24,6 +24,9 @@ using Eigen::Index;
 constexpr int of_friction_and_stiffness = 3;  // mean, drift, and ln EI
 static_assert(of_friction_and_stiffness + most_rig_errors + 2 * max_waves <= max_columns);
 
+// Of the slack between a bound and friction, which is not negative.
+double sign_of(const GapSite& site) { return site.held ? -1 : 1; }
+
 }  // namespace
 
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
@@ -42,7 +45,7 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
   std::vector<double> advance, place_error;  // [L] of x
   const auto slopes = rises_of(passages_);
   for (std::size_t i = 1; i < passages_.size(); ++i) {
-    const double x_by_S = 0.5 * passages_.along.slope(passages_.S[i]);
+    const double x_by_S = passages_.share * passages_.along.slope(passages_.S[i]);
     advance.push_back(x_by_S * passages_.advance[i]);
     place_error.push_back(x_by_S * std::abs(slopes.S_force[i]) * passages_.noise);
   }
@@ -82,15 +85,20 @@ Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
 
 std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
   std::vector<double> S, stage, near;
-  const auto at_site = [](const GapSite& site, const std::vector<double>& values) {
-    const double part = static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
-    const double before = values[site.reading - 1];
-    return before + part * (values[site.reading] - before);
-  };
+  // Of a snap that overshoots the bound holds up to the nearest stable state, which is not known: by symmetry, friction that falls and rises alike,
+  // half of the way or farther.
+  constexpr double bounded = 0.5;
+  const double bounded_part = passages_.overshoots ? bounded : 1;
   for (const auto& site : mode.sites) {
-    S.push_back(at_site(site, mode.at.S));
-    stage.push_back(mode.at.stage[site.reading]);
-    near.push_back(mode.at.mu[site.reading]);
+    const double part =
+        site.held ? 1 : bounded_part * static_cast<double>(site.node) / static_cast<double>(site.nodes + 1);
+    const double before = mode.at.S[site.reading - 1];
+    const double beyond = site.stuck ? landing_of(*site.stuck, mode.at.S) : mode.at.S[site.reading];
+    const std::size_t reading = reading_of(site);
+    S.push_back(before + part * (beyond - before));
+    stage.push_back(mode.at.stage[reading]);
+    if (site.stuck) stage.back() += (site.held ? site.stuck->last : site.stuck->landing) - passages_.stage[reading];
+    near.push_back(mode.at.mu[reading]);
   }
   const auto levels = levels_of(S, stage, near, passages_.fibre, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
@@ -100,7 +108,7 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
 
 // What friction at a node is below, less what is expected of it.
 double FrictionProcess::bound_at(const Node& node, const GapSite& site, const Mode& mode) const {
-  return node.level - mean_friction + by_errors_at(mode.at, site.reading, site.wave_slope);
+  return node.level - mean_friction + by_errors_at(mode.at, reading_of(site), site.wave_slope);
 }
 
 // The friction that a reading shows larger by an error: where it moves places, waves move along; roughness, whose size and places nobody knows
@@ -141,16 +149,20 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
       h[columns_.rig + static_cast<Index>(r)] = by_error(passages_.rig_errors[r], reading, wave_slope);
   };
   std::size_t j = 0;
+  const auto add_sites_before = [&](std::size_t reading) {
+    for (; j < nodes.size() && mode.sites[j].reading == reading; ++j)
+      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0,
+          reading_of(mode.sites[j]), mode.sites[j].wave_slope);
+  };
   for (std::size_t i = 0; i < n; ++i) {
-    for (; j < nodes.size() && mode.sites[j].reading == i; ++j)
-      add({.place = passages_.place(nodes[j].S), .rows = 0, .noise_gain = 0, .variance = 0}, 0, i,
-          mode.sites[j].wave_slope);
+    add_sites_before(i);
     add({.place = passages_.place(at.S[i]),
          .rows = i == 0 ? 0.0 : static_cast<double>(passages_.row[i] - passages_.row[i - 1]),
          .noise_gain = at.noise_gain[i],
          .variance = nugget * nugget},
         at.y[i] - mean_friction + by_errors_at(at, i, at.wave_slope[i]), i, at.wave_slope[i]);
   }
+  add_sites_before(n);
   set_waves(mode.theta, observations);
   say_sites(mode, nodes, observations);
   return observations;
@@ -159,10 +171,10 @@ Observations FrictionProcess::observations_of(const Mode& mode, const std::vecto
 std::vector<double> FrictionProcess::by_stiffness(const Mode& mode) const {
   std::vector<double> by;
   std::size_t site = 0;
-  for (std::size_t i = 0; i < passages_.size(); ++i) {
+  for (std::size_t i = 0; i <= passages_.size(); ++i) {
     for (; site < mode.sites.size() && mode.sites[site].reading == i; ++site)
-      by.push_back(by_error(passages_.stiffness, i, mode.sites[site].wave_slope));
-    by.push_back(by_error(passages_.stiffness, i, mode.at.wave_slope[i]));
+      by.push_back(by_error(passages_.stiffness, reading_of(mode.sites[site]), mode.sites[site].wave_slope));
+    if (i < passages_.size()) by.push_back(by_error(passages_.stiffness, i, mode.at.wave_slope[i]));
   }
   return by;
 }
@@ -201,7 +213,7 @@ void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes
     const double bound = bound_at(nodes[j++], site, mode);
     const bool seen = site.precision > 0;
     observations.all[k].variance = seen ? 1 / site.precision : infinity;
-    observations.values[k] = seen ? bound - site.precision_mean / site.precision : bound;
+    observations.values[k] = seen ? bound - sign_of(site) * site.precision_mean / site.precision : bound;
   }
 }
 
@@ -260,7 +272,7 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (observations.all[k].is_reading()) continue;
     GapSite& site = mode.sites[j];
-    const double mean = bound_at(nodes[j++], site, mode) - smoothed[k].f;
+    const double mean = sign_of(site) * (bound_at(nodes[j++], site, mode) - smoothed[k].f);
     const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
     if (!(precision > 1e-10)) continue;
     const double variance = 1 / precision;
@@ -307,8 +319,9 @@ void FrictionProcess::settle(Mode& mode) const {
       std::size_t j = 0;
       for (std::size_t k = 0; k < observations.all.size(); ++k) {
         if (observations.all[k].is_reading()) continue;
-        evidence +=
-            log_weight(mode.sites[j], bound_at(nodes[j], mode.sites[j], mode) - smoothed[k].f, smoothed[k].variance);
+        evidence += log_weight(mode.sites[j],
+                               sign_of(mode.sites[j]) * (bound_at(nodes[j], mode.sites[j], mode) - smoothed[k].f),
+                               smoothed[k].variance);
         ++j;
       }
       const double negligible = options().gap_accuracy;
@@ -340,7 +353,7 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       waves += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
-    const double x_by_S = 0.5 * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
+    const double x_by_S = passages_.share * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
     slopes.push_back({x_by_S * (smoothed[k].slope + beta[columns_.drift] / passages_.range + waves), x_by_S * waves});
   }
   return slopes;

@@ -5,6 +5,7 @@
 // hyperparameters are moved uphill. What a mode is worth is its merit, ln p(readings, gaps, hyperparameters).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -98,6 +99,8 @@ class FrictionProcess {
     double level;  // [1] the friction there is below it
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
+  // That beyond the gap; the last, where none is.
+  std::size_t reading_of(const GapSite& site) const { return std::min(site.reading, passages_.size() - 1); }
   double by_error(const RigError& error, std::size_t reading, double wave_slope) const;
   double by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const;
   double bound_at(const Node& node, const GapSite& site, const Mode& mode) const;

@@ -140,7 +140,8 @@ class Posterior {
       : process_(process), o_(process.options()), of_roughness_(of_roughness), components_(components) {
     const auto& S = components.front().mode.at.S;
     result_.S_begin = S.front();
-    result_.S_end = S.back();
+    const auto& stuck = process.passages().stuck;
+    result_.S_end = stuck.empty() ? S.back() : std::max(S.back(), stuck.back().S);
     from_ = process.passages().place(result_.S_begin);
     to_ = process.passages().place(result_.S_end);
   }
@@ -329,7 +330,7 @@ class Posterior {
         return NormalPart{weight * share, shift + factor * chain.mean()[j],
                           factor * std::sqrt(chain.covariance()(j, j))};
       };
-      result_.drift.push_back(of_beta(columns.drift, 0.5 / process_.passages().range, 0));
+      result_.drift.push_back(of_beta(columns.drift, process_.passages().share / process_.passages().range, 0));
       result_.log_stiffness.push_back(columns.stiffness >= 0 ? of_beta(columns.stiffness, 1, 0)
                                                              : NormalPart{weight * share, 0, 0});
     }
@@ -359,7 +360,8 @@ class Posterior {
   };
   std::vector<ToldCoefficient> told_by_coefficients() const {
     const auto& columns = process_.columns();
-    std::vector<ToldCoefficient> told{{JointPart::drift, columns.drift, 0.5 / process_.passages().range}};
+    std::vector<ToldCoefficient> told{
+        {JointPart::drift, columns.drift, process_.passages().share / process_.passages().range}};
     if (columns.stiffness >= 0) told.push_back({JointPart::bending_stiffness, columns.stiffness, 1});
     return told;
   }

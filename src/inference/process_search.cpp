@@ -404,7 +404,8 @@ class Search {
   bool is_blurred(const Mode& mode) const {
     std::vector<double> blur;
     const double noise = elementary::exp(mode.theta.values[Theta::log_noise]);
-    for (const double by_force : mode.at.S_force) blur.push_back(0.5 * std::abs(by_force) * noise);
+    for (const double by_force : mode.at.S_force)
+      blur.push_back(process_.passages().share * std::abs(by_force) * noise);
     return median_of(std::move(blur)) > process_.passages().range / o_.blur;
   }
 

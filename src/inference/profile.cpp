@@ -239,7 +239,7 @@ std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<c
   return told;
 }
 
-SlipSummary summarise(std::span<const Slip> all) {
+SlipSummary summarise(std::span<const Slip> all, Nose nose) {
   std::vector<Slip> slips;  // those that are told
   for (const auto& slip : all)
     if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_before)) slips.push_back(slip);
@@ -247,7 +247,7 @@ SlipSummary summarise(std::span<const Slip> all) {
   std::vector<double> falls;
   for (std::size_t i = 0; i < slips.size(); ++i) {
     falls.push_back(slips[i].mu_before - slips[i].mu_after);
-    if (i > 0) spacings.push_back(0.5 * (slips[i].S_before - slips[i - 1].S_before));
+    if (i > 0) spacings.push_back(share_of_sliding(nose) * (slips[i].S_before - slips[i - 1].S_before));
   }
   const auto possible =
       std::count_if(all.begin(), all.end(), [](const Slip& slip) { return slip.verdict == SlipVerdict::possible; });

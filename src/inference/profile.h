@@ -11,6 +11,7 @@
 
 #include "bending_test/rig.h"
 #include "contact/friction.h"
+#include "contact/nose.h"
 #include "data/drops.h"
 #include "data/record.h"
 #include "fibre/supported_state.h"
@@ -158,6 +159,6 @@ struct SlipSummary {
       median_spacing;  // [L] along the fibre, from the beginning of a slip to that of the next; NaN for fewer than two
   double median_fall;  // [1] of μ in a slip; NaN without slips
 };
-SlipSummary summarise(std::span<const Slip> slips);
+SlipSummary summarise(std::span<const Slip> slips, Nose nose = Nose::holds);
 
 }  // namespace flexslip

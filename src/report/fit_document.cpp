@@ -165,15 +165,19 @@ Chapter wave_chapter(T test) {
                        : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
                    numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
-  chapter.blocks.insert(chapter.blocks.end(),
-                        {
-                            explanation_table(test),
-                            !tells_lengths(test.analysis.fit)
-                                ? std::string()
-                                : std::string("Where the supports are not alike or friction falls, the specimen slides "
-                                              "over one at a time: friction is then that of the weaker side. Images of "
-                                              "both supports tell, or the specimen tested again, turned end for end."),
-                        });
+  chapter.blocks.insert(
+      chapter.blocks.end(),
+      {
+          explanation_table(test),
+          !tells_lengths(test.analysis.fit)
+              ? std::string()
+              : std::string(test.measurement.test.rig->nose == Nose::holds
+                                ? "The lengths hold for a nose that holds the middle of the specimen. Under "
+                                  "one without friction, or one that turns, they are twice as long: state "
+                                  "[rig] nose = \"free\"."
+                                : "The nose is stated to be free: the specimen slides over one support at a "
+                                  "time, and friction is that of the weaker side."),
+      });
   return chapter;
 }
 

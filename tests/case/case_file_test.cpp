@@ -220,7 +220,8 @@ TEST_CASE("table: rigs, stages and records that can be described") {
   CHECK(read("[stage]\nfile = 'run.csv'\nstage = 'w_s [um]'").stage ==
         StageInput{.file = "data/run.csv", .stage = "w_s [um]"});
   CHECK(read("[stage]\nfile = 'run.csv'\nstage = 's'\ntime = 't [s]'\ndecimal = ','\nsnaps = 'nearest'").stage ==
-        StageInput{.file = "data/run.csv", .stage = "s", .time = "t [s]", .decimal = ','});
+        StageInput{
+            .file = "data/run.csv", .stage = "s", .time = "t [s]", .decimal = ',', .snaps = SnapRest::nearest_stable});
   CHECK(read("[record]\nfile = '/a/b.csv'\ndeflection = 'w'\nforce = 'F [mN]'\ncontact = '-3 um'\ndecimal = ','")
             .record ==
         RecordInput{.file = "/a/b.csv", .deflection = "w", .force = "F [mN]", .contact = -3e-6, .decimal = ','});

@@ -130,6 +130,27 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("identity: under a nose that holds the fibre both sides act by their mean, at knots of either") {
+  const Friction drifting = Friction::waves({.mu0 = 0.3, .drift = -1.5, .terms = {{0.2, wavelength, 1}}});
+  auto all = pairs();
+  all.push_back({"a drift into zero and waves", drifting, all.front().left});
+  for (const auto& [name, left, right] : all) {
+    CAPTURE(name);
+    const Friction mean = Friction::mean_of(left, right, 1.4);
+    for (double S = 1; S < 1.4; S += 0.0037) {
+      CHECK(mean.at(S).mu == 0.5 * (left.at(S).mu + right.at(S).mu));
+      CHECK(mean.at(S).slope == 0.5 * (left.at(S).slope + right.at(S).slope));
+      CHECK(mean.scaled(0.5).at(S).mu == 0.5 * mean.at(S).mu);
+      CHECK(mean.at(S).mu <= mean.max_up_to(1.4));
+    }
+    for (const Friction* side : {&left, &right})
+      for (const double knot : side->knots()) CHECK(mean.has_corner_at(knot));
+  }
+  const Friction held = Friction::mean_of(drifting, Friction::constant(0.3), 1.4);
+  REQUIRE(held.knots().size() > 0);  // where the drift has carried one side below zero
+  for (const double knot : held.knots()) CHECK(std::abs(drifting.unheld(knot)) < 1e-12);
+}
+
 TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower than either is by itself") {
   const double length = 0.005;
   double mean = 0, square = 0, lag = 0, count = 0, side_square = 0, side_lag = 0;

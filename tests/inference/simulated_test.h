@@ -34,6 +34,7 @@ struct SimulatedTruth {
   double deflection = 0.4;   // [L] at which the test ends
   std::uint64_t seed = 1;
   Fibre fibre{};  // on its supports
+  SnapRest rest = SnapRest::nearest_stable;
 };
 
 inline ReducedRecord simulated_record(const SimulatedTruth& truth, const std::vector<Crack>& cracks = {}) {
@@ -43,7 +44,7 @@ inline ReducedRecord simulated_record(const SimulatedTruth& truth, const std::ve
   std::vector<double> stages;
   for (int i = 1; i * truth.step < 1.6 * truth.deflection + 0.3; ++i) stages.push_back(i * truth.step);
   const auto history =
-      follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening, truth.fibre}}, stages, cracks);
+      follow_in_steps({truth.friction, {truth.stiffness / truth.stiffening, truth.fibre}, truth.rest}, stages, cracks);
   ReducedRecord record;
   for (const auto& point : history.path) {
     if (point.w > truth.deflection) break;

@@ -37,7 +37,7 @@ wavelength = "1 mm"
 program = ["0 mm", "20 mm", "2 mm"]
 step = "0.5 mm"
 """
-TWO_SUPPORTS = WAVY.replace("[stage]", '[friction.other]\nmodel = "constant"\nmu0 = 0.35\n[stage]').replace('"200 um"]', '"300 um", "50 um"]')
+TWO_SUPPORTS = WAVY.replace("[rig]\n", '[rig]\nnose = "free"\n').replace("[stage]", '[friction.other]\nmodel = "constant"\nmu0 = 0.35\n[stage]').replace('"200 um"]', '"300 um", "50 um"]')
 REDUCED = 'reduced = true\n[rig]\nstiffness = 30\n[friction]\nmodel = "rough"\nmu0 = 0.6\nrms = 0.1\ncorrelation_length = 0.01\nseed = 3\n[stage]\nprogram = [0, 0.5, 0.2]\nstep = "continuous"\n'
 SWEEP = WAVY + '[sweep]\nmethod = "grid"\n[sweep.axes]\nmu0 = [0.3, 0.4]\nstiffness = { from = "10 N/m", to = "1 kN/m", points = 3, spacing = "log" }\n'
 FILES = {"rollers.toml": ON_ROLLERS, "two.toml": TWO_SUPPORTS, "reduced.toml": REDUCED, "wavy.toml": WAVY, "sweep.toml": SWEEP,

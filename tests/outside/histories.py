@@ -1,11 +1,16 @@
 #!/usr/bin/python3
 """outside: stage programmes of every kind, static friction, energies of legs, and the programmes that are refused."""
+import csv
 import json
 import math
 import shutil
+import subprocess
 import unittest
 
-from program import InFolder, numbers, run, table
+from program import SOURCE, InFolder, numbers, run, table
+
+CASES = SOURCE / "../shared/cases"
+PROTOTYPES = SOURCE / "../shared/prototypes"
 
 RIG = "reduced = true\n[rig]\nstiffness = 30\n"
 WAVY = RIG + '[friction]\nmodel = "sinusoid"\nmu0 = 0.5\namplitude = 0.3\nwavelength = 0.02\n'
@@ -337,6 +342,22 @@ class BadProgrammes(InFolder):
 OTHER = '[friction.other]\nmodel = "sinusoid"\nmu0 = 0.52\namplitude = 0.25\nwavelength = 0.0154\nphase = 2.5\n'
 
 
+def crests(stage, force):
+    """Stage positions at which the force begins to fall by more than 0.3 % of its maximum."""
+    found, top, rising = [], 0, True
+    for i, each in enumerate(force):
+        if rising and each < force[top] - 0.003 * max(force):
+            found.append(stage[top])
+            rising, low = False, i
+        elif rising and each >= force[top]:
+            top = i
+        elif not rising and each < force[low]:
+            low = i
+        elif not rising and each > force[low] + 0.003 * max(force):
+            rising, top = True, i
+    return found
+
+
 class Nose(InFolder):
     RECORD = WAVY.replace("[rig]\n", "[rig]\nnose_radius = 0.5\n") + "[stage]\nprogram = [0, 0.5]\nstep = 0.01\n"
 
@@ -366,9 +387,100 @@ class Nose(InFolder):
             answer = self.json("fit", self.file("fit.toml", case), "--quiet")
             self.assertEqual(any("it wrapped the nose" in row["words"] for row in answer["answer"]), wraps)
 
+    @unittest.skipUnless((CASES / "nose").is_dir(), "no cases")
+    def test_a_dynamic_rod_whose_nose_holds_drops_where_the_mean_of_its_sides_does(self):
+        case = (CASES / "nose/d_two.toml").read_text(encoding="utf-8")
+        record = [line.split(",") for line in (CASES / "nose/g1_held.csv").read_text(encoding="utf-8").splitlines()[1:]]
+        measured = crests([float(stage) / 1278 for stage, _ in record], [float(force) for _, force in record])
+        path = self.json("simulate", self.file("case.toml", case))["path"]
+        simulated = crests([point["stage"] for point in path], [point["force"] for point in path])
+        self.assertEqual(len(simulated), 6)
+        for here, there in zip(simulated, measured, strict=True):
+            self.assertAlmostEqual(here, there, delta=0.003)  # 0.002, a row of both
+        free = self.json("simulate", self.file("case.toml", with_free_nose(case)))["path"]
+        self.assertEqual(len(crests([point["stage"] for point in free], [point["force"] for point in free])), 14)
+
+    @unittest.skipUnless((CASES / "nose").is_dir(), "no cases")
+    def test_under_a_free_nose_lengths_along_the_specimen_are_twice_as_long(self):
+        """The wave of both rods repeats every 25.56 µm."""
+        answers = {}
+        for name, nose in ("g1_held", "holds"), ("j2_mun0", "free"), ("j2_mun0", "holds"):
+            answers[name, nose] = self.json("fit", CASES / f"nose/{name}.toml", "--set", f'rig.nose="{nose}"', "--quiet")
+        held, free, wrong = answers.values()
+        for answer in held, free:
+            self.assertTrue(answer["wave"]["claimed"])
+            self.assertAlmostEqual(answer["wave"]["wavelength"]["value"], 25.56e-6, delta=0.8e-6)
+        for path in ("parameters", "wavelength", "value"), ("parameters", "correlation_length", "value"), ("slips", "median_spacing"):
+            here, there = free, wrong
+            for name in path:
+                here, there = here[name], there[name]
+            self.assertAlmostEqual(here, 2 * there, delta=1e-6 * here)
+        self.assertAlmostEqual(free["parameters"]["mu0"]["value"], wrong["parameters"]["mu0"]["value"], delta=1e-6)
+
     def test_refused(self):
+        self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", 'nose = "loose"')), says=["[rig] nose", '"holds" or "free"'])
         for radius in "0", "-1", '"sharp"':
             self.refused("simulate", self.file("case.toml", self.RECORD.replace("nose_radius = 0.5", f"nose_radius = {radius}")), says=["[rig] nose_radius"])
+
+
+class SnapsThatOvershoot(InFolder):
+    FIG_8C = RIG + '[friction]\nmodel = "sinusoid"\nmu0 = 0.6\namplitude = 0.4\nwavelength = 0.0628318530717959\n[stage]\nprogram = [0, 0.632]\nstep = 0.008\n'
+
+    @unittest.skipUnless((PROTOTYPES / "rod/der.cpp").is_file(), "no ../shared/prototypes/rod")
+    @unittest.skipUnless(shutil.which("c++"), "no C++ compiler for ../shared/prototypes/rod")
+    def test_a_dynamic_rod_rests_where_a_simulated_snap_does(self):
+        rod = self.folder / "rod"
+        subprocess.run(["c++", "-O2", "-w", "-o", rod, PROTOTYPES / "rod/der.cpp"], check=True)
+        simulated = {}
+        for rest in "nearest", "overshoot":
+            path = self.json("simulate", self.file("case.toml", self.FIG_8C), "--set", f'rig.snaps="{rest}"')["path"]
+            simulated[rest] = {round(point["stage"], 3): point["length"] for point in path}
+        for damping, rest in (0.05, "overshoot"), (0.3, "overshoot"), (1.5, "nearest"):
+            out = subprocess.run([rod, "M=1", f"zn={damping}", "prog=0,.634", "mun=.5", "k=30", "vel=.006", "be=1.2e-4", "dt=5e-5", "al=.2", "N=80", "out=.008"],
+                                 check=True, capture_output=True, text=True).stdout
+            measured = {round(float(row["ws"]), 3): float(row["S"]) for row in csv.DictReader(out.splitlines())}
+            with self.subTest(damping=damping):
+                for stage in 0.616, 0.624, 0.632:
+                    self.assertAlmostEqual(measured[stage], simulated[rest][stage], delta=0.007)  # of a snap of 0.06 or 0.08; the rod's nose moves on
+                slid, expected = (of[0.632] - of[0.616] for of in (measured, simulated[rest]))
+                self.assertAlmostEqual(slid, expected, delta=0.0008)  # 0 or 0.006
+
+    @unittest.skipUnless((CASES / "snaps_that_overshoot").is_dir(), "no cases")
+    def test_a_record_of_them_tells_its_friction(self):
+        folder = CASES / "snaps_that_overshoot"
+        for name in "overshoot.toml", "overshoot_fit.toml":
+            shutil.copy(folder / name, self.folder / name)
+        self.succeeds("simulate", self.folder / "overshoot.toml", "-o", self.folder / "overshoot.csv", "--noise", "10 uN")
+        fit = self.json("fit", self.folder / "overshoot_fit.toml", "--quiet")
+        low, high = fit["parameters"]["mu0"]["interval95"]
+        self.assertTrue(fit["snaps_overshoot"])
+        self.assertTrue(low < 0.6 < high, fit["parameters"]["mu0"])
+        self.assertLess(abs(fit["parameters"]["mu0"]["value"] - 0.6), 0.06)
+        self.assertIn("snaps that overshoot, as the record shows", " ".join(self.succeeds("fit", self.folder / "overshoot_fit.toml", "--quiet").split()))
+        nearest = self.json("fit", self.folder / "overshoot_fit.toml", "--quiet", "--set", 'rig.snaps="nearest"')
+        self.assertFalse(nearest["snaps_overshoot"])
+        self.assertLess(nearest["parameters"]["mu0"]["value"], low)
+
+    @unittest.skipUnless((CASES / "snaps_that_overshoot").is_dir(), "no cases")
+    def test_records_of_a_dynamic_rod(self):
+        """Hardly damped and overdamped. The contacts of the rod give way, so that friction of 0.57 along it reads as 0.50."""
+        for name, overshoots in ("h1_light", True), ("h3_over", False):
+            fit = self.json("fit", CASES / f"snaps_that_overshoot/{name}.toml", "--quiet")
+            low, high = fit["parameters"]["mu0"]["interval95"]
+            self.assertEqual(fit["snaps_overshoot"], overshoots)
+            self.assertTrue(low < 0.5 < high, (name, low, high))
+
+    def test_the_stage_says_so_before_the_rig(self):
+        once = WAVY + "[stage]\nprogram = [0, 0.5]\nstep = 0.002\n"
+
+        def lengths(case):
+            return [point["length"] for point in self.json("simulate", self.file("case.toml", case))["path"]]
+
+        over = once.replace("[rig]\n", '[rig]\nsnaps = "overshoot"\n')
+        self.assertEqual(lengths(over), lengths(once + 'snaps = "overshoot"\n'))
+        self.assertEqual(lengths(over + 'snaps = "nearest"\n'), lengths(once))
+        self.assertNotEqual(lengths(over), lengths(once))
+        self.refused("design", self.file("case.toml", over), says=["[rig] snaps", "overshoot"])
 
 
 class SupportsThatGiveWay(InFolder):
@@ -416,9 +528,26 @@ class SupportsThatGiveWay(InFolder):
             self.refused("simulate", case, says=["[rig] support_stiffness"])
 
 
+def with_free_nose(case):
+    return case.replace("[rig]\n", '[rig]\nnose = "free"\n')
+
+
 class TwoSupports(InFolder):
     def simulated(self, friction, stage, *options):
-        return self.json("simulate", self.file("case.toml", friction + stage), *options)
+        """Under a free nose."""
+        return self.json("simulate", self.file("case.toml", with_free_nose(friction) + stage), *options)
+
+    def test_limit_under_a_nose_that_holds_sides_that_are_alike_are_as_one(self):
+        alike = "[friction.other]\n" + WAVY[WAVY.index("[friction]") + len("[friction]\n"):]
+        once = "[stage]\nprogram = [0, 0.5]\nstep = 0.02\n"
+        one, two = (self.json("simulate", self.file("case.toml", case + once)) for case in (WAVY, WAVY + alike))
+        self.assertEqual(len(one["snaps"]), len(two["snaps"]))
+        for a, b in zip(one["path"], two["path"]):
+            self.assertAlmostEqual(a["force"], b["force"], delta=1e-11)
+
+    def test_under_a_nose_that_holds_static_excess_and_overshoot_are_as_on_one_profile(self):
+        self.json("simulate", self.file("case.toml", WAVY + "static_excess = 0.1\n" + OTHER + LOOP))
+        self.json("simulate", self.file("case.toml", WAVY + OTHER + LOOP + 'snaps = "overshoot"\n'))
 
     def test_identity_what_is_drawn_in_over_both_is_the_length(self):
         path = self.simulated(WAVY + OTHER, LOOP)["path"]
@@ -453,8 +582,8 @@ class TwoSupports(InFolder):
 
     def test_design_sweep_and_equilibrium_take_the_weaker_side(self):
         once = "[stage]\nprogram = [0, 0.5]\nstep = 0.005\n"
-        case = self.file("two.toml", WAVY + OTHER + once)
-        snaps = self.json("simulate", self.file("path.toml", WAVY + OTHER + "[stage]\nprogram = [0, 0.5]\n"))["snaps"]
+        case = self.file("two.toml", with_free_nose(WAVY + OTHER) + once)
+        snaps = self.json("simulate", self.file("path.toml", with_free_nose(WAVY + OTHER) + "[stage]\nprogram = [0, 0.5]\n"))["snaps"]
         design = self.json("design", case)
         self.assertEqual(design["snaps"], len(snaps))
         path = self.json("simulate", case)["path"]
@@ -465,8 +594,8 @@ class TwoSupports(InFolder):
 
     def test_refused(self):
         for friction, stage, says in (
-            (WAVY + "static_excess = 0.1\n" + OTHER, LOOP, ["[friction] static_excess", "the two supports differ"]),
-            (WAVY + OTHER, LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "the two supports differ"]),
+            (with_free_nose(WAVY + "static_excess = 0.1\n" + OTHER), LOOP, ["[friction] static_excess", "the two supports differ and the nose is free"]),
+            (with_free_nose(WAVY + OTHER), LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "the two supports differ and the nose is free"]),
             (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction.other] mu0", "at most 20"]),
             (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction.other] wavelength", "periods"]),
             (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["[friction.other] static_excess", "delete it"]),
