@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout_of_store = 8;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 9;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 // What a result is made of, for the way into the text and back.
@@ -60,6 +60,7 @@ template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
+                                           Part{"on_assumed_edges", &TestSummary::on_assumed_edges},
                                            Part{"model", &TestSummary::model},
                                            Part{"mu0", &TestSummary::mu0},
                                            Part{"mu0_is_bound", &TestSummary::mu0_is_bound},

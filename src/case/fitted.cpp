@@ -246,9 +246,7 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  const bool is_settled = measurement.test.rig->states_supports() || measurement.test.reduced;
-  std::optional<double> radius;
-  if (!is_settled) radius = usual_roller_radius(geometry_of(measurement.test));
+  const std::optional<double> radius = usual_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);
   if (!is_fitted(test) || !radius) return test;

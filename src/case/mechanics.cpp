@@ -492,7 +492,12 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test) {
   throw missing(test, test.specimen->bending_stiffness ? "specimen.bending_stiffness" : "specimen.modulus");
 }
 
-BeamGeometry geometry_of(const Test& test) { return {test.rig ? test.rig->span : std::nullopt, section_of(test)}; }
+BeamGeometry geometry_of(const Test& test) {
+  BeamGeometry geometry{test.rig ? test.rig->span : std::nullopt, section_of(test)};
+  const bool states_supports = test.reduced || (test.rig && test.rig->states_supports());
+  if (states_supports) geometry.support_radius = test.rig->roller_radius.value_or(0);
+  return geometry;
+}
 
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(test)) return *stated;

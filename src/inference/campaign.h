@@ -30,12 +30,13 @@ struct LostStiffness {
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
-  bool suspect = false;         // it is left out of means: a finding stands against its conclusion
-  ProfileModel model;           // that was fitted
-  Estimate mu0;                 // [1] mean friction over the fibre seen
-  bool mu0_is_bound;            // the record does not tell it from none: mu0.high is its upper limit
-  Estimate roughness;           // [1] 0 of a model without
-  Estimate correlation_length;  // [m] likewise
+  bool suspect = false;           // it is left out of means: a finding stands against its conclusion
+  bool on_assumed_edges = false;  // its supports are not stated, and friction depends on them
+  ProfileModel model;             // that was fitted
+  Estimate mu0;                   // [1] mean friction over the fibre seen
+  bool mu0_is_bound;              // the record does not tell it from none: mu0.high is its upper limit
+  Estimate roughness;             // [1] 0 of a model without
+  Estimate correlation_length;    // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
   std::optional<Estimate> amplitude{};   // [1]
   std::optional<Estimate> wavelength{};  // [m]

@@ -165,16 +165,22 @@ std::string friction_in_words(const Campaign& campaign) {
   const bool has_undecided = std::any_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
     return test.verdict == word_of(VerdictCode::undecided);
   });
+  const bool has_unstated_supports =
+      std::any_of(campaign.tests.begin(), campaign.tests.end(),
+                  [](const CampaignTest& test) { return test.summary && test.summary->on_assumed_edges; });
+  std::vector<std::string> conditions;
+  if (has_unstated_supports) conditions.emplace_back("the supports are knife edges");
+  if (has_undecided) conditions.emplace_back("the drops of those undecided are slips");
   constexpr double worth_saying = 0.005;
   const std::string shared =
       mu0.count > 1 && campaign.shared_error > worth_saying
           ? fmt::format("; errors of the rig, which its tests share, move it by ± {:.2f}", campaign.shared_error)
           : "";
-  return fmt::format(" Friction {:.2f}{}{}{}{}{}.", mu0.mean,
+  return fmt::format(" Friction {:.2f}{}{}{}{}{}{}.", mu0.mean,
                      mu0.count == 1 ? ""
                                     : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
                                                   mu0.count, mu0.min, mu0.max),
-                     shared, has_undecided ? ", if the drops of those undecided are slips" : "",
+                     shared, conditions.empty() ? "" : ", if ", in_words(conditions, "and"),
                      limits.empty() ? "" : "; " + limits, work_in_words(campaign));
 }
 

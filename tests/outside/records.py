@@ -11,7 +11,7 @@ from program import SOURCE, InFolder, against, run
 
 EXAMPLE = SOURCE / "examples/simulated/test.csv"
 READINGS = [tuple(map(float, row)) for row in csv.reader(EXAMPLE.read_text(encoding="utf-8").splitlines()[2:]) if row and row[0][0].isdigit()]
-FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--supports", "edges", "--stage", "stage", "--force", "force"]
 DROPS = 35  # falls of the force in the example, 32 of which are snaps
 SHARED = SOURCE / "../shared/data"
 
