@@ -78,6 +78,7 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"drops", &TestSummary::drops},
                                            Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
+                                           Part{"friction_share_error", &TestSummary::friction_share_error},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
                                            Part{"measured", &TestSummary::measured},
                                            Part{"loss", &TestSummary::loss}};
@@ -271,6 +272,7 @@ class Runner {
     for (const CampaignTest& test : result.campaign.tests) causes.push_back(test.causes);
     result.campaign.causes = cause_shares(causes);
     result.campaign.shared_error = shared_error_of(summaries);
+    result.campaign.friction_share = mean_friction_share(summaries);
     return result;
   }
 

@@ -192,7 +192,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   stages.enter("verdict", 0.05);
   Judgement judgement = judge(analysis);
   if (!judgement.tells_friction) {  // cracks took their part of the work
-    analysis.energy.friction_share = not_a_number;
+    analysis.energy.friction_share = analysis.energy.friction_share_error = not_a_number;
     analysis.work_by.reset();
   }
   const DropsElsewhere drops_elsewhere = drops_in_other_loadings(measurement);

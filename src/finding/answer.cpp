@@ -40,12 +40,29 @@ std::string sizes_in_words(T test) {
 
 bool tells_work(T test) { return std::isfinite(test.analysis.energy.friction_share); }
 
+// "33 ± 2 %"
+std::string share_in_words(T test) {
+  const MeasuredEnergy& energy = test.analysis.energy;
+  if (!std::isfinite(energy.friction_share_error)) return format_percent(energy.friction_share);
+  const int digits = energy.friction_share_error < 0.005 ? 1 : 0;
+  return fmt::format("{:.{}f} ± {:.{}f} %", 100 * energy.friction_share, digits, 100 * energy.friction_share_error,
+                     digits);
+}
+
+// Lost stiffness leaves more of the work to friction than is told.
+bool has_least_share(T test) {
+  return may_have_lost_stiffness(test) && std::isfinite(test.analysis.energy.friction_share_error);
+}
+
 std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
   if (!(share > worth_saying) || friction_on_rollers(test)) return "";
-  return fmt::format("{}{} of the work was friction, not toughness", may_have_lost_stiffness(test) ? "at least " : "",
-                     format_percent(share));
+  if (!has_least_share(test)) return fmt::format("{} of the work was friction, not toughness", share_in_words(test));
+  const double least = test.analysis.energy.least_share();
+  return least > worth_saying
+             ? fmt::format("at least {} of the work was friction, not toughness", format_percent(least))
+             : "";
 }
 
 std::string count_of_drops(T test) { return format_count(drops_of(test), "drop", "drops"); }
@@ -353,11 +370,14 @@ std::string work_in_words(T test, const Verdict& verdict) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
   const bool depends_on_supports = friction_on_rollers(test) || verdict.finding == "supports_not_stated";
-  return fmt::format("{}{} of {} ({}) went into friction{}{}",
-                     may_have_lost_stiffness(test) && !depends_on_supports ? "at least " : "",
-                     print.energy(energy.account.friction + energy.account.snaps),
-                     print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
-                     depends_on_supports ? " if the supports are knife edges" : "",
+  const std::string whole = print.energy(energy.work_of_fracture);
+  const bool is_least = has_least_share(test) && !depends_on_supports;
+  const std::string part =
+      is_least ? fmt::format("at least {} of {} ({})", print.energy(energy.least_share() * energy.work_of_fracture),
+                             whole, format_percent(energy.least_share()))
+               : fmt::format("{} of {} ({})", print.energy(energy.account.friction + energy.account.snaps), whole,
+                             share_in_words(test));
+  return fmt::format("{} went into friction{}{}", part, depends_on_supports ? " if the supports are knife edges" : "",
                      drops_of(test) == 0 || slips_at_all(test.judgement.causes) ? ""
                      : depends_on_supports                                      ? " and the drops are slips"
                                                                                 : " if the drops are slips");

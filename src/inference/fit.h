@@ -69,7 +69,7 @@ inline constexpr double usual_bow = 0.003;
 // By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
 // by, unless the case states better (theory.md, "What the answer hangs on").
 struct RigErrors {
-  double load_train = 0.01, span = 0.005;
+  double load_train = 0.02, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
   double preload =
@@ -187,6 +187,9 @@ MeanFriction mean_friction(const NormalMixture& mixture);
 
 // The weight of the explanations without roughness; 0 of a model that has none by itself.
 double weight_without_roughness(const FrictionFit& fit);
+
+// Does the record tell how friction varies along the specimen? Not where it cannot be told from none, unless a wave is claimed.
+inline bool tells_variation(const FrictionFit& fit) { return !fit.mu0_is_bound || fit.wave_claimed; }
 
 // Does it tell a length along the fibre? A wave that is claimed does, and roughness where there is some: a fit whose explanations have none by more
 // than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").

@@ -138,9 +138,13 @@ std::string work_in_words(const Campaign& campaign) {
       shares.push_back(test.summary->friction_share);
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  const Estimate& mean = campaign.friction_share;
   const std::string low = fmt::format("{:.0f} %", 100 * *least), high = fmt::format("{:.0f} %", 100 * *most);
-  return fmt::format("; {}{} of the work went into friction", format_percent(mean_of(shares)),
-                     low == high ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, high));
+  return fmt::format("; {} of the work went into friction{}{}", format_percent(mean.value),
+                     std::isfinite(mean.standard_error)
+                         ? fmt::format(" ({:.0f} to {}, 95 %)", 100 * mean.low, format_percent(mean.high))
+                         : "",
+                     low == high ? "" : fmt::format(", {:.0f} to {} between specimens", 100 * *least, high));
 }
 
 // Over the tests that are not suspect, or over all if all are; null without tests.

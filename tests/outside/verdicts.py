@@ -81,6 +81,32 @@ class Verdicts(InFolder):
             for never in ("at least", "All ", "of the work was"):
                 self.assertNotIn(never, words)
 
+    def tells_nothing_of_no_friction(self, record, *flags):
+        fit, _ = self.answer(record, *flags)
+        self.assertTrue(fit["parameters"]["mu0"]["bound"])
+        self.assertNotIn("roughness", fit["parameters"])
+        self.assertNotIn("correlation_length", fit["parameters"])
+        self.assertIsNone(fit["wave"])
+        self.assertIsNone(fit["energy"]["friction"])
+        self.assertIsNone(fit["energy"]["friction_share"])
+        self.assertEqual(fit["energy"]["friction_share_interval95"], [])
+        text = " ".join(run("fit", record, *flags, "--full").stdout.split())
+        self.assertNotRegex(text, r"\de-\d\d|\d{12}|inf\b(?!ilt)|heat of friction")
+        for sentence in ("roughness and waves are left out.", "how much of the work went into friction: that is left out."):
+            self.assertIn(sentence, text)
+
+    def test_a_bar_without_friction_is_told_no_roughness_wave_or_heat(self):
+        truth = self.file("truth.toml", '[specimen]\nwidth = "12.8 mm"\nheight = "4.2 mm"\nmodulus = "29.6 GPa"\n[rig]\nspan = "125 mm"\nstiffness = "5 kN/mm"\nsupports = "edges"\n'
+                          '[friction]\nmodel = "constant"\nmu0 = 0\n[stage]\nprogram = ["0 mm", "19 mm"]\nstep = "0.05 mm"\n')
+        record = self.file("bar.csv", self.succeeds("simulate", truth, "--noise", "0.1 N"))
+        self.tells_nothing_of_no_friction(record, "--stage", "w_s", "--force", "F", "--stiffness", "5 kN/mm", "--span", "125 mm", "--width", "12.8 mm", "--height", "4.2 mm",
+                                          "--supports", "edges")
+
+    @unittest.skipUnless((CASES / "absurd_surface").is_dir(), "no shared cases")
+    def test_the_shared_bar_without_friction_is_told_no_absurd_numbers(self):
+        self.tells_nothing_of_no_friction(CASES / "absurd_surface/frictionless_bar.csv", "--displacement", "crosshead", "--stiffness", "5 kN/mm", "--span", "125 mm",
+                                          "--width", "12.8 mm", "--height", "4.2 mm")
+
     @unittest.skipUnless((SHARED / "cracked").is_dir(), "no measured data of cracked specimens")
     def test_none_of_fifteen_cracked_records_is_sound_or_explained_by_slips(self):
         truth = list(csv.DictReader((SHARED / "cracked/truth.csv").read_text(encoding="utf-8").splitlines()))

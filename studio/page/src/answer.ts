@@ -42,7 +42,9 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   if (told && energy?.friction_share != null) {
     const onEdges = fit.findings.some((each) => each.code === "supports_not_stated" && each.severity === "doubt");
     const least = !onEdges && fit.findings.some((each) => each.code === "no_reload");
-    Object.assign(work, { value: `${least ? "≥ " : ""}${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
+    const high = energy.friction_share_interval95[1], error = high === undefined ? null : (high - energy.friction_share) / 1.96;
+    const share = 100 * energy.friction_share, atLeast = least && error !== null;
+    Object.assign(work, { value: atLeast ? `≥ ${fixed(Math.max(share - 164.5 * error, 0), 0)} %` : `${fixed(share, 0)} %`, rest: `${atLeast || error === null ? "" : `± ${fixed(100 * error, 0)} % `}of ${written(energy.work_of_fracture, "energy")}` });
     work.condition = onEdges ? "if the supports are knife edges" : ["undecided", "crack"].includes(fit.verdict.code) ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
   }
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
