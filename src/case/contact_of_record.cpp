@@ -91,11 +91,13 @@ bool shows_contact(const Preparing& at, const Contact& contact, double usual_err
   const double offset = contact.offset.value;
   const bool begins_elsewhere = std::abs(offset) > far * contact.offset.standard_error &&
                                 std::abs(offset - at.result.record.stage.front()) < near * std::abs(offset);
-  // Where EI is not stated the slope tells it, and the slope is that of a line through the contact.
-  constexpr double clearly = 2;
-  const bool slope_begins_elsewhere =
-      !states_stiffness(at.input()) &&
-      std::abs(offset) > clearly * elementary::length(contact.offset.standard_error, usual_error);
+  // Where EI is not stated the slope tells it, and the slope is that of a line through the contact; of a straight part it is not.
+  constexpr double clearly = 2, likely = 0.5;
+  const double error =
+      contact.seat > likely ? 0 : contact.offset.standard_error;  // however far a likely seat gives way
+  const bool slope_begins_elsewhere = !states_stiffness(at.input()) && !at.result.straight_is_initial &&
+                                      leaves(at.needs.points, at.result.record, offset) &&
+                                      std::abs(offset) > clearly * elementary::length(error, usual_error);
   return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0 || slope_begins_elsewhere;
 }
 

@@ -188,9 +188,6 @@ MeanFriction mean_friction(const NormalMixture& mixture);
 // The weight of the explanations without roughness; 0 of a model that has none by itself.
 double weight_without_roughness(const FrictionFit& fit);
 
-// Does the record tell how friction varies along the specimen? Not where it cannot be told from none, unless a wave is claimed.
-inline bool tells_variation(const FrictionFit& fit) { return !fit.mu0_is_bound || fit.wave_claimed; }
-
 // Does it tell a length along the fibre? A wave that is claimed does, and roughness where there is some: a fit whose explanations have none by more
 // than half tells none. Where the fibre slides over one support at a time, lengths are up to twice as long (theory.md, "Two supports").
 bool tells_lengths(const FrictionFit& fit);
