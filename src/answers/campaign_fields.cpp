@@ -63,6 +63,8 @@ Fields<TestSummary> number_fields() {
           "friction_share",
           "share of the work that went into friction and snaps; null if the test is not trusted or gives only a limit",
           &TestSummary::friction_share)
+      .number("friction_share_error", "standard error of friction_share, with no stiffness lost",
+              &TestSummary::friction_share_error)
       .number("stiffness_lost", "share of the stiffness lost to the next loading; null without one", lost)
       .number("stiffness_lost_error", "standard error of stiffness_lost", lost_error)
       .number("loss_needed",
@@ -241,6 +243,13 @@ Fields<Campaign> all_fields() {
       .number("shared_error",
               "standard deviation of the mean friction by load train, span and gain, which tests on one rig share",
               &Campaign::shared_error)
+      .estimate(
+          "friction_share", kind::number,
+          "mean share of the work that went into friction, over the tests that tell one and are not suspect, with no "
+          "stiffness lost; null of none",
+          [](const Campaign& campaign) {
+            return std::isfinite(campaign.friction_share.value) ? std::optional(campaign.friction_share) : std::nullopt;
+          })
       .list("failures", "tests without a fit: without an answer, or bent too little to tell friction", failure_fields(),
             failures_of)
       .words("notes", "files left out, records that several tests have, sections that are not stated", &Campaign::notes)

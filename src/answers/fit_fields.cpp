@@ -118,7 +118,10 @@ Fields<FittedTest> parameter_fields() {
       .estimate("drift", kind::inverse_length, "slope of friction along the specimen", of_fit(&FrictionFit::drift))
       .estimate("reference", kind::length, "length between the contacts at which friction is mu0",
                 [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
-      .only_where([](T test) { return is_fitted(test) && test.analysis.fit.model == ProfileModel::roughness; })
+      .only_where([](T test) {
+        const FrictionFit& fit = test.analysis.fit;
+        return is_fitted(test) && fit.model == ProfileModel::roughness && tells_variation(fit);
+      })
       .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
       .estimate(parameter::correlation_length, of_fit(&FrictionFit::length))
       .only_where(is_fitted)
@@ -287,14 +290,28 @@ Fields<FittedTest> judgement_fields() {
       .anywhere();
 }
 
+bool tells_friction_work(const MeasuredEnergy& energy) { return std::isfinite(energy.friction_share); }
+
 // Of the whole record up to failure, what friction took off the work under the curve.
 Fields<MeasuredEnergy> measured_energy_fields() {
-  Fields<EnergyAccount> parts;
-  parts.number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
-      .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction)
-      .number("snaps", kind::energy, "energy lost in drops beyond friction", &EnergyAccount::snaps);
-  return with_work<MeasuredEnergy>(Fields<MeasuredEnergy>().all_of(parts, &MeasuredEnergy::account),
-                                   &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share);
+  const auto part = [](double EnergyAccount::*of) {
+    return [of](const MeasuredEnergy& energy) { return energy.account.*of; };
+  };
+  return with_work<MeasuredEnergy>(
+             Fields<MeasuredEnergy>()
+                 .number("bending", kind::energy, "energy stored in the bent specimen", part(&EnergyAccount::bending))
+                 .only_where(tells_friction_work)
+                 .number("friction", kind::energy, "heat of friction at the supports", part(&EnergyAccount::friction))
+                 .number("snaps", kind::energy, "energy lost in drops beyond friction", part(&EnergyAccount::snaps))
+                 .anywhere(),
+             &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share)
+      .numbers(
+          "friction_share_interval95", kind::number,
+          "95 % interval of friction_share, by the errors of all that is stated of the rig, with no stiffness lost",
+          [](const MeasuredEnergy& energy) {
+            const Estimate share = energy.share();
+            return std::isfinite(share.standard_error) ? std::vector{share.low, share.high} : std::vector<double>();
+          });
 }
 
 // By the quantity, as told.
@@ -413,7 +430,10 @@ Fields<FittedTest> every_fit_field() {
             "how pairs of the parameters go together, each pair once; empty without an answer, or of a constant",
             parameter_correlation_fields(), correlations_of)
       .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
-             [](T test) { return is_fitted(test) && !test.analysis.fit.waves.empty() ? &test : nullptr; })
+             [](T test) {
+               const FrictionFit& fit = test.analysis.fit;
+               return is_fitted(test) && !fit.waves.empty() && tells_variation(fit) ? &test : nullptr;
+             })
       .group(
           "judgement", "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
           judgement_fields(), [](T test) -> const auto& { return test; })

@@ -7,6 +7,7 @@
 
 #include "bending_test/history.h"
 #include "finding/answer.h"
+#include "finding/clauses.h"
 
 namespace flexslip {
 namespace {
@@ -31,11 +32,13 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   return curves;
 }
 
-// A few words for each finding against a test that its verdict does not tell, the weightiest first; and why there is no answer, where it is none.
+// A few words for each finding against a test that a verdict in one word does not tell, the weightiest first; and why there is no answer, where it is
+// none.
 std::vector<std::string> remarks_of(const Answer& answer) {
   std::vector<std::string> remarks;
   for (const Finding& finding : answer.findings)
-    if (finding.severity == Severity::refusal && finding.code == answer.verdict.finding)
+    if ((finding.severity == Severity::refusal || finding.severity == Severity::doubt) &&
+        finding.code == answer.verdict.finding)
       remarks.push_back(finding.short_form);
   for (const Finding& doubt : doubts_of(answer)) remarks.push_back(doubt.short_form);
   return remarks;
@@ -90,6 +93,7 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
   }
   TestSummary summary = summary_of(test.name, test.analysis);
   summary.suspect = is_suspect(answer.findings);
+  summary.on_assumed_edges = friction_on_rollers(test).has_value();
   const bool tells_friction = !is_refused(answer.findings) && test.judgement.tells_friction;
   kept.summary = tells_friction ? std::move(summary) : without_friction(std::move(summary));
   kept.curves = curves_of(test.analysis);

@@ -67,7 +67,8 @@ struct Campaign {
   std::vector<CampaignTest> tests;  // in the order of the plan
   std::vector<CategorySummary> categories;
   CauseShares causes{};
-  double shared_error = 0;         // [1] of mean friction, from the rig that tests share
+  double shared_error = 0;  // [1] of mean friction, from the rig that tests share
+  Estimate friction_share = normal_estimate(not_a_number, not_a_number);  // [1] of the work, in the mean
   std::vector<std::string> notes;  // of its plan: what was left out or counts once
 };
 

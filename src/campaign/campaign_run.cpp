@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout_of_store = 8;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 9;  // of the kept text: another one is computed anew
 constexpr const char* kept_name = "result.json";
 
 // What a result is made of, for the way into the text and back.
@@ -60,6 +60,7 @@ template <>
 constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"category", &TestSummary::category},
                                            Part{"suspect", &TestSummary::suspect},
+                                           Part{"on_assumed_edges", &TestSummary::on_assumed_edges},
                                            Part{"model", &TestSummary::model},
                                            Part{"mu0", &TestSummary::mu0},
                                            Part{"mu0_is_bound", &TestSummary::mu0_is_bound},
@@ -77,6 +78,7 @@ constexpr std::tuple parts_of<TestSummary>{Part{"name", &TestSummary::name},
                                            Part{"drops", &TestSummary::drops},
                                            Part{"spacing", &TestSummary::spacing},
                                            Part{"friction_share", &TestSummary::friction_share},
+                                           Part{"friction_share_error", &TestSummary::friction_share_error},
                                            Part{"work_of_fracture", &TestSummary::work_of_fracture},
                                            Part{"measured", &TestSummary::measured},
                                            Part{"loss", &TestSummary::loss}};
@@ -270,6 +272,7 @@ class Runner {
     for (const CampaignTest& test : result.campaign.tests) causes.push_back(test.causes);
     result.campaign.causes = cause_shares(causes);
     result.campaign.shared_error = shared_error_of(summaries);
+    result.campaign.friction_share = mean_friction_share(summaries);
     return result;
   }
 

@@ -237,8 +237,8 @@ void check_rig(const Test& test) {
   if (rig.supports == SupportKind::edges && has_radius)
     refuse(test, "rig.supports", "rollers, as they have a radius", "\"edges\"", "delete it, or roller_radius");
   if (rig.supports == SupportKind::rollers && !has_radius)
-    refuse(test, "rig.supports", "edges, or rollers with a radius", "\"rollers\"",
-           fmt::format("state that of yours, {}", keys_in_words(test, "rig", {"roller_radius"})));
+    throw missing(test, "rig.roller_radius", "beside supports = \"rollers\"",
+                  fmt::format("add that of yours, such as roller_radius = {}", written(0.05 * *rig.span)));
   if (rig.rollers != Rollers::fixed && !has_radius)
     refuse(test, "rig.rollers", "rollers with a radius", "none",
            fmt::format("state that of yours, {}, or delete it", keys_in_words(test, "rig", {"roller_radius"})));

@@ -147,9 +147,9 @@ constexpr std::array keys{
              "on both. The deflection is always that of the midpoint below the ends of the specimen"),
     flagged(word(at<&RigInput::supports>, "supports", "edges|rollers", R"("edges")",
                  "what the specimen lies on: knife edges, or rollers with a radius; edges are assumed unless given")),
-    estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")", "0.08",
-             "radius of the rollers that serve as supports; knife edges unless given",
-             ". Friction along the specimen is looked up where its axis touches the roller"),
+    flagged(estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")",
+                     "0.08", "radius of the rollers that serve as supports; knife edges unless given",
+                     ". Friction along the specimen is looked up where its axis touches the roller")),
     without(
         "loose", "loose rollers were a feature of earlier versions: write \"fixed\" or \"pinned\"",
         word(

@@ -194,7 +194,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   stages.enter("verdict", 0.05);
   Judgement judgement = judge(analysis);
   if (!judgement.tells_friction) {  // cracks took their part of the work
-    analysis.energy.friction_share = not_a_number;
+    analysis.energy.friction_share = analysis.energy.friction_share_error = not_a_number;
     analysis.work_by.reset();
   }
   const DropsElsewhere drops_elsewhere = drops_in_other_loadings(measurement);
@@ -248,9 +248,7 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  const bool is_settled = measurement.test.rig->states_supports() || measurement.test.reduced;
-  std::optional<double> radius;
-  if (!is_settled) radius = usual_roller_radius(geometry_of(measurement.test));
+  const std::optional<double> radius = usual_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);
   if (!is_fitted(test) || !radius) return test;

@@ -499,7 +499,12 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test) {
   throw missing(test, test.specimen->bending_stiffness ? "specimen.bending_stiffness" : "specimen.modulus");
 }
 
-BeamGeometry geometry_of(const Test& test) { return {test.rig ? test.rig->span : std::nullopt, section_of(test)}; }
+BeamGeometry geometry_of(const Test& test) {
+  BeamGeometry geometry{test.rig ? test.rig->span : std::nullopt, section_of(test)};
+  const bool states_supports = test.reduced || (test.rig && test.rig->states_supports());
+  if (states_supports) geometry.support_radius = test.rig->roller_radius.value_or(0);
+  return geometry;
+}
 
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement) {
   if (const auto stated = stated_stiffness(test)) return *stated;
@@ -518,7 +523,13 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
                       .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",
                       .found = "none",
                       .remedy = "write the modulus or bending_stiffness into [specimen]"});
-  return {slope.value, slope.relative_error, StiffnessSource::initial_slope};
+  // The slope is that of a line through the contact: where that is, and how far the load train gives way, is known as well as the record tells.
+  const double by_contact = measurement.contact_error / slope.deflection;
+  const double by_train = measurement.is_derived ? rig_errors_of(measurement).load_train *
+                                                       beam_slope(slope.value, span) / rig_stiffness_of(test)
+                                                 : 0;
+  const double error = elementary::length(elementary::length(slope.relative_error, by_contact), by_train);
+  return {slope.value, std::min(error, max_stiffness_error), StiffnessSource::initial_slope};
 }
 StageProgramme programme_of(const Test& test) {
   if (!test.stage) throw missing(test, "stage");

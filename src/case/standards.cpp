@@ -42,7 +42,7 @@ std::optional<ShareRange> stated_friction(const Test& test) {
 // Of the supports of a case, or where it states none of edges and of rollers of the usual radius; [L] of a span.
 std::vector<Supports> possible_supports(const Test& test, const Scales& scales) {
   std::vector<Supports> possible{supports_of(test, scales)};
-  if (const auto usual = usual_roller_radius(geometry_of(test)); usual && !test.rig->states_supports()) {
+  if (const auto usual = usual_roller_radius(geometry_of(test))) {
     possible.push_back(possible.front());
     possible.back().radius = scales.reduced_length(*usual);
   }

@@ -219,14 +219,18 @@ std::optional<double> usual_roller_radius(const BeamGeometry& geometry) {
   constexpr double thinnest = 1e-3, thin = 3e-3;          // [m] of the bars of ISO 178
   constexpr double radius_of_thin = 2e-3, radius = 5e-3;  // [m]
   constexpr double least_spans = 8;                       // of the thinnest bar, 16 times as long as thick
-  if (!geometry.span || !geometry.section || !(depth(*geometry.section) > thinnest)) return std::nullopt;
-  const double usual = depth(*geometry.section) > thin ? radius : radius_of_thin;
-  return *geometry.span >= least_spans * usual ? std::optional(usual) : std::nullopt;
+  constexpr double spans_of_small = 20;                   // ASTM C1161, size A: 1 mm on 20 mm
+  if (!geometry.span || geometry.support_radius) return std::nullopt;
+  const double thickness = geometry.section ? depth(*geometry.section) : radius;  // [m]
+  const double usual = thickness > thin ? radius : radius_of_thin;
+  const bool is_bar = geometry.section && thickness > thinnest && *geometry.span >= least_spans * usual;
+  return is_bar ? usual : std::min(usual, *geometry.span / spans_of_small);
 }
 
 double most_steepening(const BeamGeometry& geometry, double deflection) {
   if (!geometry.span) return 0;
-  const double R = usual_roller_radius(geometry).value_or(0) + (geometry.section ? 0.5 * depth(*geometry.section) : 0);
+  const double radius = geometry.support_radius ? *geometry.support_radius : *usual_roller_radius(geometry);
+  const double R = radius + (geometry.section ? 0.5 * depth(*geometry.section) : 0);
   return (4.8 + 27 * R / *geometry.span) * deflection / *geometry.span;
 }
 

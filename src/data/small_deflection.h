@@ -48,12 +48,14 @@ struct SmallDeflectionOptions {
 struct BeamGeometry {
   std::optional<double> span;  // [m]
   std::optional<Section> section;
+  std::optional<double> support_radius{};  // [m] 0 of knife edges
 };
 
-// [m] The radius of the supports that ISO 178 asks for; none of what is no bar: not thicker than 1 mm, or on a span below eight of that radius.
+// [m] The radius that rollers usually have where the supports are not stated: that of ISO 178 under a bar thicker than 1 mm and long enough for
+// it; else a twentieth of the span, as on the smallest rig of ASTM C1161, but no more than ISO 178 has. None without a span, or of stated supports.
 std::optional<double> usual_roller_radius(const BeamGeometry& geometry);
 
-// [1] By how much friction of 1 and supports of the usual radius steepen the curve up to a deflection [m]: 4.8 w/L and 27 R w/L² (theory.md, "Rollers and
+// [1] By how much friction of 1 and supports of the stated or usual radius steepen the curve up to a deflection [m]: 4.8 w/L and 27 R w/L² (theory.md, "Rollers and
 // thickness"), R with half the thickness. 0 without a span.
 double most_steepening(const BeamGeometry& geometry, double deflection);
 

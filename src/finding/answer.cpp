@@ -40,24 +40,45 @@ std::string sizes_in_words(T test) {
 
 bool tells_work(T test) { return std::isfinite(test.analysis.energy.friction_share); }
 
+// "33 ± 2 %"
+std::string share_in_words(T test) {
+  const MeasuredEnergy& energy = test.analysis.energy;
+  if (!std::isfinite(energy.friction_share_error)) return format_percent(energy.friction_share);
+  const int digits = energy.friction_share_error < 0.005 ? 1 : 0;
+  return fmt::format("{:.{}f} ± {:.{}f} %", 100 * energy.friction_share, digits, 100 * energy.friction_share_error,
+                     digits);
+}
+
+// Lost stiffness leaves more of the work to friction than is told.
+bool has_least_share(T test) {
+  return may_have_lost_stiffness(test) && std::isfinite(test.analysis.energy.friction_share_error);
+}
+
 std::string work_in_short(T test) {
   const double share = test.analysis.energy.friction_share;
   constexpr double worth_saying = 0.005;
-  if (!(share > worth_saying)) return "";
-  return fmt::format("{}{} of the work was friction, not toughness", may_have_lost_stiffness(test) ? "at least " : "",
-                     format_percent(share));
+  if (!(share > worth_saying) || friction_on_rollers(test)) return "";
+  if (!has_least_share(test)) return fmt::format("{} of the work was friction, not toughness", share_in_words(test));
+  const double least = test.analysis.energy.least_share();
+  return least > worth_saying
+             ? fmt::format("at least {} of the work was friction, not toughness", format_percent(least))
+             : "";
 }
 
 std::string count_of_drops(T test) { return format_count(drops_of(test), "drop", "drops"); }
 
-// "friction 0.47 ± 0.06 if no stiffness was lost", or that none is told.
-std::string friction_in_short(T test, std::string_view condition) {
+// "friction 0.47 ± 0.06 if the supports are knife edges and no stiffness was lost, 0.21 ± 0.05 on rollers of 5 mm", or that none is told.
+std::string friction_in_short(T test, std::vector<std::string> conditions = {}) {
   if (!is_fitted(test))
     return test.analysis.status == AnalysisStatus::bent_too_little ? "friction cannot be told at so small a deflection"
                                                                    : "no friction can be read off";
   if (!test.judgement.tells_friction) return "no friction can be read off";
   const FrictionFit& fit = test.analysis.fit;
-  return fmt::format("friction {}{}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "", condition);
+  const auto on_rollers = friction_on_rollers(test);
+  if (on_rollers) conditions.insert(conditions.begin(), "the supports are knife edges");
+  return fmt::format("friction {}{}{}{}{}", mean_friction(fit), fit.mu0_is_bound ? " (95 %)" : "",
+                     conditions.empty() ? "" : " if ", in_words(conditions, "and"),
+                     on_rollers ? ", " + *on_rollers : "");
 }
 
 // "the drops would need 28 % if they were cracks only"
@@ -69,8 +90,13 @@ void add(std::vector<std::string>& parts, std::string part) {
   if (!part.empty()) parts.push_back(std::move(part));
 }
 
+// What friction is told under of a test in which nobody knows what stiffness was lost.
+std::vector<std::string> losses_apart(T test) {
+  return may_have_lost_stiffness(test) ? std::vector<std::string>{"no stiffness was lost"} : std::vector<std::string>();
+}
+
 Verdict verdict_of_no_drops(T test, const std::vector<Finding>& findings) {
-  const std::string_view condition = may_have_lost_stiffness(test) ? " if no stiffness was lost" : "";
+  const std::vector<std::string> condition = losses_apart(test);
   if (const Finding* elsewhere = finding_in(findings, "drops_elsewhere"))
     return {VerdictCode::undecided, {friction_in_short(test, condition), elsewhere->short_form}, elsewhere->code};
   Verdict verdict{VerdictCode::no_drops, {}};
@@ -82,8 +108,7 @@ Verdict verdict_of_no_drops(T test, const std::vector<Finding>& findings) {
 }
 
 Verdict verdict_of_slips(T test) {
-  Verdict verdict{VerdictCode::slip,
-                  {friction_in_short(test, may_have_lost_stiffness(test) ? " if no stiffness was lost" : "")}};
+  Verdict verdict{VerdictCode::slip, {friction_in_short(test, losses_apart(test))}};
   add(verdict.parts, work_in_short(test));
   add(verdict.parts, causes_in_words(test));
   constexpr double worth_saying = 0.03;  // [1] of a loss that the reload leaves open
@@ -104,20 +129,20 @@ Verdict verdict_of_cracks(T test) {
                        causes_in_words(test)};
     else
       verdict.parts = {"the force fell by more than any friction can hold"};
-    verdict.parts.push_back(friction_in_short(test, ""));
+    verdict.parts.push_back(friction_in_short(test));
     return verdict;
   }
   Verdict verdict{VerdictCode::crack, {loss_in_words(*test.passes) + " of the stiffness was lost"}, "changed_reload"};
   if (!has_drops) verdict.parts.emplace_back("without a drop to be seen");
   if (has_drops && test.judgement.causes.cracks < 0.95) verdict.parts.emplace_back("some of the drops may be slips");
-  verdict.parts.push_back(friction_in_short(test, ""));
+  verdict.parts.push_back(friction_in_short(test));
   return verdict;
 }
 
 Verdict verdict_of_slips_and_damage(T test) {
   return {VerdictCode::slip_and_damage,
           {loss_in_words(*test.passes) + " of the stiffness was lost", need_in_words(*test.passes),
-           friction_in_short(test, "")},
+           friction_in_short(test)},
           "changed_reload"};
 }
 
@@ -128,7 +153,7 @@ Verdict verdict_of_settled(T test) {
           {fmt::format("the specimen or a support gave way by {} for good; no stiffness was lost",
                        readable(scales.physical_length(settled.value), scales.physical_length(settled.standard_error),
                                 Print(test).as(kind::length))),
-           friction_in_short(test, "")},
+           friction_in_short(test)},
           "changed_reload"};
 }
 
@@ -136,13 +161,15 @@ Verdict verdict_of_undecided(T test, const std::vector<Finding>& findings) {
   if (drops_of(test) == 0) {  // it sinks slowly
     const Finding* sinks = finding_in(findings, "sinks");
     return {VerdictCode::undecided,
-            {(sinks ? sinks->short_form : "the force sinks") + " without a drop", friction_in_short(test, "")},
+            {(sinks ? sinks->short_form : "the force sinks") + " without a drop", friction_in_short(test)},
             sinks ? sinks->code : std::string_view()};
   }
   const Finding* open = finding_in(findings, "undecided_drops");
   Verdict verdict{
       VerdictCode::undecided,
-      {friction_in_short(test, is_reloaded(test.analysis) ? "" : " if the drops are slips and no stiffness was lost"),
+      {friction_in_short(test, is_reloaded(test.analysis)
+                                   ? std::vector<std::string>()
+                                   : std::vector<std::string>{"the drops are slips", "no stiffness was lost"}),
        count_of_drops(test)},
       open ? open->code : std::string_view()};
   add(verdict.parts, causes_in_words(test));
@@ -191,11 +218,13 @@ std::string by_supports(T test, const Verdict& verdict, const std::string& suppo
                      tells ? fmt::format(" (friction {})", mean_friction(test.analysis.fit)) : "");
 }
 
-// Where the supports are not stated, and rollers make another verdict, neither is told: the supports are asked for.
+// Where the supports are not stated, and rollers make another verdict, neither is told: the supports are asked for. Where they make another friction,
+// that is told, too.
 Verdict verdict_whatever_the_supports(T test, const std::vector<Finding>& findings) {
   Verdict on_edges = verdict_of(test, findings);
   const Finding* open = finding_in(findings, "supports_not_stated");
-  if (!open || !test.on_rollers || on_edges.code == VerdictCode::check_input) return on_edges;
+  if (!open || on_edges.code == VerdictCode::check_input) return on_edges;
+  if (friction_on_rollers(test) && on_edges.finding.empty()) on_edges.finding = open->code;
   const std::vector<Finding> findings_on_rollers = findings_of(*test.on_rollers);
   const Verdict on_rollers = verdict_of(*test.on_rollers, findings_on_rollers);
   if (on_rollers.code == on_edges.code || is_refused(findings_on_rollers)) return on_edges;
@@ -312,11 +341,12 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   if (fit.mu0_is_bound)
     return fmt::format("{} (95 %){}; it cannot be distinguished from zero", mean_friction(fit), if_lost_in_words(test));
   const double slid = 0.5 * (fit.S_end - fit.S_begin);
-  std::string words =
-      fmt::format("{} averaged over the {} that slid over each support", mean_friction(fit),
-                  format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
+  const auto on_rollers = friction_on_rollers(test);
+  std::string words = fmt::format(
+      "{}{} averaged over the {} that slid over each support", mean_friction(fit), on_rollers ? " on knife edges," : "",
+      format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   words += if_lost_in_words(test);
-  if (const auto on_rollers = friction_on_rollers(test)) words += "; " + *on_rollers;
+  if (on_rollers) words += "; " + *on_rollers;
   const FrictionRead& read = test.analysis.friction_read;
   if (std::isfinite(read.median)) {
     const bool above = read.low80 > fit.mu0.value, below = read.high80 < fit.mu0.value;
@@ -339,13 +369,21 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
   return words;
 }
 
-std::string work_in_words(T test) {
+std::string work_in_words(T test, const Verdict& verdict) {
   const MeasuredEnergy& energy = test.analysis.energy;
   const Print print(test);
-  return fmt::format("{}{} of {} ({}) went into friction{}", may_have_lost_stiffness(test) ? "at least " : "",
-                     print.energy(energy.account.friction + energy.account.snaps),
-                     print.energy(energy.work_of_fracture), format_percent(energy.friction_share),
-                     drops_of(test) > 0 && !slips_at_all(test.judgement.causes) ? " if the drops are slips" : "");
+  const bool depends_on_supports = friction_on_rollers(test) || verdict.finding == "supports_not_stated";
+  const std::string whole = print.energy(energy.work_of_fracture);
+  const bool is_least = has_least_share(test) && !depends_on_supports;
+  const std::string part =
+      is_least ? fmt::format("at least {} of {} ({})", print.energy(energy.least_share() * energy.work_of_fracture),
+                             whole, format_percent(energy.least_share()))
+               : fmt::format("{} of {} ({})", print.energy(energy.account.friction + energy.account.snaps), whole,
+                             share_in_words(test));
+  return fmt::format("{} went into friction{}{}", part, depends_on_supports ? " if the supports are knife edges" : "",
+                     drops_of(test) == 0 || slips_at_all(test.judgement.causes) ? ""
+                     : depends_on_supports                                      ? " and the drops are slips"
+                                                                                : " if the drops are slips");
 }
 
 std::string_view source_of(StiffnessSource source) {
@@ -440,13 +478,13 @@ std::string reload_in_words(T test) {
   return words;
 }
 
-std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, VerdictCode verdict) {
+std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, const Verdict& verdict) {
   std::vector<AnswerRow> rows{{"drops", drops_in_words(test)}};
-  const bool tells = is_fitted(test) && (!is_refused(findings) || verdict == VerdictCode::crack);
+  const bool tells = is_fitted(test) && (!is_refused(findings) || verdict.code == VerdictCode::crack);
   if (drops_of(test) > 0) rows.push_back({"slip or crack", slip_or_crack_in_words(test)});
   if (tells) {
     rows.push_back({"friction", friction_in_words(test, findings)});
-    if (tells_work(test)) rows.push_back({"work", work_in_words(test)});
+    if (tells_work(test)) rows.push_back({"work", work_in_words(test, verdict)});
   }
   const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
@@ -473,7 +511,7 @@ std::string next_step(const Verdict& verdict, const std::vector<Finding>& findin
 Answer answer_of(T test) {
   std::vector<Finding> findings = findings_of(test);
   Verdict verdict = verdict_whatever_the_supports(test, findings);
-  std::vector<AnswerRow> rows = rows_of(test, findings, verdict.code);
+  std::vector<AnswerRow> rows = rows_of(test, findings, verdict);
   std::string next = next_step(verdict, findings);
   return {std::move(verdict), std::move(rows), std::move(findings), std::move(next)};
 }

@@ -75,7 +75,10 @@ std::string usual_rollers(const FittedTest& test) {
 }
 
 std::optional<std::string> friction_on_rollers(const FittedTest& test) {
-  if (!test.on_rollers || !is_fitted(*test.on_rollers)) return std::nullopt;
+  if (!test.on_rollers || !test.judgement.tells_friction) return std::nullopt;
+  if (test.on_rollers->analysis.status == AnalysisStatus::bent_too_little)
+    return fmt::format("too little bent to tell any on {}", usual_rollers(test));
+  if (!is_fitted(*test.on_rollers)) return std::nullopt;
   const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
   const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
   if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;

@@ -36,7 +36,8 @@ std::string loss_by_drops_in_words(const FittedTest& test);
 // "rollers of 5 mm", as the case could state them; of a test that was fitted on rollers, too.
 std::string usual_rollers(const FittedTest& test);
 
-// "0.21 ± 0.05 on rollers of 5 mm", where friction is told there and differs from that on edges by more than the error of either.
+// "0.21 ± 0.05 on rollers of 5 mm", where the supports are not stated and friction there differs from that on edges by more than the error of
+// either, or cannot be told there; none where friction does not depend on the supports.
 std::optional<std::string> friction_on_rollers(const FittedTest& test);
 
 }  // namespace flexslip

@@ -93,7 +93,9 @@ std::string checks_in_words(const Answer& answer) {
     return fmt::format("{} of {} checks passed{}{}.", good, checks,
                        remarks.empty() ? "" : "; remarked: ", fmt::join(remarks, ", "));
   }
-  return fmt::format("{} {} checks passed.", doubts_of(answer).empty() ? "All" : "The other", checks);
+  const bool is_doubted = std::any_of(answer.findings.begin(), answer.findings.end(),
+                                      [](const Finding& each) { return each.severity <= Severity::doubt; });
+  return fmt::format("{} {} checks passed.", is_doubted ? "The other" : "All", checks);
 }
 
 std::string next_in_words(const Answer& answer) {

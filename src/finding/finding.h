@@ -90,7 +90,7 @@ struct Answer {
 // doubts.
 std::vector<Finding> doubts_of(const Answer& answer);
 
-// "All 7 checks passed.", "The other 7 checks passed." below a doubt, "6 of 7 checks passed; remarked: the fit leaves more than noise.", "5 of 7 checks passed, 2 not possible here."
+// "All 7 checks passed.", "The other 7 checks passed." where a doubt is told, "6 of 7 checks passed; remarked: the fit leaves more than noise.", "5 of 7 checks passed, 2 not possible here."
 std::string checks_in_words(const Answer& answer);
 
 // "Next: unload and load once more."; empty where there is no step.

@@ -723,33 +723,19 @@ Found no_reload(T test) {
                  .remedy = reload_remedy(test)};
 }
 
-// A length is taken for none, as the case does not state it: friction is told for some, "with" so much of it.
-Finding length_not_stated(T test, StatedQuantity quantity, double length_in_spans, const std::string& taken,
-                          fmt::format_string<std::string> with, std::string remedy) {
-  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = std::move(remedy)};
-  const auto& by = test.analysis.fit.friction_by;
-  if (!by) return finding;
-  const double more = length_in_spans * (*by)[quantity];
-  const std::string length =
-      format_roughly(test.analysis.scales.physical_length(length_in_spans), Print(test).as(kind::length));
-  finding.sentence += fmt::format(" {} friction reads {:.2f} {}.", fmt::format(with, std::string(length)),
-                                  std::abs(more), more < 0 ? "lower" : "higher");
-  finding.numbers = {{"friction_moves", more}};
-  return finding;
-}
-
 Found supports_not_stated(T test) {
-  const RigInput& rig = *test.measurement.test.rig;
-  if (rig.states_supports() || (!test.judgement.tells_friction && !test.on_rollers)) return std::nullopt;
-  const std::string taken = "The supports are not stated, and edges are assumed.",
-                    remedy = fmt::format("State {}, or {}.",
-                                         in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
-                                         rig_keys(test, {"roller_radius"}));
-  if (!test.on_rollers)
-    return length_not_stated(test, StatedQuantity::support_radius, unstated_length, taken,
-                             "On rollers with a radius of {}", remedy);
+  if (!test.on_rollers) return std::nullopt;
   const TestAnalysis& rollers = test.on_rollers->analysis;
-  Finding finding{.severity = Severity::condition, .sentence = taken, .remedy = remedy};
+  Finding finding{
+      .severity = friction_on_rollers(test) ? Severity::doubt : Severity::condition,
+      .sentence = "The supports are not stated, and edges are assumed.",
+      .short_form = "supports not stated",
+      .remedy = fmt::format("State {}, or {}.", in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
+                            rig_keys(test, {"roller_radius"}))};
+  if (rollers.status == AnalysisStatus::bent_too_little) {
+    finding.sentence += fmt::format(" On {} the deflection is too small to tell friction.", usual_rollers(test));
+    return finding;
+  }
   if (!is_fitted(*test.on_rollers)) {
     finding.sentence += fmt::format(" On {} no friction explains the record.", usual_rollers(test));
     return finding;
@@ -768,10 +754,19 @@ Found thickness_not_stated(T test) {
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
       !test.judgement.tells_friction)
     return std::nullopt;
+  Finding finding{.severity = Severity::condition,
+                  .sentence = "No section says how thick the specimen is.",
+                  .remedy = fmt::format("State {}.", keys_in_words(input, "specimen", {"diameter", "height"}))};
+  const auto& by = test.analysis.fit.friction_by;
+  if (!by) return finding;
   constexpr double usual = 0.02;  // [L] of the authors' spicules, and of many a fibre
-  return length_not_stated(test, StatedQuantity::thickness, usual, "No section says how thick the specimen is.",
-                           "If it is {} thick,",
-                           fmt::format("State {}.", keys_in_words(input, "specimen", {"diameter", "height"})));
+  const double more = usual * (*by)[StatedQuantity::thickness];
+  finding.sentence +=
+      fmt::format(" If it is {} thick, friction reads {:.2f} {}.",
+                  format_roughly(test.analysis.scales.physical_length(usual), Print(test).as(kind::length)),
+                  std::abs(more), more < 0 ? "lower" : "higher");
+  finding.numbers = {{"friction_moves", more}};
+  return finding;
 }
 
 // Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.

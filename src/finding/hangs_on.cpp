@@ -98,11 +98,10 @@ Statement statement_of(T test, StatedQuantity quantity) {
           .error = errors.thickness};
     }
     case StatedQuantity::support_radius: {
-      const bool is_there = supports.radius > 0, is_stated = input.rig->states_supports();
-      return {.stated = is_there    ? print.length(supports.radius)
-                        : is_stated ? "edges"
-                                    : "edges, not stated",
+      const bool is_there = supports.radius > 0;
+      return {.stated = is_there ? print.length(supports.radius) : "edges",
               .is_there = is_there,
+              .may_be_there = input.rig->states_supports(),  // else the fit on usual rollers tells more
               .states_error = has_error(input.rig->roller_radius),
               .error = errors.support_radius};
     }

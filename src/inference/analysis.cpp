@@ -55,8 +55,9 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   const InitialLine contact = initial_line(record);
   if (contact.status != ContactStatus::found || !(contact.slope.value > 0)) return {};
   double work = 0;
-  double square = 0;
+  double square = 0, sum = 0;
   for (std::size_t i = contact.first; i < contact.last; ++i) {
+    sum += record.deflection[i];
     work += record.force[i] * record.deflection[i];
     square += record.deflection[i] * record.deflection[i];
   }
@@ -66,7 +67,8 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
       elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
   return {.found = work > 0 && error <= max_stiffness_error,
           .value = beam_bending_stiffness(work / square, span),
-          .relative_error = error};
+          .relative_error = error,
+          .deflection = square / sum};
 }
 
 namespace {
@@ -192,6 +194,17 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
   return energy;
 }
 
+// One standard deviation of each quantity moves the share; they are independent.
+double error_of_share(const TestAnalysis& analysis) {
+  if (!analysis.work_by) return not_a_number;
+  const PerQuantity<double> deviations =
+      deviations_beforehand(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
+  double error = 0;
+  for (const StatedQuantity quantity : stated_quantities)
+    error = elementary::length(error, (*analysis.work_by)[quantity] * deviations[quantity]);
+  return error;
+}
+
 // Of the share of the work that was friction: of the readings as another statement makes them, at the bending stiffness that the fit then finds.
 Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   const AtFit found = in_units_of_fit(analysis.reduced, analysis);
@@ -250,6 +263,18 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
 }
 
 }  // namespace
+
+Estimate MeasuredEnergy::share() const {
+  Estimate share = normal_estimate(friction_share, friction_share_error);
+  share.low = std::max(share.low, 0.0);
+  share.high = std::min(share.high, 1.0);
+  return share;
+}
+
+double MeasuredEnergy::least_share() const {
+  constexpr double one_sided = 1.645;  // 95 % of a normal deviate lie above minus it
+  return std::max(friction_share - one_sided * friction_share_error, 0.0);
+}
 
 TestAnalysis analyse_drops(const Record& record, const TestDescription& description, const AnalysisOptions& options) {
   if (const auto check = check_record(record);
@@ -336,9 +361,11 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   // What work was measured is a matter of what was read.
   analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
   if (are_fitted()) share_as_unharmed(analysis.energy, measured_energy(fitted, analysis.drops.drops));
-  const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis);
+  const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis) &&
+                          analysis.energy.friction_share > 0;  // no heat is negative
   if (!tells_work) analysis.energy.friction_share = not_a_number;
   if (tells_work && analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
+  analysis.energy.friction_share_error = error_of_share(analysis);
   stages.enter("checks", 0.09);
   analysis.checks = checks_of(problem, analysis.fit, options);
 

@@ -44,8 +44,9 @@ struct StiffnessFromSlope {
   bool found =
       false;  // the record begins with a rise that tells EI to max_stiffness_error; nothing else is valid without
   double value = 0;  // [N m^2] EI
-  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %
+  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %; without that of contact and load train
   double relative_error = 0;
+  double deflection = 0;  // [m] by which an error of the contact is divided in EI
 };
 
 // Domain:     stage and deflection counted from the contact; span [m] > 0.
@@ -90,6 +91,12 @@ struct MeasuredEnergy {
   double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
   double
       friction_share;  // [1] of it: (friction + snaps)/work_of_fracture; NaN where friction is only a limit, or cannot be
+  // [1] Its standard deviation by all that the rig is off by; NaN without a share, and of smooth friction that is fitted as a constant.
+  double friction_share_error = not_a_number;
+
+  // [1] 95 % lie between low and high, none beyond 0 and 1; and the share that there is with a probability of 95 % at least.
+  Estimate share() const;
+  double least_share() const;
 };
 
 // The measured profile run forward as a table.

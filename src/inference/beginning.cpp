@@ -352,6 +352,7 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
           .slope = beam_stiffness * elementary::exp(told.likeliest.log_stiffness) / test.span,
           .points_before = static_cast<std::size_t>(
               std::count_if(record.stage.begin(), record.stage.end(), [=](double at) { return at < offset; })),
+          .seat = share,
           .settles = share > 0.5 && seated.depth * seated.depth > 4 * seated.depth_variance};
 }
 

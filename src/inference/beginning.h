@@ -27,6 +27,7 @@ struct Contact {
   Estimate offset{};  // [m] stage position at which the contact begins; of one that settles, once it has settled
   double slope = 0;   // [N/m] dF/dw0 there, the stiffness of the specimen
   std::size_t points_before = 0;  // whose stage lies before the contact
+  double seat = 0;                // [1] probability that the seat gives way at first
   bool settles = false;  // at first the seat gives way, by more than its error and than friction bends the curve
 };
 

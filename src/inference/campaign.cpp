@@ -93,6 +93,7 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
                       .drops = analysis.drops.drops.size(),
                       .spacing = scales.physical_length(analysis.slip_summary.median_spacing),
                       .friction_share = analysis.energy.friction_share,
+                      .friction_share_error = analysis.energy.friction_share_error,
                       .work_of_fracture = scales.physical_energy(analysis.energy.work_of_fracture),
                       .measured = measured_friction(fit, scales)};
   if (is_reloaded(analysis))
@@ -103,8 +104,9 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
     summary.mu0_by_gain = (*by)[StatedQuantity::force_gain] * analysis.rig_errors.force_gain;
   }
-  const bool tells_variation = !fit.mu0_is_bound || fit.wave_claimed;
-  if (!fit.waves.empty() && tells_variation) {
+  if (!tells_variation(fit))
+    summary.roughness = summary.correlation_length = normal_estimate(not_a_number, not_a_number);
+  if (!fit.waves.empty() && tells_variation(fit)) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;
     summary.wavelength = scaled(wave.wavelength, scales.span());
@@ -117,7 +119,7 @@ TestSummary without_friction(TestSummary summary) {
   const Estimate unknown = normal_estimate(not_a_number, not_a_number);
   summary.mu0 = summary.roughness = summary.correlation_length = unknown;
   summary.mu0_is_bound = summary.wave_claimed = false;
-  summary.friction_share = summary.spacing = not_a_number;
+  summary.friction_share = summary.friction_share_error = summary.spacing = not_a_number;
   summary.amplitude = summary.wavelength = summary.phase = std::nullopt;
   summary.measured = {};
   return summary;
@@ -154,6 +156,23 @@ CauseShares cause_shares(std::span<const Causes> tests) {
     return CauseShares::Share{.median = below(0.5), .low = below(0.025), .high = below(0.975)};
   };
   return {.tests = told.size(), .slips = share_of(0), .cracks = share_of(1), .both = share_of(2)};
+}
+
+Estimate mean_friction_share(std::span<const TestSummary> tests) {
+  std::vector<double> shares, errors;
+  for (const TestSummary& test : tests)
+    if (!test.suspect && std::isfinite(test.friction_share)) {
+      shares.push_back(test.friction_share);
+      errors.push_back(test.friction_share_error);
+    }
+  const double mean = mean_of(shares), count = static_cast<double>(shares.size());
+  double squares = 0;
+  for (const double share : shares) squares += (share - mean) * (share - mean);
+  const double scatter = count > 1 ? std::sqrt(squares / (count - 1) / count) : 0;
+  Estimate share = normal_estimate(mean, elementary::length(scatter, mean_of(errors)));
+  share.low = std::max(share.low, 0.0);
+  share.high = std::min(share.high, 1.0);
+  return share;
 }
 
 double shared_error_of(std::span<const TestSummary> tests) {

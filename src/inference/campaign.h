@@ -30,12 +30,13 @@ struct LostStiffness {
 struct TestSummary {
   std::string name;
   SawtoothCategory category;
-  bool suspect = false;         // it is left out of means: a finding stands against its conclusion
-  ProfileModel model;           // that was fitted
-  Estimate mu0;                 // [1] mean friction over the fibre seen
-  bool mu0_is_bound;            // the record does not tell it from none: mu0.high is its upper limit
-  Estimate roughness;           // [1] 0 of a model without
-  Estimate correlation_length;  // [m] likewise
+  bool suspect = false;           // it is left out of means: a finding stands against its conclusion
+  bool on_assumed_edges = false;  // its supports are not stated, and friction depends on them
+  ProfileModel model;             // that was fitted
+  Estimate mu0;                   // [1] mean friction over the fibre seen
+  bool mu0_is_bound;              // the record does not tell it from none: mu0.high is its upper limit
+  Estimate roughness;             // [1] 0 of a model without
+  Estimate correlation_length;    // [m] likewise
   // The likeliest wave, the paper's (4.25), claimed or only indicative; none of a model without.
   std::optional<Estimate> amplitude{};   // [1]
   std::optional<Estimate> wavelength{};  // [m]
@@ -48,7 +49,8 @@ struct TestSummary {
       spacing;  // [m] of the specimen, from one slip to the next, median; NaN with fewer than two, and where no friction is told
   double
       friction_share;  // [1] of the measured work of fracture: friction and snaps; NaN of a limit, and of a test not trusted
-  double work_of_fracture;  // [J]
+  double friction_share_error = not_a_number;  // [1] its standard deviation, where it has one
+  double work_of_fracture;                     // [J]
   // [1] What a standard deviation of the rig's load train, span and gain, which its tests share, makes mu0 larger by.
   double mu0_by_load_train = 0, mu0_by_span = 0, mu0_by_gain = 0;
   MeasuredFriction measured;
@@ -97,6 +99,10 @@ struct CauseShares {
 // Domain:     those that are NaN tell nothing.
 // Method:     the likelihood of shares is the product of the sums of share times probability, under a uniform prior; on a grid of a fiftieth.
 CauseShares cause_shares(std::span<const Causes> tests);
+
+// [1] The mean share of friction in the work over the tests that tell one and are not suspect. Its interval allows for the scatter between specimens,
+// and for the mean error of a test in full: most of it is of the rig, which the tests share. NaN of no such test, and no interval of tests without errors.
+Estimate mean_friction_share(std::span<const TestSummary> tests);
 
 // [1] Of the mean friction of tests on one rig, the standard deviation that more of them do not make smaller; 0 without tests that tell any.
 double shared_error_of(std::span<const TestSummary> tests);

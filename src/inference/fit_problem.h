@@ -19,7 +19,7 @@ inline constexpr double usual_bow = 0.003;
 // By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
 // by, unless the case states better (theory.md, "What the answer hangs on").
 struct RigErrors {
-  double load_train = 0.01, span = 0.005;
+  double load_train = 0.02, span = 0.005;
   double force_gain = 0.01;
   double thickness = 0.01, support_radius = 0.01;
   double preload =

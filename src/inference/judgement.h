@@ -49,6 +49,9 @@ bool is_reloaded(const TestAnalysis& analysis);
 // Does the friction told allow for all that was lost?
 bool allows_for_losses(const TestAnalysis& analysis);
 
+// Does the record tell how friction varies along the specimen? Not where it cannot be told from none, unless a wave is claimed.
+inline bool tells_variation(const FrictionFit& fit) { return !fit.mu0_is_bound || fit.wave_claimed; }
+
 // Is the loss beyond its errors, or, negative, the gain? It allows for passes that differ by 2 % for other reasons.
 bool is_lost(const PassesFit& passes);
 bool is_gained(const PassesFit& passes);

@@ -138,9 +138,13 @@ std::string work_in_words(const Campaign& campaign) {
       shares.push_back(test.summary->friction_share);
   if (shares.empty()) return "";
   const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  const Estimate& mean = campaign.friction_share;
   const std::string low = fmt::format("{:.0f} %", 100 * *least), high = fmt::format("{:.0f} %", 100 * *most);
-  return fmt::format("; {}{} of the work went into friction", format_percent(mean_of(shares)),
-                     low == high ? "" : fmt::format(" ({:.0f} to {})", 100 * *least, high));
+  return fmt::format("; {} of the work went into friction{}{}", format_percent(mean.value),
+                     std::isfinite(mean.standard_error)
+                         ? fmt::format(" ({:.0f} to {}, 95 %)", 100 * mean.low, format_percent(mean.high))
+                         : "",
+                     low == high ? "" : fmt::format(", {:.0f} to {} between specimens", 100 * *least, high));
 }
 
 // Over the tests that are not suspect, or over all if all are; null without tests.
@@ -165,16 +169,22 @@ std::string friction_in_words(const Campaign& campaign) {
   const bool has_undecided = std::any_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
     return test.verdict == word_of(VerdictCode::undecided);
   });
+  const bool has_unstated_supports =
+      std::any_of(campaign.tests.begin(), campaign.tests.end(),
+                  [](const CampaignTest& test) { return test.summary && test.summary->on_assumed_edges; });
+  std::vector<std::string> conditions;
+  if (has_unstated_supports) conditions.emplace_back("the supports are knife edges");
+  if (has_undecided) conditions.emplace_back("the drops of those undecided are slips");
   constexpr double worth_saying = 0.005;
   const std::string shared =
       mu0.count > 1 && campaign.shared_error > worth_saying
           ? fmt::format("; errors of the rig, which its tests share, move it by ± {:.2f}", campaign.shared_error)
           : "";
-  return fmt::format(" Friction {:.2f}{}{}{}{}{}.", mu0.mean,
+  return fmt::format(" Friction {:.2f}{}{}{}{}{}{}.", mu0.mean,
                      mu0.count == 1 ? ""
                                     : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
                                                   mu0.count, mu0.min, mu0.max),
-                     shared, has_undecided ? ", if the drops of those undecided are slips" : "",
+                     shared, conditions.empty() ? "" : ", if ", in_words(conditions, "and"),
                      limits.empty() ? "" : "; " + limits, work_in_words(campaign));
 }
 

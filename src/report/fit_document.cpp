@@ -67,6 +67,13 @@ std::string caution_of(T test, const Answer& answer) {
              : "";
 }
 
+// Why no heat of friction is told; empty where it is.
+std::string heat_in_words(T test) {
+  return std::isfinite(test.analysis.energy.friction_share)
+             ? ""
+             : "The record does not show how much of the work went into friction: that is left out.";
+}
+
 // Where μ₀ lies to what the literature gives.
 std::string in_literature(T test) {
   const auto& [value, error, low, high] = test.analysis.fit.mu0;
@@ -159,11 +166,15 @@ PrintedTable explanation_table(T test) {
 }
 
 Chapter wave_chapter(T test) {
-  Chapter chapter{"Does it repeat along the specimen?",
-                  {test.analysis.fit.waves.empty()
-                       ? std::string("No wave of friction explains the record better than none, or the model has none.")
-                       : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
-                   numbers(test, "wave")}};
+  Chapter chapter{
+      "Does it repeat along the specimen?",
+      {!tells_variation(test.analysis.fit)
+           ? std::string("Friction cannot be distinguished from zero, and so the record does not show how it "
+                         "varies along the specimen: roughness and waves are left out.")
+       : test.analysis.fit.waves.empty()
+           ? std::string("No wave of friction explains the record better than none, or the model has none.")
+           : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
+       numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
   chapter.blocks.insert(
       chapter.blocks.end(),
@@ -296,7 +307,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
           drops_chapter(test, answer),
           test.passes ? passes_chapter(test) : Chapter{},
           trusted ? Chapter{test.passes ? "Where the work of this loading went" : "Where the work went",
-                            {caution_of(test, answer), open_numbers(test, "energy")}}
+                            {caution_of(test, answer), open_numbers(test, "energy"), heat_in_words(test)}}
                   : Chapter{},
           small_deflection_chapter(test),
           preparation_chapter(test),

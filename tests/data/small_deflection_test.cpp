@@ -308,18 +308,22 @@ TEST_CASE("small_deflection: a force that does not rise, and too few points (lim
   CHECK(small_deflection({}, {}).status == SmallDeflectionStatus::no_straight_part);
 }
 
-TEST_CASE("usual_roller_radius: that of ISO 178 for bars, none for what is no bar (table)") {
+TEST_CASE("usual_roller_radius: that of ISO 178 for bars, a twentieth of the span for what is smaller (table)") {
   const auto radius = [](double span, double height) {
     return usual_roller_radius({span, RectangularSection{.width = 0.01, .height = height}});
   };
   CHECK(radius(0.064, 0.004) == std::optional(0.005));
   CHECK(radius(0.048, 0.003) == std::optional(0.002));
   CHECK(radius(0.024, 0.0015) == std::optional(0.002));
-  CHECK(!radius(0.016, 0.001));
-  CHECK(!radius(0.030, 0.004));  // a span that no bar so thick is tested on
-  CHECK(!usual_roller_radius({1278e-6, RoundSection{34.8e-6}}));
+  CHECK(radius(0.016, 0.001) == std::optional(0.0008));
+  CHECK(radius(0.100, 0.001) == std::optional(0.002));
+  CHECK(radius(0.030, 0.004) == std::optional(0.0015));  // a span that no bar so thick is tested on
+  CHECK(usual_roller_radius({0.020, RoundSection{0.5e-3}}) == std::optional(0.001));
+  CHECK(*usual_roller_radius({1278e-6, RoundSection{34.8e-6}}) == doctest::Approx(63.9e-6));
   CHECK(!usual_roller_radius({std::nullopt, RoundSection{0.004}}));
-  CHECK(!usual_roller_radius({0.064, std::nullopt}));
+  CHECK(*usual_roller_radius({0.064, std::nullopt}) == doctest::Approx(0.0032));
+  CHECK(!usual_roller_radius({0.064, RoundSection{0.004}, 0.0}));
+  CHECK(!usual_roller_radius({0.064, RoundSection{0.004}, 0.001}));
 }
 
 TEST_CASE("small_deflection: nonsense is refused (contract)") {

@@ -317,19 +317,6 @@ TEST_CASE("work: no share of it is claimed where the analysis tells none") {
   CHECK_FALSE(claims(changed([](FittedTest& test) { test.analysis.energy.friction_share = not_a_number; })));
 }
 
-// The example on supports that it does not state, and what it would be on rollers.
-template <class Change>
-FittedTest on_unknown_supports(const Change& change) {
-  FittedTest rollers = slipping();
-  rollers.analysis.rig.fibre = Fibre({.radius = 0.05, .half_depth = 0.01});
-  rollers.measurement.test.rig->roller_radius = 0.05 * rollers.analysis.scales.span();
-  change(rollers);
-  return changed([&](FittedTest& test) {
-    test.measurement.test.rig->supports = std::nullopt;
-    test.on_rollers = std::make_shared<const FittedTest>(std::move(rollers));
-  });
-}
-
 TEST_CASE("supports that are not stated: friction is told for both, and a verdict that hangs on them is none") {
   const auto friction_row = [](const Answer& answer) {
     return std::find_if(answer.rows.begin(), answer.rows.end(),
@@ -340,11 +327,20 @@ TEST_CASE("supports that are not stated: friction is told for both, and a verdic
       on_unknown_supports([](FittedTest& rollers) { rollers.analysis.fit.mu0 = normal_estimate(0.09, 0.02); }));
   CHECK(slips.verdict.code == VerdictCode::slip);
   CHECK(has(found(slips, "supports_not_stated")->sentence, "On rollers of 63.9 µm friction is 0.090 ± 0.020."));
+  CHECK(has(friction_row(slips), " on knife edges, averaged over "));
   CHECK(has(friction_row(slips), "; 0.090 ± 0.020 on rollers of 63.9 µm;"));
+  CHECK(has(sentence_of(slips.verdict),
+            " if the supports are knife edges and no stiffness was lost, 0.090 ± 0.020 on rollers of 63.9 µm"));
+  CHECK_FALSE(has(sentence_of(slips.verdict), "of the work"));
+  for (const AnswerRow& row : slips.rows) CHECK_FALSE(has(row.words, "at least"));
+  CHECK(slips.verdict.finding == "supports_not_stated");
+  CHECK_FALSE(has(checks_in_words(slips), "All"));
 
   const Answer same = answer_of(on_unknown_supports([](FittedTest&) {}));
   CHECK(has(found(same, "supports_not_stated")->sentence, "On rollers of 63.9 µm friction is 0."));
   CHECK_FALSE(has(friction_row(same), "rollers"));
+  CHECK(has(sentence_of(same.verdict), "of the work was friction"));
+  CHECK(has(checks_in_words(same), "All"));
 
   const Answer cracks = answer_of(on_unknown_supports([](FittedTest& rollers) {
     rollers.judgement = {.conclusion = Conclusion::cracks, .causes = {.slips = 0, .cracks = 0.99, .both = 0.01}};
@@ -361,7 +357,7 @@ TEST_CASE("supports that are not stated: friction is told for both, and a verdic
   CHECK(edges.verdict.code == VerdictCode::slip);
 }
 
-TEST_CASE("supports that are not stated: a bar is fitted on the rollers of ISO 178, too, a spicule is not") {
+TEST_CASE("supports that are not stated: a bar is fitted on the rollers of ISO 178, too") {
   Test bar = read_case(R"([specimen]
 width = "10 mm"
 height = "2 mm"
@@ -424,10 +420,10 @@ TEST_CASE("hangs on: what moves friction most comes first, and the share of the 
   CHECK(of(all, "span")->stated == "1.278 mm");
   CHECK(!of(all, "preload"));  // the case says that there was none
   CHECK(of(all, "support_radius")->stated == "edges");
+  CHECK(of(all, "support_radius")->may_be_off == "say 1.3 µm");
   const std::vector<HangsOn> open =
       what_the_answer_hangs_on(changed([](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; }));
-  CHECK(of(open, "support_radius")->stated == "edges, not stated");
-  CHECK(of(open, "support_radius")->may_be_off == "say 1.3 µm");
+  CHECK(!of(open, "support_radius"));  // the fit on rollers tells more
   const std::vector<HangsOn> limit =
       what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.work_by.reset(); }));
   CHECK(std::isnan(limit.front().work_moves));

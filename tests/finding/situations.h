@@ -31,6 +31,19 @@ FittedTest changed(const Change& change) {
   return test;
 }
 
+// The example on supports that it does not state, and what it would be on rollers, changed so.
+template <class Change>
+FittedTest on_unknown_supports(const Change& change) {
+  FittedTest rollers = slipping();
+  rollers.analysis.rig.fibre = Fibre({.radius = 0.05, .half_depth = 0.01});
+  rollers.measurement.test.rig->roller_radius = 0.05 * rollers.analysis.scales.span();
+  change(rollers);
+  return changed([&](FittedTest& test) {
+    test.measurement.test.rig->supports = std::nullopt;
+    test.on_rollers = std::make_shared<const FittedTest>(std::move(rollers));
+  });
+}
+
 inline Check& check_of(FittedTest& test, CheckKind kind) {
   return *std::find_if(test.analysis.checks.begin(), test.analysis.checks.end(),
                        [&](const Check& check) { return check.kind == kind; });
@@ -168,8 +181,10 @@ inline std::vector<Situation> situations() {
   add("no_reload", Severity::condition, [](FittedTest&) {});
   add("known_roughly", Severity::condition,
       [](FittedTest& test) { test.analysis.fit.mu0 = normal_estimate(0.5, 0.15); });
-  add("supports_not_stated", Severity::condition,
-      [](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; });
+  all.push_back({"supports_not_stated", Severity::condition, on_unknown_supports([](FittedTest&) {})});
+  all.push_back({"supports_not_stated", Severity::doubt, on_unknown_supports([](FittedTest& rollers) {
+                   rollers.analysis.fit.mu0 = normal_estimate(0.09, 0.02);
+                 })});
   add("thickness_not_stated", Severity::condition, [](FittedTest& test) {
     test.analysis.rig.fibre = Fibre();
     test.measurement.test.rig->friction_at = FrictionAt::surface;

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include "inference/rig_shifts.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 
@@ -127,6 +128,25 @@ TEST_CASE("identity: the share of the work moves with what is stated as its sens
     const double told = more * (*usual.work_by)[quantity];
     CHECK(std::abs(share_with(quantity) - usual.energy.friction_share - told) < first_order * std::abs(told) + hardly);
   }
+}
+
+TEST_CASE("interval: the share of the work has the error of all that is stated, and ends at 0 and 1") {
+  const auto told = analyse(to_physical(simulated_record(toothed()), scales), description_of(toothed()));
+  REQUIRE(told.work_by);
+  const PerQuantity<double> deviations = deviations_beforehand(told.errors, told.rig_errors, told.rig.fibre.supports());
+  double squares = 0;
+  for (const StatedQuantity quantity : stated_quantities)
+    squares += std::pow((*told.work_by)[quantity] * deviations[quantity], 2);
+  const MeasuredEnergy& energy = told.energy;
+  CHECK(energy.friction_share_error == doctest::Approx(std::sqrt(squares)));
+  CHECK(energy.share().low ==
+        doctest::Approx(energy.friction_share - 1.96 * energy.friction_share_error).epsilon(1e-4));
+  CHECK(energy.least_share() > energy.share().low);
+  MeasuredEnergy wide = energy;
+  wide.friction_share_error = 1;
+  CHECK(wide.share().low == 0);
+  CHECK(wide.share().high == 1);
+  CHECK(wide.least_share() == 0);
 }
 
 TEST_CASE("limit: friction that is only a limit, or cannot be, tells no share of the work") {

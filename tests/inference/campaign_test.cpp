@@ -52,6 +52,23 @@ TEST_CASE("shared error: more tests on a rig do not average its errors away") {
   CHECK(shared_error_of({}) == 0);
 }
 
+TEST_CASE(
+    "mean share of the work: the scatter of specimens and the error of the rig, which more of them do not average "
+    "away") {
+  TestSummary low{}, high{};
+  low.friction_share = 0.2;
+  high.friction_share = 0.3;
+  low.friction_share_error = high.friction_share_error = 0.03;
+  const Estimate one = mean_friction_share(std::vector{low}), two = mean_friction_share(std::vector{low, high});
+  CHECK(one.standard_error == doctest::Approx(0.03));
+  CHECK(two.value == doctest::Approx(0.25));
+  CHECK(two.standard_error == doctest::Approx(std::hypot(0.05, 0.03)));
+  CHECK(mean_friction_share(std::vector(100, low)).standard_error == doctest::Approx(0.03));
+  high.suspect = true;
+  CHECK(mean_friction_share(std::vector{low, high}).value == 0.2);
+  CHECK(std::isnan(mean_friction_share({}).value));
+}
+
 TEST_CASE("table: mean, least and greatest of each category, with and without suspects") {
   using enum SawtoothCategory;
   const std::vector<TestSummary> tests{some_test(clear, 0.5, 10e-6, false), some_test(clear, 0.75, 20e-6, false),

@@ -143,6 +143,7 @@ TEST_CASE(
 
 TEST_CASE("rig: run forward, the fit reads what a rig does that is off") {
   FitProblem problem = problem_of({.friction = Friction::sinusoid(0.5, 0.2, 0.01, 1), .noise = 0.02});
+  problem.rig_errors.load_train = 0.01;
   const double farthest = problem.record.stage.back(), greatest = problem.record.force.back();
   for (std::size_t i = 0; i < problem.record.force.size(); ++i) {
     const double so_far = problem.record.stage[i] / farthest;
@@ -390,7 +391,7 @@ TEST_CASE(
                                .noise = 0.012,
                                .seed = seed};
     FitProblem problem = problem_of(truth);
-    problem.rig_errors = {};
+    problem.rig_errors = {.load_train = 0.01};
     const auto is_astray = [&](const SearchOptions& by) {
       const auto fit = fit_friction(problem, {.search = by});
       if (fit.status != FrictionFitStatus::ok) return true;

@@ -25,7 +25,7 @@ EXAMPLE = SOURCE / "examples/simulated"
 CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
 TRUTH = tomllib.loads((EXAMPLE / "truth.toml").read_text(encoding="utf-8"))
-FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--supports", "edges", "--stage", "stage", "--force", "force"]
 KEYS = ["status", "model", "category", "parameters", "residual_rms", "wave", "band", "drops", "slips", "profile", "energy", "judgement",
         "measurement", "preparation", "provenance"]
 ALWAYS = {"mu0", "roughness", "correlation_length", "bending_stiffness"}

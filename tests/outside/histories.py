@@ -515,7 +515,7 @@ class SupportsThatGiveWay(InFolder):
         self.succeeds("simulate", self.file("truth.toml", self.SECTION + self.RIG + self.WAVES + self.STAGE), "--noise", "5 uN", "--output", self.folder / "test.csv")
         by_stage = '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\ncontact = "0 m"\n'
         by_deflection = '[record]\nfile = "test.csv"\ndeflection = "w"\nforce = "F"\ncontact = "0 m"\n'
-        as_certain = self.TOGETHER.replace("72 N/m", "72 N/m ± 0.8 %")  # the usual 1 % is that of 90 N/m
+        as_certain = self.TOGETHER.replace("72 N/m", "72 N/m ± 1.6 %")  # the usual 2 % is that of 90 N/m
         answers = [self.json("fit", self.file(f"{name}.toml", self.SECTION + rig + record), "--quiet")["parameters"]["mu0"]["value"]
                    for name, rig, record in (("a", self.RIG, by_stage), ("b", as_certain, by_stage), ("c", self.RIG, by_deflection))]
         self.assertAlmostEqual(answers[0], 0.5, delta=0.03)

@@ -14,7 +14,7 @@ from program import SOURCE, InFolder, against, run
 EXAMPLE = SOURCE / "examples/simulated"
 CASE = EXAMPLE / "case.toml"
 DATA = EXAMPLE / "test.csv"
-FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+FLAGS = ["--diameter", "34.8 um", "--span", "1278 um", "--stiffness", "90.65 N/m", "--supports", "edges", "--stage", "stage", "--force", "force"]
 INSTRUMENTS = (SOURCE / "../shared/data/instruments").resolve()
 STEPS = {"columns", "missing", "metadata", "sign", "thinning", "holds", "way_back", "spikes", "zero", "compliance", "loading", "overload", "end", "stage", "contact"}
 KEYS = {"step", "changed", "done", "value", "uncertainty", "unit", "rows", "key"}

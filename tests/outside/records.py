@@ -11,7 +11,7 @@ from program import SOURCE, InFolder, against, run
 
 EXAMPLE = SOURCE / "examples/simulated/test.csv"
 READINGS = [tuple(map(float, row)) for row in csv.reader(EXAMPLE.read_text(encoding="utf-8").splitlines()[2:]) if row and row[0][0].isdigit()]
-FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--supports", "edges", "--stage", "stage", "--force", "force"]
 DROPS = 35  # falls of the force in the example, 32 of which are snaps
 SHARED = SOURCE / "../shared/data"
 
@@ -85,6 +85,19 @@ class Records(InFolder):
             self.assertTrue(32 <= len(fit["drops"]) <= DROPS, len(fit["drops"]))
             low, high = fit["parameters"]["mu0"]["interval95"]
             self.assertTrue(low < 0.5 < high, (low, high))
+
+    def test_bending_stiffness_that_is_not_stated_is_covered_however_the_record_begins(self):
+        greatest, step = max(force for _, force in READINGS), READINGS[1][0] - READINGS[0][0]
+        beginnings = {"none": READINGS,
+                      "few rows": [(i * step, 0.0) for i in range(4)] + [(stage + 4 * step, force) for stage, force in READINGS],
+                      "rows": [(i * step, 0.0) for i in range(30)] + [(stage + 30 * step, force) for stage, force in READINGS],
+                      "toe": [(stage + 10 * (1 - math.exp(-max(force, 0) / (0.03 * greatest))), force) for stage, force in READINGS],
+                      "tare": [(stage - READINGS[6][0], force - READINGS[6][1]) for stage, force in READINGS[6:]]}
+        for name, readings in beginnings.items():
+            with self.subTest(name):
+                case = self.file("case.toml", self.case("test.csv", readings, "").replace('modulus = "29.6 GPa"', 'modulus = "fit"'))
+                low, high = self.json("fit", case)["parameters"]["bending_stiffness"]["interval95"]
+                self.assertTrue(low < 2.1736e-9 < high, (low, high))
 
     def test_a_contact_that_settles_is_found_with_an_honest_error(self):
         greatest = max(force for _, force in READINGS)
@@ -214,6 +227,7 @@ modulus = "29.6 GPa"
 [rig]
 span = "1278 um"
 stiffness = "90.65 N/m"
+supports = "edges"
 [record]
 file = "{name}"
 stage = "stage"

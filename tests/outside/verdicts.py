@@ -7,7 +7,7 @@ import unittest
 
 from program import SOURCE, InFolder, against, run
 
-FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--stage", "stage", "--force", "force"]
+FLAGS = ["--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m", "--supports", "edges", "--stage", "stage", "--force", "force"]
 SHARED = SOURCE / "../shared/data"
 CASES = SOURCE / "../shared/cases"
 
@@ -50,6 +50,63 @@ class Verdicts(InFolder):
             found = {finding["code"] for finding in answer["findings"]}
             self.assertEqual("changed_reload" in found, loss > 0, found)
 
+    def test_rollers_taken_for_edges_are_asked_for_whatever_the_thickness(self):
+        for scale, thickness in ((1, "0.5 mm"), (0.1, "20 um"), (3.2, "4 mm")):
+            span = 20 * scale
+            rig = f'[specimen]\ndiameter = "{thickness}"\nmodulus = "40 GPa"\n[rig]\nspan = "{span} mm"\nstiffness = "inf"\nroller_radius = "{0.05 * span} mm"\n'
+            truth = self.file("truth.toml", rig + f'[friction]\nmodel = "constant"\nmu0 = 0.12\n[stage]\nprogram = ["0 mm", "{0.3 * span} mm"]\nstep = "{0.001 * span} mm"\n')
+            record = self.file("rod.csv", self.succeeds("simulate", truth))
+            flags = ["--span", f"{span} mm", "--diameter", thickness, "--stiffness", "inf", "--stage", "w_s", "--force", "F"]
+            with self.subTest(thickness):
+                edges, _ = self.answer(record, *flags)
+                self.assertIn("supports_not_stated", against(edges))
+                self.assertRegex(edges["verdict"]["sentence"], "if the supports are knife edges|which supports")
+                self.assertNotIn("at least", edges["verdict"]["sentence"])
+                rollers, _ = self.answer(record, *flags, "--supports", "rollers", "--roller-radius", f"{0.05 * span} mm")
+                low, high = rollers["parameters"]["mu0"]["interval95"]
+                self.assertTrue(low < 0.12 < high, (low, high))
+                self.assertNotIn("knife edges", rollers["verdict"]["sentence"])
+        refused = run("fit", record, *flags, "--supports", "rollers")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--roller-radius LENGTH", refused.stderr)
+
+    @unittest.skipUnless((CASES / "unstated_rollers").is_dir(), "no shared cases")
+    def test_shared_records_on_rollers_that_nobody_states_carry_the_condition(self):
+        folder = CASES / "unstated_rollers"
+        for call, sentence in (([folder / "rollers_1mm.csv", "--span", "20 mm", "--diameter", "0.5 mm", "--stiffness", "1 N/mm"], "which supports"),
+                               ([folder / "two_sheets.xlsx", "--sheet", "Curve R1", "--span", "40 mm", "--diameter", "1 mm", "--stiffness", "50 N/mm"], "if the supports are knife edges")):
+            screen = run("fit", *call).stdout
+            words = " ".join(screen.split())
+            self.assertIn(sentence, words)
+            for never in ("at least", "All ", "of the work was"):
+                self.assertNotIn(never, words)
+
+    def tells_nothing_of_no_friction(self, record, *flags):
+        fit, _ = self.answer(record, *flags)
+        self.assertTrue(fit["parameters"]["mu0"]["bound"])
+        self.assertNotIn("roughness", fit["parameters"])
+        self.assertNotIn("correlation_length", fit["parameters"])
+        self.assertIsNone(fit["wave"])
+        self.assertIsNone(fit["energy"]["friction"])
+        self.assertIsNone(fit["energy"]["friction_share"])
+        self.assertEqual(fit["energy"]["friction_share_interval95"], [])
+        text = " ".join(run("fit", record, *flags, "--full").stdout.split())
+        self.assertNotRegex(text, r"\de-\d\d|\d{12}| to inf\b|heat of friction")
+        for sentence in ("roughness and waves are left out.", "how much of the work went into friction: that is left out."):
+            self.assertIn(sentence, text)
+
+    def test_a_bar_without_friction_is_told_no_roughness_wave_or_heat(self):
+        truth = self.file("truth.toml", '[specimen]\nwidth = "12.8 mm"\nheight = "4.2 mm"\nmodulus = "29.6 GPa"\n[rig]\nspan = "125 mm"\nstiffness = "5 kN/mm"\nsupports = "edges"\n'
+                          '[friction]\nmodel = "constant"\nmu0 = 0\n[stage]\nprogram = ["0 mm", "19 mm"]\nstep = "0.05 mm"\n')
+        record = self.file("bar.csv", self.succeeds("simulate", truth, "--noise", "0.1 N"))
+        self.tells_nothing_of_no_friction(record, "--stage", "w_s", "--force", "F", "--stiffness", "5 kN/mm", "--span", "125 mm", "--width", "12.8 mm", "--height", "4.2 mm",
+                                          "--supports", "edges")
+
+    @unittest.skipUnless((CASES / "absurd_surface").is_dir(), "no shared cases")
+    def test_the_shared_bar_without_friction_is_told_no_absurd_numbers(self):
+        self.tells_nothing_of_no_friction(CASES / "absurd_surface/frictionless_bar.csv", "--displacement", "crosshead", "--stiffness", "5 kN/mm", "--span", "125 mm",
+                                          "--width", "12.8 mm", "--height", "4.2 mm")
+
     @unittest.skipUnless((SHARED / "cracked").is_dir(), "no measured data of cracked specimens")
     def test_none_of_fifteen_cracked_records_is_sound_or_explained_by_slips(self):
         truth = list(csv.DictReader((SHARED / "cracked/truth.csv").read_text(encoding="utf-8").splitlines()))
@@ -82,6 +139,7 @@ force = "F_N [N]"
 bending_stiffness = {{ value = "{float(row["EI_over_L3_N_per_m"]) * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
 [rig]
 span = "1278 um"
+supports = "edges"
 stiffness = "{row["cantilever_stiffness_N_per_m"]} N/m"
 [record]
 file = "{(SHARED / "spicules/ss").resolve() / f"SS{int(name[2:]):02d}"}.csv"
@@ -101,6 +159,7 @@ until = {int(float(row["index_of_failure"]))}
 bending_stiffness = {{ value = "{1.0208333333333333 * 1278e-6**3!r} N m^2", uncertainty = "3 %" }}
 [rig]
 span = "1278 um"
+supports = "edges"
 stiffness = "90.65 N/m"
 [record]
 file = "{(SHARED / "spicules/ss").resolve() / "SS14.csv"}"
@@ -154,6 +213,7 @@ diameter = "38.9 um"
 modulus = {{ value = "29.6 GPa", uncertainty = "3 %" }}
 [rig]
 span = "1278 um"
+supports = "edges"
 stiffness = "90.65 N/m"
 [record]
 file = "{(SHARED / "spicules/ss").resolve() / "SS14.csv"}"

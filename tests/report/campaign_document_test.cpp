@@ -28,7 +28,8 @@ std::string on_one_line(const Campaign& campaign) { return in_text(document_of(c
 TEST_CASE("table: the answer of a campaign counted by hand") {
   CHECK(campaign_in_short(some_campaign()) ==
         "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.51 averaged over 4 "
-        "specimens, 0.30 to 0.75 between them; 25 % of the work went into friction. SS8 is suspect. SS99 "
+        "specimens, 0.30 to 0.75 between them; 25 % of the work went into friction (19 to 31 %, 95 %). SS8 is suspect. "
+        "SS99 "
         "could not be "
         "evaluated.");
   CHECK(has(on_one_line(some_campaign()),
@@ -37,7 +38,8 @@ TEST_CASE("table: the answer of a campaign counted by hand") {
   of_maize.tests.front().materials = Materials{"maize", "steel"};
   CHECK_FALSE(has(on_one_line(of_maize), "literature"));
   CHECK(campaign_in_short(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
-        "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work went into friction.");
+        "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work went into friction (19 "
+        "to 31 %, 95 %).");
 }
 
 TEST_CASE("limit: no tests, none with an answer, all suspect") {

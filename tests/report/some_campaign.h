@@ -41,6 +41,7 @@ inline CampaignTest some_test(const std::string& name, SawtoothCategory category
                                            .drops = wavelength ? 7U : 0U,
                                            .spacing = wavelength ? 8e-6 : std::numeric_limits<double>::quiet_NaN(),
                                            .friction_share = 0.25,
+                                           .friction_share_error = 0.03,
                                            .work_of_fracture = 3.4e-6,
                                            .measured = {{{mu0, 0.0123}}, {{-2.2, 0.2}}, {{-12.4, 0.3}}}},
                     .curves = CampaignCurves{.span = scales.span(),
@@ -76,7 +77,10 @@ inline Campaign campaign_of(std::vector<CampaignTest> tests) {
   std::vector<TestSummary> summaries;
   for (const auto& test : tests)
     if (test.summary) summaries.push_back(*test.summary);
-  return {.tests = std::move(tests), .categories = summarise(summaries), .notes = {}};
+  return {.tests = std::move(tests),
+          .categories = summarise(summaries),
+          .friction_share = mean_friction_share(summaries),
+          .notes = {}};
 }
 
 inline Campaign no_tests() { return campaign_of({}); }

@@ -40,9 +40,12 @@ function numbers(fit: FitAnswer, text: CaseText): KeyNumber[] {
   else if (mu0) [friction.value, friction.rest] = estimate(mu0.value, mu0.standard_error, { name: "", command: "", factor: 1 });
   const work: KeyNumber = { label: "Friction in the work", value: NOTHING, rest: "", condition: "" };
   if (told && energy?.friction_share != null) {
-    const least = fit.findings.some((each) => each.code === "no_reload");
-    Object.assign(work, { value: `${least ? "≥ " : ""}${fixed(100 * energy.friction_share, 0)} %`, rest: `of ${written(energy.work_of_fracture, "energy")}` });
-    work.condition = ["undecided", "crack"].includes(fit.verdict.code) ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
+    const onEdges = fit.findings.some((each) => each.code === "supports_not_stated" && each.severity === "doubt");
+    const least = !onEdges && fit.findings.some((each) => each.code === "no_reload");
+    const high = energy.friction_share_interval95[1], error = high === undefined ? null : (high - energy.friction_share) / 1.96;
+    const share = 100 * energy.friction_share, atLeast = least && error !== null;
+    Object.assign(work, { value: atLeast ? `≥ ${fixed(Math.max(share - 164.5 * error, 0), 0)} %` : `${fixed(share, 0)} %`, rest: `${atLeast || error === null ? "" : `± ${fixed(100 * error, 0)} % `}of ${written(energy.work_of_fracture, "energy")}` });
+    work.condition = onEdges ? "if the supports are knife edges" : ["undecided", "crack"].includes(fit.verdict.code) ? "if the drops are slips" : least ? "more if stiffness was lost" : "";
   }
   const spacing: KeyNumber = { label: "Specimen between slips", value: NOTHING, rest: "", condition: !told ? "" : slips?.median_fall_of_mu != null ? `*μ* falls ${significant(slips.median_fall_of_mu, 2)} per slip` : "too few slips to tell" };
   if (slips?.median_spacing && told) {

@@ -22,7 +22,7 @@ export interface FitAnswer {
   answer: { label: string; words: string }[]; passes: { passes: Pass[] } | null;
   verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
   drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
-  energy: { work_of_fracture: number; friction_share: number | null } | null;
+  energy: { work_of_fracture: number; friction_share: number | null; friction_share_interval95: number[] } | null;
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
   small_deflection: { over_fit: number | null } | null;
