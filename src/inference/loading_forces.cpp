@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 
 #include "inference/pass_rows.h"
 #include "inference/pass_unknowns.h"
@@ -25,57 +26,110 @@ double force_near(const ReducedRecord& record, const Leg& leg, double w, double 
   return count > 0 ? sum / count : not_a_number;
 }
 
-// The loss between two loadings by their forces at the same deflections, friction being what it was: ln(F2/F1) = ln(1 - loss) + c/w, c being the
-// difference of the contacts and what settled.
-std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
-                                     const std::vector<char>& left_out) {
-  const ReducedRecord& record = problem.record;
-  const auto deepest = [&](const Leg& leg) {
-    const auto begin = record.deflection.begin();
-    return *std::max_element(begin + static_cast<std::ptrdiff_t>(leg.first),
-                             begin + static_cast<std::ptrdiff_t>(leg.last));
-  };
-  const double common = std::min(deepest(before), deepest(after));
-  constexpr double from = 0.3, up_to = 0.95;  // [common deflection]
-  constexpr int places = 30, independent = 8;
-  Eigen::Matrix2d A = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d b = Eigen::Vector2d::Zero();
-  double squares = 0, count = 0;
+double deepest_of(const ReducedRecord& record, const Leg& leg) {
+  const auto begin = record.deflection.begin();
+  return *std::max_element(begin + static_cast<std::ptrdiff_t>(leg.first),
+                           begin + static_cast<std::ptrdiff_t>(leg.last));
+}
+
+// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks, or else
+// growing with the deflection.
+class StillToCome {
+ public:
+  StillToCome(const PassesProblem& problem, const Leg& leg, double deepest) : deepest_(deepest) {
+    for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
+      if (is_in(leg, drop.before)) {
+        w_.push_back(problem.record.deflection[drop.before]);
+        losses_.push_back(drop.log_loss);
+        all_ += drop.log_loss;
+      }
+  }
+
+  double all() const { return all_; }
+
+  double at(double w) const {
+    if (!(all_ > 0)) return std::clamp(1 - w / deepest_, 0.0, 1.0);
+    double come = 0;
+    for (std::size_t i = 0; i < w_.size(); ++i)
+      if (w_[i] < w) come += losses_[i];
+    return std::max(1 - come / all_, 0.0);
+  }
+
+ private:
+  double deepest_;
+  std::vector<double> w_, losses_;
+  double all_ = 0;
+};
+
+// Two loadings at one deflection.
+struct Pair {
+  double w, before, after;  // [L], [EI/L^2] forces
+};
+
+std::vector<Pair> pairs_of(const PassesProblem& problem, const Leg& before, const Leg& after,
+                           const std::vector<char>& left_out, double common) {
+  constexpr double from = 0.15, up_to = 0.95;  // [common deflection]
+  constexpr int places = 40;
+  std::vector<Pair> pairs;
   for (int i = 0; i < places; ++i) {
     const double w = common * (from + (up_to - from) * (i + 0.5) / places), reach = common * (up_to - from) / places;
-    const double ratio = force_near(record, after, w, reach, left_out) / force_near(record, before, w, reach, left_out);
-    if (!(ratio > 0)) continue;
-    const Eigen::Vector2d of_row(1, 1 / w);
-    const double y = elementary::log(ratio);
-    A += of_row * of_row.transpose();
-    b += y * of_row;
-    squares += y * y;
-    ++count;
+    const Pair pair{w, force_near(problem.record, before, w, reach, left_out),
+                    force_near(problem.record, after, w, reach, left_out)};
+    if (pair.after / pair.before > 0) pairs.push_back(pair);
   }
-  if (count < independent) return std::nullopt;
+  return pairs;
+}
+
+// ln(F2/F1) = -Λ h - d h F_w/F - c F_w/F + v q F_q/F: the loss Λ and what settled, d, of which the share h was still to come at a deflection, the difference c
+// of the contacts, and the logarithm v of the friction that is left. NaN of no friction counts as none.
+std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
+                                     const std::vector<char>& left_out, const StillToCome& still_to_come,
+                                     double common) {
+  const std::vector<Pair> pairs = pairs_of(problem, before, after, left_out, common);
+  constexpr std::size_t independent = 8;
+  if (pairs.size() < independent) return std::nullopt;
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  Eigen::VectorXd w(count), F(count), y(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Pair& pair = pairs[static_cast<std::size_t>(i)];
+    w[i] = pair.w, F[i] = pair.before, y[i] = elementary::log(pair.after / pair.before);
+  }
+  const PassStates read = states_read(w, F, problem.rig.fibre);
+  Eigen::MatrixXd of(count, 4);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double still = still_to_come.at(w[i]);
+    const double by_w = read.is_read(i) ? read.F_w[i] / F[i] : 1 / w[i];
+    const double by_friction = read.is_read(i) ? read.q[i] * read.F_q[i] / F[i] : 0;
+    of.row(i) << -still, -still * by_w, -by_w, by_friction;
+  }
   constexpr double least = 0.003;  // [1] of the scatter
-  const double of_contact = elementary::length(problem.options.contact_change, problem.options.settling);
-  const double of_gain = elementary::length(problem.options.of_forces, problem.options.stiffening);
+  const PassesOptions& options = problem.options;
+  const Eigen::Vector4d prior(0, std::pow(options.settling, -2), std::pow(options.contact_change, -2),
+                              std::pow(options.level_at_bottom, -2));
+  const double of_gain = elementary::length(options.of_forces, options.stiffening);
   double variance = least * least;
-  Eigen::Vector2d solution(0, 0);
-  Eigen::Matrix2d covariance;
+  Eigen::Vector4d solution = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d covariance;
   for (int again = 0; again < 4; ++again) {
-    Eigen::Matrix2d precision = A * (independent / count / variance);
-    precision(1, 1) += 1 / (of_contact * of_contact);
-    if (solution[0] > 0) precision(0, 0) += 1 / (of_gain * of_gain);
-    const double determinant = precision(0, 0) * precision(1, 1) - precision(0, 1) * precision(1, 0);
-    covariance << precision(1, 1), -precision(0, 1), -precision(1, 0), precision(0, 0);
-    covariance /= determinant;
-    solution = covariance * b * (independent / count / variance);
-    const double left_over = squares - 2 * solution.dot(b) + solution.dot(A * solution);
-    variance = std::max(left_over / count, least * least);
+    const double weight = independent / static_cast<double>(count) / variance;
+    Eigen::Matrix4d precision = weight * of.transpose() * of;
+    precision.diagonal() += prior;
+    precision(0, 0) += solution[0] < 0 ? 1 / (of_gain * of_gain) : 1e-4;
+    covariance = precision.inverse();
+    solution = covariance * (of.transpose() * y) * weight;
+    variance = std::max((y - of * solution).squaredNorm() / static_cast<double>(count), least * least);
   }
-  constexpr double alike = 0.1;  // [1] loadings that scatter by more about a loss and a shift are not of one friction
+  constexpr double alike = 0.1;  // [1] loadings that scatter by more about these are not of one specimen
   if (variance > alike * alike) return std::nullopt;
   constexpr double broken = 0.1;  // [1] of the stiffness: with less left there is nothing to compare
-  const double left = elementary::exp(solution[0]);
+  const double left = elementary::exp(-solution[0]);
   if (left < broken) return std::nullopt;
-  return normal_estimate(1 - left, left * elementary::length(std::sqrt(covariance(0, 0)), problem.options.of_forces));
+  constexpr double of_loss = 0.25;  // [1] of the loss, as when it came is known by the drops only
+  const double error =
+      elementary::length(elementary::length(std::sqrt(covariance(0, 0)), of_loss * solution[0]), options.of_forces);
+  constexpr double vague = 0.3;  // with a larger error nothing is known
+  if (error > vague) return std::nullopt;
+  return normal_estimate(1 - left, left * error);
 }
 
 }  // namespace
@@ -94,13 +148,13 @@ std::optional<LoadingForces> compare_loading_forces(const PassesProblem& problem
   }
   if (!evaluated || !other) return std::nullopt;
   const bool is_followed = other->first > evaluated->first;
-  const auto loss = is_followed ? loss_between(problem, *evaluated, *other, left_out)
-                                : loss_between(problem, *other, *evaluated, left_out);
+  const Leg& before = is_followed ? *evaluated : *other;
+  const Leg& after = is_followed ? *other : *evaluated;
+  const double common = std::min(deepest_of(problem.record, before), deepest_of(problem.record, after));
+  const StillToCome still_to_come(problem, before, common);
+  const auto loss = loss_between(problem, before, after, left_out, still_to_come, common);
   if (!loss) return std::nullopt;
-  double needs = 0;
-  for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
-    if (is_in(*evaluated, drop.before)) needs += drop.log_loss;
-  return LoadingForces{is_followed, *loss, is_followed ? 1 - elementary::exp(-needs) : 0};
+  return LoadingForces{is_followed, *loss, is_followed ? 1 - elementary::exp(-still_to_come.all()) : 0};
 }
 
 }  // namespace flexslip

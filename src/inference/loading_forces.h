@@ -19,8 +19,10 @@ struct LoadingForces {
 };
 
 // The evaluated loading and the last after it, or else the first and the evaluated one. Rows that are left out show no sliding.
-// Max error:  friction is taken for what it was; PassesOptions::of_forces allows for that.
-// Fails:      none of a record without two loadings that reach the same deflections, or whose forces scatter by a tenth about a loss and a shift.
+// The loss, what settled, the contact and the wear of friction act on the force each in its way along the deflection.
+// Error:      a quarter of the loss, and PassesOptions::of_forces, besides that of the fit.
+// Fails:      none of a record without two loadings that reach the same deflections, or whose forces scatter by a tenth about these four, or do not
+//             tell them apart.
 std::optional<LoadingForces> compare_loading_forces(const PassesProblem& problem, const std::vector<Leg>& legs,
                                                     const std::vector<char>& left_out);
 
