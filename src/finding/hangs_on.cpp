@@ -162,7 +162,9 @@ std::string hangs_on_in_words(T test, bool tells_work) {
   for (const HangsOn& each : all) {
     const bool is_measured_by_few = each.quantity == name_of(StatedQuantity::load_train);  // always told
     if (std::abs(each.friction_moves) >= worth_saying || is_measured_by_few)
-      words.push_back(fmt::format("{} +{}: {}", each.title, each.step, signed_number(each.friction_moves)));
+      words.push_back(fmt::format(
+          "{} +{}: {}", each.title, each.step,
+          std::abs(each.friction_moves) < worth_saying ? "below 0.01" : signed_number(each.friction_moves)));
     if (!each.is_supposed && (!most || std::abs(each.work_moves) > std::abs(most->work_moves))) most = &each;
   }
   if (tells_work && most && std::abs(most->work_moves) >= worth_saying)

@@ -41,9 +41,8 @@ OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fib
 
 // Bending stiffness from the initial slope, F = 48 EI w/L^3.
 struct StiffnessFromSlope {
-  bool found =
-      false;  // the record begins with a rise that tells EI to max_stiffness_error; nothing else is valid without
-  double value = 0;  // [N m^2] EI
+  bool found = false;  // a first rise tells EI to max_stiffness_error; nothing else is valid without
+  double value = 0;    // [N m^2] EI
   // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %; without that of contact and load train
   double relative_error = 0;
   double deflection = 0;  // [m] by which an error of the contact is divided in EI
@@ -89,8 +88,7 @@ enum class SawtoothCategory { clear, nominal, none };
 struct MeasuredEnergy {
   EnergyAccount account;    // without its imbalance
   double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
-  double
-      friction_share;  // [1] of it: (friction + snaps)/work_of_fracture; NaN where friction is only a limit, or cannot be
+  double friction_share;    // [1] (friction + snaps)/work_of_fracture; NaN where friction is only a limit, or cannot be
   // [1] Its standard deviation by all that the rig is off by; NaN without a share, and of smooth friction that is fitted as a constant.
   double friction_share_error = not_a_number;
 

@@ -32,11 +32,11 @@ double deepest_of(const ReducedRecord& record, const Leg& leg) {
                            begin + static_cast<std::ptrdiff_t>(leg.last));
 }
 
-// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks, or else
-// growing with the deflection.
+// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks; without
+// drops all.
 class StillToCome {
  public:
-  StillToCome(const PassesProblem& problem, const Leg& leg, double deepest) : deepest_(deepest) {
+  StillToCome(const PassesProblem& problem, const Leg& leg) {
     for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
       if (is_in(leg, drop.before)) {
         w_.push_back(problem.record.deflection[drop.before]);
@@ -48,7 +48,7 @@ class StillToCome {
   double all() const { return all_; }
 
   double at(double w) const {
-    if (!(all_ > 0)) return std::clamp(1 - w / deepest_, 0.0, 1.0);
+    if (!(all_ > 0)) return 1;
     double come = 0;
     for (std::size_t i = 0; i < w_.size(); ++i)
       if (w_[i] < w) come += losses_[i];
@@ -56,7 +56,6 @@ class StillToCome {
   }
 
  private:
-  double deepest_;
   std::vector<double> w_, losses_;
   double all_ = 0;
 };
@@ -151,7 +150,7 @@ std::optional<LoadingForces> compare_loading_forces(const PassesProblem& problem
   const Leg& before = is_followed ? *evaluated : *other;
   const Leg& after = is_followed ? *other : *evaluated;
   const double common = std::min(deepest_of(problem.record, before), deepest_of(problem.record, after));
-  const StillToCome still_to_come(problem, before, common);
+  const StillToCome still_to_come(problem, before);
   const auto loss = loss_between(problem, before, after, left_out, still_to_come, common);
   if (!loss) return std::nullopt;
   return LoadingForces{is_followed, *loss, is_followed ? 1 - elementary::exp(-still_to_come.all()) : 0};
