@@ -126,9 +126,8 @@ def specimen_lines(rig):
 def rig_lines(rig):
     stiffness = "inf" if rig.k >= 0.999 * RIGID else f"{rig.stiffness * (1 + rig.stiffness_error):.5g} N/m ± 1 %"
     lines = [f'span = "{rig.span * (1 + rig.span_error) * 1e6:.2f} um ± 0.5 %"', f'stiffness = "{stiffness}"']
-    if rig.roller_radius:
-        lines += [f'roller_radius = "{rig.roller_radius * rig.span * (1 + rig.roller_error) * 1e6:.3f} um"']
-    return lines
+    radius = rig.roller_radius * rig.span * (1 + rig.roller_error) * 1e6
+    return lines + [f'roller_radius = "{radius:.3f} um"' if rig.roller_radius else 'supports = "edges"']
 
 
 def case_text(name, rig):

@@ -32,11 +32,11 @@ double deepest_of(const ReducedRecord& record, const Leg& leg) {
                            begin + static_cast<std::ptrdiff_t>(leg.last));
 }
 
-// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks; without
-// drops all.
+// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks, or else
+// growing with the deflection.
 class StillToCome {
  public:
-  StillToCome(const PassesProblem& problem, const Leg& leg) {
+  StillToCome(const PassesProblem& problem, const Leg& leg, double deepest) : deepest_(deepest) {
     for (const NeededLoss& drop : losses_needed(problem.record, problem.drops, problem.rig.fibre))
       if (is_in(leg, drop.before)) {
         w_.push_back(problem.record.deflection[drop.before]);
@@ -48,7 +48,7 @@ class StillToCome {
   double all() const { return all_; }
 
   double at(double w) const {
-    if (!(all_ > 0)) return 1;
+    if (!(all_ > 0)) return std::clamp(1 - w / deepest_, 0.0, 1.0);
     double come = 0;
     for (std::size_t i = 0; i < w_.size(); ++i)
       if (w_[i] < w) come += losses_[i];
@@ -56,6 +56,7 @@ class StillToCome {
   }
 
  private:
+  double deepest_;
   std::vector<double> w_, losses_;
   double all_ = 0;
 };
@@ -79,8 +80,10 @@ std::vector<Pair> pairs_of(const PassesProblem& problem, const Leg& before, cons
   return pairs;
 }
 
-// ln(F2/F1) = -Λ h - d h F_w/F - c F_w/F + v q F_q/F: the loss Λ and what settled, d, of which the share h was still to come at a deflection, the difference c
-// of the contacts, and the logarithm v of the friction that is left. NaN of no friction counts as none.
+using Unknowns = Eigen::Vector<double, 5>;
+
+// ln(F2/F1) = -Λ h - d h F_w/F - Λ' - c F_w/F + v q F_q/F: the loss Λ and what settled, d, of which the share h was still to come at a deflection, the loss
+// Λ' behind the loading, the difference c of the contacts, and the logarithm v of the friction that is left. NaN of no friction counts as none.
 std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
                                      const std::vector<char>& left_out, const StillToCome& still_to_come,
                                      double common) {
@@ -94,38 +97,42 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
     w[i] = pair.w, F[i] = pair.before, y[i] = elementary::log(pair.after / pair.before);
   }
   const PassStates read = states_read(w, F, problem.rig.fibre);
-  Eigen::MatrixXd of(count, 4);
+  Eigen::MatrixXd of(count, 5);
   for (Eigen::Index i = 0; i < count; ++i) {
     const double still = still_to_come.at(w[i]);
     const double by_w = read.is_read(i) ? read.F_w[i] / F[i] : 1 / w[i];
     const double by_friction = read.is_read(i) ? read.q[i] * read.F_q[i] / F[i] : 0;
-    of.row(i) << -still, -still * by_w, -by_w, by_friction;
+    of.row(i) << -still, -1, -still * by_w, -by_w, by_friction;
   }
   constexpr double least = 0.003;  // [1] of the scatter
   const PassesOptions& options = problem.options;
-  const Eigen::Vector4d prior(0, std::pow(options.settling, -2), std::pow(options.contact_change, -2),
-                              std::pow(options.level_at_bottom, -2));
+  constexpr double any = 100, behind = 0.2;
   const double of_gain = elementary::length(options.of_forces, options.stiffening);
+  const Unknowns errors(any, behind, options.settling, options.contact_change, options.level_at_bottom);
   double variance = least * least;
-  Eigen::Vector4d solution = Eigen::Vector4d::Zero();
-  Eigen::Matrix4d covariance;
+  Unknowns solution = Unknowns::Zero();
+  Eigen::Matrix<double, 5, 5> covariance;
   for (int again = 0; again < 4; ++again) {
     const double weight = independent / static_cast<double>(count) / variance;
-    Eigen::Matrix4d precision = weight * of.transpose() * of;
-    precision.diagonal() += prior;
-    precision(0, 0) += solution[0] < 0 ? 1 / (of_gain * of_gain) : 1e-4;
+    Unknowns prior = errors;
+    for (const Eigen::Index loss : {0, 1})
+      if (solution[loss] < 0) prior[loss] = of_gain;  // nothing stiffens
+    Eigen::Matrix<double, 5, 5> precision = weight * of.transpose() * of;
+    precision.diagonal() += prior.array().pow(-2).matrix();
     covariance = precision.inverse();
     solution = covariance * (of.transpose() * y) * weight;
     variance = std::max((y - of * solution).squaredNorm() / static_cast<double>(count), least * least);
   }
+  const double log_loss = solution[0] + solution[1];
+  const double log_loss_variance = covariance(0, 0) + covariance(1, 1) + 2 * covariance(0, 1);
   constexpr double alike = 0.1;  // [1] loadings that scatter by more about these are not of one specimen
   if (variance > alike * alike) return std::nullopt;
   constexpr double broken = 0.1;  // [1] of the stiffness: with less left there is nothing to compare
-  const double left = elementary::exp(-solution[0]);
+  const double left = elementary::exp(-log_loss);
   if (left < broken) return std::nullopt;
   constexpr double of_loss = 0.25;  // [1] of the loss, as when it came is known by the drops only
   const double error =
-      elementary::length(elementary::length(std::sqrt(covariance(0, 0)), of_loss * solution[0]), options.of_forces);
+      elementary::length(elementary::length(std::sqrt(log_loss_variance), of_loss * log_loss), options.of_forces);
   constexpr double vague = 0.3;  // with a larger error nothing is known
   if (error > vague) return std::nullopt;
   return normal_estimate(1 - left, left * error);
@@ -150,7 +157,7 @@ std::optional<LoadingForces> compare_loading_forces(const PassesProblem& problem
   const Leg& before = is_followed ? *evaluated : *other;
   const Leg& after = is_followed ? *other : *evaluated;
   const double common = std::min(deepest_of(problem.record, before), deepest_of(problem.record, after));
-  const StillToCome still_to_come(problem, before);
+  const StillToCome still_to_come(problem, before, common);
   const auto loss = loss_between(problem, before, after, left_out, still_to_come, common);
   if (!loss) return std::nullopt;
   return LoadingForces{is_followed, *loss, is_followed ? 1 - elementary::exp(-still_to_come.all()) : 0};
