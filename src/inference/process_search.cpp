@@ -202,7 +202,8 @@ class Search {
       if (kernel == Kernel::none && plain.kernel != kernel && !o_.parts.no_kernel) continue;
       if (kernel == Kernel::exponential && !o_.parts.exponential_kernel) continue;
       if (kernel == Kernel::matern_9_2 && !o_.parts.smooth_kernel) continue;
-      if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, without_wave(kernel, plain)));
+      if (with_plain && kernel != plain.kernel)
+        components.push_back(component_of(process_, without_wave(kernel, plain)));
       // A wave that is out of the question with its kernel is not asked for with the others.
       if (o_.parts.waves_of_kernels && wave && gain > o_.out_of_question && kernel != wave->kernel)
         components.push_back(component_of(process_, continued(*wave, kernel)));

@@ -133,9 +133,10 @@ struct SearchOptions {
   Schedule follow{2, 6, 0.3};          // of a mode after a change of its kernel or of its start
   Schedule smooth_forward{3, 6, 0.3};  // of a wave without roughness, from its own simulated loading
   Schedule pull{3, 6, 0.5};            // of a mode at another EI, for rig_pull
-  Schedule anneal{1, 48, 0.3};         // of jerky friction, while the noise falls: in a third of the steps, answers depend on rounding
-  Schedule annealed{4, 6, 0.3};        // thereafter
-  Schedule settle{1, 12, 0.5};         // of states alone, to agree with their hyperparameters
+  Schedule anneal{
+      1, 48, 0.3};  // of jerky friction, while the noise falls: in a third of the steps, answers depend on rounding
+  Schedule annealed{4, 6, 0.3};  // thereafter
+  Schedule settle{1, 12, 0.5};   // of states alone, to agree with their hyperparameters
 };
 
 }  // namespace flexslip
