@@ -47,6 +47,8 @@ constexpr std::array parts{
     Part{"trials_forward", &SearchParts::trials_forward},
     Part{"smooth_forward", &SearchParts::smooth_forward},
     Part{"polish_plain", &SearchParts::polish_plain},
+    Part{"plain_from_wave", &SearchParts::plain_from_wave},
+    Part{"anneal", &SearchParts::anneal},
     Part{"exponential_kernel", &SearchParts::exponential_kernel},
     Part{"smooth_kernel", &SearchParts::smooth_kernel},
     Part{"no_kernel", &SearchParts::no_kernel},
@@ -100,6 +102,8 @@ constexpr std::array thresholds{
     Threshold{"theta_iterations", &SearchOptions::theta_iterations},
     Threshold{"theta_accuracy", &SearchOptions::theta_accuracy},
     Threshold{"polish_accuracy", &SearchOptions::polish_accuracy},
+    Threshold{"anneal_roughness", &SearchOptions::anneal_roughness},
+    Threshold{"anneal_length", &SearchOptions::anneal_length},
     Threshold{"min_wave_advances", &SearchOptions::min_wave_advances},
     Threshold{"min_wave_circles", &SearchOptions::min_wave_circles},
     Threshold{"max_wave_share", &SearchOptions::max_wave_share},
@@ -139,6 +143,8 @@ constexpr std::array lengths{
     Length{"follow", &SearchOptions::follow},
     Length{"smooth_forward", &SearchOptions::smooth_forward},
     Length{"pull", &SearchOptions::pull},
+    Length{"anneal", &SearchOptions::anneal},
+    Length{"annealed", &SearchOptions::annealed},
     Length{"settle", &SearchOptions::settle},
 };
 constexpr std::size_t padding = (sizeof(double) - sizeof(SearchParts) % sizeof(double)) % sizeof(double);

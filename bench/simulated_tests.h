@@ -46,7 +46,8 @@ struct Wave {
 
 struct Truth {
   double mu0 = 0, stiffening = 1, k = 0, noise = 0, correlation = 0, roughness = 0, length = 30;
-  bool overshoots = false;  // its snaps do
+  bool overshoots = false;                // its snaps do
+  double static_excess = 0, depth = 0.4;  // [1] of static friction over the kinetic one, [L] of the deflection
   std::vector<Wave> waves;
   std::vector<double> bumps;  // of the fibre, so many µm apart
   double spacing = 1;
@@ -130,9 +131,9 @@ inline std::vector<double> smooth_bumps(double rms, double length, Random& rando
   return bumps;
 }
 
-inline constexpr std::array kinds_of_tests{"independent", "correlated", "exponential", "squared_exponential",
-                                           "roughness",   "two_waves",  "constant",    "soft",
-                                           "quiet",       "measured",   "smooth",      "overshoot"};
+inline constexpr std::array kinds_of_tests{
+    "independent", "correlated", "exponential", "squared_exponential", "roughness", "two_waves", "constant", "soft",
+    "quiet",       "measured",   "smooth",      "overshoot",           "stick_slip"};
 
 // Domain:     a kind among kinds_of_tests.
 inline Truth truth_of(const std::string& kind, Random& random) {
@@ -147,6 +148,15 @@ inline Truth truth_of(const std::string& kind, Random& random) {
   if (kind == "soft") t.k = std::exp(random.between(std::log(6), std::log(44)));
   t.overshoots = kind == "overshoot";
   t.correlation = kind == "independent" || t.overshoots || kind == "constant" || kind == "quiet" ? 0 : 0.7;
+  if (kind == "stick_slip") {  // the same everywhere, but more where the specimen rested
+    t.correlation = 0;
+    t.mu0 = random.between(0.2, 0.7);
+    t.k = std::exp(random.between(std::log(20), std::log(300)));
+    t.noise = std::exp(random.between(std::log(0.0005), std::log(0.01)));
+    t.static_excess = random.between(0.04, 0.3);
+    t.depth = random.between(0.15, 0.4);
+    return t;
+  }
   if (kind == "soft") {
     t.correlation = 0;
     t.waves = {{t.mu0 * std::min(A, 0.24 / t.mu0), random.between(8, 16), phase}};
@@ -172,13 +182,13 @@ inline Truth truth_of(const std::string& kind, Random& random) {
   return t;
 }
 
-// A record up to a deflection of 0.4 spans, of forces [EI/L^2] in units of the nominal bending stiffness.
+// A record up to the depth of the test, of forces [EI/L^2] in units of the nominal bending stiffness.
 inline FitProblem measured(std::span<const double> stages, std::span<const double> forces, const Truth& t,
                            Random& random) {
   FitProblem problem{.record = {}, .rig = {t.k}, .errors = {.force = t.noise, .bending_stiffness = 0.03, .contact = 0}};
   double e = random.normal();
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    if (stages[i] - forces[i] / t.k > 0.4) break;
+    if (stages[i] - forces[i] / t.k > t.depth) break;
     const double force = forces[i] + t.noise * e;
     e = t.correlation * e + std::sqrt(1 - t.correlation * t.correlation) * random.normal();
     problem.record.stage.push_back(stages[i]);
@@ -188,11 +198,22 @@ inline FitProblem measured(std::span<const double> stages, std::span<const doubl
   return problem;
 }
 
+// [EI/L^2] of the nominal bending stiffness.
+inline FitProblem stick_slip(const Truth& t, std::span<const double> stages, Random& random) {
+  std::vector<double> within, forces;
+  for (const double stage : stages)
+    if (stage < t.depth + 12 / t.k) within.push_back(stage);  // [L] a force of 12 EI/L^2 is beyond every such test
+  const BendingTest test{{Friction::constant(t.mu0), Friction::constant(t.static_excess)}, {t.k / t.stiffening}};
+  for (const PathPoint& point : path_in_steps(test, within).path) forces.push_back(t.stiffening * point.F);
+  return measured(within, forces, t, random);
+}
+
 inline FitProblem simulated(const Truth& t, Random& random) {
   const SlidingLadder ladder(1.58, 2e-4);
   std::vector<double> mu, stages;
-  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
   for (int i = 1; i < 2000; ++i) stages.push_back(i * 2 / span);
+  if (t.static_excess > 0) return stick_slip(t, stages, random);
+  for (const double S : ladder.lengths()) mu.push_back(t.mu(S));
   if (t.overshoots) {
     const FrictionTable friction{{ladder.lengths().begin(), ladder.lengths().end()}, mu};
     std::vector<double> forces;

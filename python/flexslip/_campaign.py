@@ -180,7 +180,7 @@ def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Calla
 
 def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool = True, test_reports: bool = False,
              jobs: int | None = None, model: str | None = None, false_alarms: float | None = None,
-             suspect_limit: float | None = None, check_stability: bool = False, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
+             suspect_limit: float | None = None, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
     """Many measured tests: one table, categories, figures.
 
     Parameters
@@ -197,7 +197,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
         With `report`: are its figures drawn; has each test a report of its own?
     jobs : int, optional
         Tests computed at the same time; all cores. The answers are the same for any number.
-    model, false_alarms, suspect_limit, check_stability
+    model, false_alarms, suspect_limit
         As of :func:`fit`.
     set : mapping, optional
         Keys that change in every test, ``{"rig.stiffness": "200 N/m"}``.
@@ -229,7 +229,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
         return _flexslip.campaign(
             os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")),
             set_of(set, False), model or "", _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
-            _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit), bool(check_stability),
+            _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit),
             _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if folder is None else os.fsencode(folder), bool(figures),
             bool(test_reports))
 

@@ -265,7 +265,7 @@ class Draws(FitDraws):
 
 @with_keywords("specimen", "rig", "record")
 def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
-        check_stability: bool = False, name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
+        name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
         **keywords: Any) -> Fit:
     """What friction a measured test shows, where along the specimen, and how certainly.
 
@@ -280,8 +280,6 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
         Drops expected on average in a test of this length without slips.
     suspect_limit : float, optional
         Friction above this is implausible.
-    check_stability : bool
-        Fit again with the force changed in its ninth digit, and check that the answer stays.
     name : str, optional
         What to call a test whose record is a DataFrame or arrays; "arrays". One of a file is called after it.
     set, **keywords
@@ -315,5 +313,5 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
     alarms = _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms)
     limit = _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit)
     with in_words_of(case) as given:
-        test = _flexslip.fit(given, model or "", alarms, limit, bool(check_stability))
+        test = _flexslip.fit(given, model or "", alarms, limit)
     return Fit(test.told(), case, test)

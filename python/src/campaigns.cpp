@@ -26,7 +26,6 @@ namespace py = pybind11;
 struct Options {
   std::string model;
   double false_alarms, suspect_limit;
-  bool check_stability;
   unsigned jobs;
   std::optional<std::string> report;
   bool figures, test_reports;
@@ -40,7 +39,6 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
     AnalysisChoice choice{.model = asked.model};
     choice.options.drops.false_alarms_per_test = asked.false_alarms;
     choice.options.suspect_limit = asked.suspect_limit;
-    choice.options.check_stability = asked.check_stability;
     CampaignOptions options;
     options.analysis = [&](const Test& input) { return options_for(input, choice); };
     options.threads = asked.jobs;
@@ -75,10 +73,9 @@ void add_campaigns(py::module_& module) {
       .def("text", campaign_text);
   module.def("campaign", [](const std::string& path, const std::optional<std::string>& common,
                             const std::vector<std::string>& changes, const std::string& model, double false_alarms,
-                            double suspect_limit, bool check_stability, unsigned jobs,
-                            const std::optional<std::string>& report, bool with_figures, bool test_reports) {
-    return run(path, common, changes,
-               {model, false_alarms, suspect_limit, check_stability, jobs, report, with_figures, test_reports});
+                            double suspect_limit, unsigned jobs, const std::optional<std::string>& report,
+                            bool with_figures, bool test_reports) {
+    return run(path, common, changes, {model, false_alarms, suspect_limit, jobs, report, with_figures, test_reports});
   });
 }
 

@@ -48,12 +48,11 @@ py::list figures_of_fit(Fitted test) {
   return all;
 }
 
-std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, double false_alarms, double suspect_limit,
-                                bool check_stability) {
+std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, double false_alarms,
+                                double suspect_limit) {
   AnalysisChoice choice{.model = model};
   choice.options.drops.false_alarms_per_test = false_alarms;
   choice.options.suspect_limit = suspect_limit;
-  choice.options.check_stability = check_stability;
   return interruptible([&](const std::atomic<bool>&) {
     return std::make_shared<FittedTest>(fit_test(input, options_for(input, choice)));
   });
@@ -74,8 +73,7 @@ void add_fits(py::module_& module) {
       .def("write_report", [](Fitted test, const std::string& folder) {
         return interruptible([&](const std::atomic<bool>&) { return write_report(folder, test).is_done(); });
       });
-  module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"),
-             py::arg("check_stability"));
+  module.def("fit", fit, py::arg("case"), py::arg("model"), py::arg("false_alarms"), py::arg("suspect_limit"));
   module.attr("model_names") = model_names();
   module.attr("false_alarms") = usual.options.drops.false_alarms_per_test;
   module.attr("suspect_limit") = usual.options.suspect_limit;

@@ -39,8 +39,8 @@ class Json(unittest.TestCase):
                     self.same(flexslip.fit(case(name), model=model), "fit", case(name), "--model", model)
 
     def test_outside_fit_with_options(self):
-        self.same(flexslip.fit(case("simulated"), false_alarms=1, suspect_limit=0.4, check_stability=True), "fit", case("simulated"),
-                  "--false-alarms", "1", "--suspect-limit", "0.4", "--check-stability")
+        self.same(flexslip.fit(case("simulated"), false_alarms=1, suspect_limit=0.4), "fit", case("simulated"),
+                  "--false-alarms", "1", "--suspect-limit", "0.4")
         self.same(flexslip.fit(case("surface")), "fit", case("surface"))
 
     def test_outside_fit_of_keywords_is_that_of_flags(self):

@@ -156,8 +156,7 @@ Fields<AnalysisOptions> analysis_fields() {
       .words("model", "friction model", [](O options) { return name_of(options.fit.model); })
       .number("false_alarms", "number of drops expected in a test without slips",
               [](O options) { return options.drops.false_alarms_per_test; })
-      .number("suspect_limit", "limit above which friction is implausible", &AnalysisOptions::suspect_limit)
-      .yes_no("check_stability", "whether the check of stability was asked for", &AnalysisOptions::check_stability);
+      .number("suspect_limit", "limit above which friction is implausible", &AnalysisOptions::suspect_limit);
 }
 
 std::string name_of_test(const std::string& file) {

@@ -174,8 +174,6 @@ void add_analysis_options(CLI::App& command, AnalysisChoice& choice) {
              "Limit above which friction is implausible")
       ->check(number_between(0.01, 100))
       ->capture_default_str();
-  command.add_flag("--check-stability", choice.options.check_stability,
-                   "Fit again with the force changed in its ninth digit, and check that the answer stays the same");
 }
 
 void add_reading_flags(CLI::App& command, ReadingWords& words, std::span<const ReadingFlag> flags,

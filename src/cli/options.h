@@ -106,7 +106,7 @@ auto with_test(const TestRequest& request, Use use) {
 // Fails:      InputError, naming the flag, where they do not: as a case is refused (case/mechanics.h).
 const Supports& within_limits(const Supports& stated);
 
-// Gives a command the options --model, --false-alarms, --suspect-limit and --check-stability.
+// Gives a command the options --model, --false-alarms and --suspect-limit.
 void add_analysis_options(CLI::App& command, AnalysisChoice& choice);
 
 // ---- How a file of readings or of heights is read

@@ -550,19 +550,6 @@ Found coloured_noise(T test) {
   return finding;
 }
 
-Found unstable(T test) {
-  const Check* check = check_of(test, CheckKind::stability);
-  if (!check) return std::nullopt;
-  if (check->numbers.empty())
-    return checked(test, *check, "", "With the force changed in its ninth digit there is no fit.",
-                   "no fit if the ninth digit changes", "Check the record.");
-  const std::string moves =
-      fmt::format("With the force changed in its ninth digit, friction moves by {:.1g} of its error{}.",
-                  number_of(*check, "mu0_moved"),
-                  number_of(*check, "same_explanation") > 0 ? "" : ", and another explanation is the likeliest");
-  return checked(test, *check, moves, moves, "moves with the ninth digit", "Do not trust its last digits.");
-}
-
 // The passes could not be compared, so that the evaluated loading stands alone.
 Found passes_apart(T test) {
   if (!test.passes || test.passes->status == PassesStatus::ok) return std::nullopt;
@@ -858,7 +845,6 @@ constexpr std::array rules{
     Rule{Group::alone, "misses_force", misses_force},
     Rule{Group::alone, "drops_differ", drops_differ},
     Rule{Group::alone, "coloured_noise", coloured_noise},
-    Rule{Group::alone, "unstable", unstable},
     Rule{Group::alone, "passes_apart", passes_apart, false},
     Rule{Group::alone, "filtered_force", filtered_force, false},
     Rule{Group::alone, "gap_in_stage", gap_in_stage, false},

@@ -258,7 +258,6 @@ std::vector<Check> checks_of(const FitProblem& problem, const FrictionFit& fit, 
   std::vector<Check> checks{check_residuals(problem, fit), check_drops(problem, fit, options.drops),
                             check_whiteness(fit), check_friction(fit),
                             check_bending_stiffness(fit, problem.errors.bending_stiffness)};
-  if (options.check_stability) checks.push_back(check_stability(problem, fit, options.fit));
   return checks;
 }
 

@@ -76,7 +76,6 @@ struct AnalysisOptions {
   DropOptions drops;
   double suspect_limit = 1.0;       // [1] friction above it is implausible
   double most_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
-  bool check_stability = false;     // fits once more, see check_stability
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").

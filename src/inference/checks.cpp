@@ -35,8 +35,7 @@ CheckOutcome passed_if(bool passed) { return passed ? CheckOutcome::passed : Che
 }  // namespace
 
 std::string_view name_of(CheckKind kind) {
-  return name_in_order<CheckKind::stiffness>(kind,
-                                             {"residuals", "drops", "whiteness", "friction", "stability", "stiffness"});
+  return name_in_order<CheckKind::stiffness>(kind, {"residuals", "drops", "whiteness", "friction", "stiffness"});
 }
 
 double number_of(const Check& check, std::string_view name) {
@@ -151,24 +150,6 @@ Check check_bending_stiffness(const FrictionFit& fit, double error) {
   return {CheckKind::stiffness,
           passed_if(errors <= max_stiffness_errors),
           {{"fitted_over_nominal", fit.bending_stiffness.value, false}, {"errors", errors, false}}};
-}
-
-Check check_stability(const FitProblem& problem, const FrictionFit& fit, const FitOptions& options) {
-  FitProblem moved = problem;
-  NormalSource normal(20210829);
-  constexpr double ninth_digit = 1e-9;
-  for (double& force : moved.record.force) force *= 1 + ninth_digit * normal();
-  const FrictionFit again = fit_friction(moved, options);
-  if (again.status != FrictionFitStatus::ok) return {CheckKind::stability, CheckOutcome::failed, {}};
-  const double steps = std::abs(again.mu0.value - fit.mu0.value) / fit.mu0.standard_error;
-  const auto leading = [](const FrictionFit& of) {
-    return of.explanations.empty() ? Kernel::none : of.explanations.front().kernel;
-  };
-  const bool same = leading(again) == leading(fit) && again.wave_claimed == fit.wave_claimed;
-  constexpr double most = 0.01;  // standard errors
-  return {CheckKind::stability,
-          passed_if(steps < most && same),
-          {{"mu0_moved", steps, false}, {"same_explanation", same ? 1.0 : 0.0, false}}};
 }
 
 }  // namespace flexslip

@@ -14,7 +14,6 @@ enum class CheckKind {
   drops,      // profiles that explain the record as well show about as many drops as it does
   whiteness,  // what the readings add to those before them is noise
   friction,   // the record tells friction from none
-  stability,  // the answer stays when the force changes in its ninth digit
   stiffness,  // the bending stiffness of the fit is that told beforehand
 };
 
@@ -78,11 +77,5 @@ double stiffness_errors(const Estimate& told, double stated);
 // Numbers:    fitted_over_nominal, errors (stiffness_errors).
 // Fails:      not possible for a constant, and for a stiffness that is exact.
 Check check_bending_stiffness(const FrictionFit& fit, double error);
-
-// Fits once more, every force changed by a relative 1e-9 at random. Passes if mu0 moves by less than a hundredth of its standard
-// error, and neither the kernel of the likeliest explanation nor the claim of a wave changes.
-// Numbers:    mu0_moved (standard errors); same_explanation (1 or 0).
-// Cost:       that of a fit.
-Check check_stability(const FitProblem& problem, const FrictionFit& fit, const FitOptions& options = {});
 
 }  // namespace flexslip

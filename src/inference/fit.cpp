@@ -423,8 +423,9 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   });
   const bool either = !asked.waves;
   fit.log_evidence_of_wave = either && !fit.waves.empty() ? posterior.log_evidence_of_wave : not_a_number;
-  fit.wave_claimed =
-      !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain && repeats(fit.waves.front())));
+  fit.wave_claimed = !fit.waves.empty() && (!either || (fit.log_evidence_of_wave > claiming_gain &&
+                                                        fit.log_evidence_of_wave < posterior.carried_by_readings &&
+                                                        repeats(fit.waves.front())));
   fit.correlations = fit.wave_claimed ? fit.waves.front().correlations
                                       : correlations_of(as_estimated(posterior.joint, fit.hidden_by_rig, rolls_back));
   fit.shortest_wave = process.min_wavelength();

@@ -179,7 +179,23 @@ class Posterior {
     double sum_with = 0, sum_without = 0;
     for (const auto& component : components_)
       (has_waves(component) ? sum_with : sum_without) += weight_of(component, has_waves(component) ? *with : *without);
+    result_.carried_by_readings = carried_by_readings(with->mode);
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
+  }
+
+  // What waves gain over friction as variable that no reading shares with another: more comes from an explanation without them that was missed.
+  double carried_by_readings(const Mode& mode) const {
+    const Observations observations = process_for(mode).observations_of(mode);
+    const auto p = hyperparameters_of(mode.theta);
+    const Coefficients beta = Chain(observations, mode.kernel, p).mean();
+    const double squares = beta.tail(2 * static_cast<Index>(mode.theta.waves)).squaredNorm();
+    double gain = 0;
+    for (const Observation& each : observations.all) {
+      if (!each.is_reading()) continue;
+      const double noise = elementary::length(each.noise_gain * p.noise, nugget);
+      gain += 0.5 * elementary::log(1 + 0.5 * squares / (noise * noise));
+    }
+    return gain;
   }
 
   // ln p(readings, gaps) at the hyperparameters and the waves of a mode, integrated over all else: so a rough kernel holds what smooth friction explains,

@@ -38,6 +38,7 @@ struct ProcessPosterior {
   double noise_correlation;
   std::vector<WavePosterior> waves;  // of the modes with the likeliest waves, wave by wave
   double log_evidence_of_wave;       // with over without
+  double carried_by_readings;        // the most it can be
   std::vector<Explanation> explanations;
   std::vector<double> innovations;  // [1] of the readings, by the likeliest mode
   ProfileBand band;

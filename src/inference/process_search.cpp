@@ -202,7 +202,8 @@ class Search {
       if (kernel == Kernel::none && plain.kernel != kernel && !o_.parts.no_kernel) continue;
       if (kernel == Kernel::exponential && !o_.parts.exponential_kernel) continue;
       if (kernel == Kernel::matern_9_2 && !o_.parts.smooth_kernel) continue;
-      if (with_plain && kernel != plain.kernel) components.push_back(component_of(process_, continued(plain, kernel)));
+      if (with_plain && kernel != plain.kernel)
+        components.push_back(component_of(process_, without_wave(kernel, plain)));
       // A wave that is out of the question with its kernel is not asked for with the others.
       if (o_.parts.waves_of_kernels && wave && gain > o_.out_of_question && kernel != wave->kernel)
         components.push_back(component_of(process_, continued(*wave, kernel)));
@@ -218,6 +219,10 @@ class Search {
     rank();
     move_along_valley(components);
     rank();
+    if (o_.parts.plain_from_wave && with_plain) {
+      add_without_waves(components);
+      rank();
+    }
     return result;
   }
 
@@ -230,6 +235,20 @@ class Search {
     if (with_two.log_evidence < components.front().log_evidence + claiming_gain) return;
     components.front() = with_two;
     wave = std::move(*two);
+  }
+
+  // What explains the record with a wave is where to look without: the likeliest waves given to roughness, in place of what that kernel found alone.
+  void add_without_waves(std::vector<Component>& components) const {
+    const Mode& with = components.front().mode;
+    if (with.theta.waves == 0) return;
+    for (const Kernel kernel : asked_.kernels) {
+      if (kernel == Kernel::none) continue;
+      const Component without = component_of(process_, waves_as_roughness(with, kernel));
+      const auto alone = std::find_if(components.begin(), components.end(), [&](const Component& each) {
+        return each.mode.theta.waves == 0 && each.mode.kernel == kernel;
+      });
+      if (alone != components.end() && without.log_evidence > alone->log_evidence) *alone = without;
+    }
   }
 
   // Until it is linearised at what it says itself of the rig, too: merits of others say little.
@@ -310,6 +329,54 @@ class Search {
     Mode mode = settled(process_.start(kernel, process_.prior_of_theta().usual(), rises_), o_.from_rises);
     process_.polish(mode, o_.from_rises);
     process_.burst(mode, o_.from_rises);
+    return mode;
+  }
+
+  // From noise that hides all of it down to that seen: at once, steps of jerky friction run away.
+  Mode annealed(double eta) const {
+    const ThetaPrior& prior = process_.prior_of_theta();
+    Theta theta = prior.usual();
+    theta.values[Theta::log_roughness] = elementary::log(o_.anneal_roughness);
+    theta.values[Theta::log_length] = elementary::log(process_.passages().range * o_.anneal_length);
+    Mode mode = process_.start(Kernel::exponential, theta, rises_);
+    mode.at.eta = eta;
+    complete(mode.at, process_.passages());
+    const double first = prior.greatest[Theta::log_noise],
+                 last = std::max(elementary::log(process_.passages().noise), prior.least[Theta::log_noise]);
+    for (int step = 1; step <= o_.anneal.steps; ++step) {
+      mode.theta.values[Theta::log_noise] = first + (last - first) * step / o_.anneal.steps;
+      process_.burst(mode, 1, o_.anneal.fraction);
+    }
+    return mode;
+  }
+
+  // The best without a wave: continued from that with another kernel, or of jerky friction from several bending stiffnesses.
+  Mode without_wave(Kernel kernel, const Mode& plain) const {
+    Mode best = continued(plain, kernel);
+    if (kernel != Kernel::exponential || !o_.parts.anneal) return best;
+    const double error = process_.passages().stiffness_error;
+    Mode cooled = annealed(0);
+    for (const double eta : {-error, error})
+      if (Mode mode = annealed(eta); better(mode, cooled)) cooled = std::move(mode);
+    for (const bool polished : {false, true}) {
+      if (polished) process_.polish(cooled, o_.annealed);
+      if (better(cooled, best)) best = cooled;
+    }
+    return best;
+  }
+
+  // A mode whose waves are given to roughness.
+  Mode waves_as_roughness(Mode mode, Kernel kernel) const {
+    double squares = 0;
+    const Observations observations = process_.observations_of(mode);
+    const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
+    for (Index j = process_.columns().waves; j < beta.size(); ++j) squares += 0.5 * beta[j] * beta[j];
+    const double roughness = elementary::exp(mode.theta.values[Theta::log_roughness]);
+    mode.theta.values[Theta::log_roughness] = 0.5 * elementary::log(squares + roughness * roughness);
+    mode.theta.waves = 0;
+    mode.kernel = kernel;
+    process_.prior_of_theta().bound(mode.theta);
+    process_.polish(mode, o_.annealed);
     return mode;
   }
 

@@ -59,10 +59,13 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const Eigen::VectorXd with_columns = white.topRows(white.rows() - 1) * column;
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
   const double step = std::min(1 / std::sqrt(information), o.pull_most_step);
-  const double slope = (merit_beside(step) - merit_beside(-step)) / (2 * step);
+  const double above = merit_beside(step), below = merit_beside(-step), slope = (above - below) / (2 * step);
   if (!std::isfinite(slope)) return pull;
-  const double most = o.pull_most / process.passages().stiffness_error;  // moves ln EI by three of its errors at most
-  const double besides = std::clamp(slope - column.dot(unexplained), -most, most);
+  // Merits that do not lie on a parabola, or rise more steeply than a pull does, are those of several modes and tell no slope.
+  const double off = above + below - 2 * middle.merit + information * step * step;
+  const double most = o.pull_most / process.passages().stiffness_error;  // moves ln EI by three of its errors
+  const double more = slope - column.dot(unexplained), over = std::max(std::abs(more) / most, 1.0);
+  const double besides = more / (over * over * over * over * (1 + off * off));
 
   pull[columns.stiffness] = besides;
   const std::vector<double> by = process.by_stiffness(mode);

@@ -22,6 +22,8 @@ struct SearchParts {
   bool trials_forward = true;         // try the two best waves from their own simulated loading, too
   bool smooth_forward = true;         // start waves without roughness from their own simulated loading, too
   bool polish_plain = true;           // optimise the mode without a wave as long as those with one
+  bool plain_from_wave = true;        // seek the mode without a wave where that with one is, too
+  bool anneal = true;                 // start jerky friction from noise that hides it, at several EI
   bool exponential_kernel = true;     // compare roughness without a slope, of Matérn 1/2
   bool smooth_kernel = true;          // compare smooth roughness, of Matérn 9/2
   bool no_kernel = true;              // compare friction without roughness
@@ -82,6 +84,10 @@ struct SearchOptions {
   double theta_accuracy = 0.003;  // [ln posterior] a round has converged
   double polish_accuracy = 0.05;  // [ln posterior] rounds have converged
 
+  // Annealing, the start of jerky friction.
+  double anneal_roughness = 0.1;  // [1] σ_g
+  double anneal_length = 0.003;   // [range] ℓ: friction that jumps where the specimen stuck
+
   // Waves.
   double min_wave_advances = 4;  // [advances of a reading, in the median] shortest wave
   double min_wave_circles = 1;   // [2π of what noise moves a place by] shortest wave: noise makes shorter ones
@@ -127,7 +133,10 @@ struct SearchOptions {
   Schedule follow{2, 6, 0.3};          // of a mode after a change of its kernel or of its start
   Schedule smooth_forward{3, 6, 0.3};  // of a wave without roughness, from its own simulated loading
   Schedule pull{3, 6, 0.5};            // of a mode at another EI, for rig_pull
-  Schedule settle{1, 12, 0.5};         // of states alone, to agree with their hyperparameters
+  Schedule anneal{
+      1, 48, 0.3};  // of jerky friction, while the noise falls: in a third of the steps, answers depend on rounding
+  Schedule annealed{4, 6, 0.3};  // thereafter
+  Schedule settle{1, 12, 0.5};   // of states alone, to agree with their hyperparameters
 };
 
 }  // namespace flexslip

@@ -136,10 +136,6 @@ inline std::vector<Situation> situations() {
         std::pair{"unexpected_stiffness", CheckKind::stiffness}})
     add(code, Severity::doubt,
         [kind = kind](FittedTest& test) { check_of(test, kind).outcome = CheckOutcome::failed; });
-  add("unstable", Severity::doubt, [](FittedTest& test) {
-    test.analysis.checks.push_back(
-        {CheckKind::stability, CheckOutcome::failed, {{"mu0_moved", 0.5, false}, {"same_explanation", 0, false}}});
-  });
   add("changing_friction", Severity::doubt, [](FittedTest& test) { test.judgement.friction_falls = true; });
   add("changed_reload", Severity::doubt, reloaded(-0.2, 0));
   add("drops_elsewhere", Severity::doubt, [](FittedTest& test) {

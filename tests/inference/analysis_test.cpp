@@ -247,14 +247,5 @@ TEST_CASE(
   CHECK(beyond.over_frictionless.median == doctest::Approx(1 / 1.25).epsilon(0.02));
 }
 
-TEST_CASE("identity: stability is checked where it is asked for") {
-  const auto record = to_physical(simulated_record(toothed()), scales);
-  AnalysisOptions options;
-  options.check_stability = true;
-  const auto analysis = analyse(record, description_of(toothed()), options);
-  REQUIRE(analysis.checks.back().kind == CheckKind::stability);
-  CHECK(analysis.checks.back().outcome == CheckOutcome::passed);
-}
-
 }  // namespace
 }  // namespace flexslip

@@ -32,9 +32,6 @@ TEST_CASE("identity: a fit of what the model says passes every check") {
   CHECK(number_of(drops, "draws_median") <= number_of(drops, "draws_high"));
   CHECK(number_of(drops, "draws_fall") == doctest::Approx(number_of(drops, "record_fall")).scale(0).epsilon(0.5));
   CHECK(check_whiteness(fit).outcome == CheckOutcome::passed);
-  const Check stability = check_stability(problem, fit);
-  CHECK(stability.outcome == CheckOutcome::passed);
-  CHECK(number_of(stability, "mu0_moved") < 0.01);
 }
 
 TEST_CASE("identity: a bending stiffness passes within two errors of what the record says of it, and fails beyond") {
@@ -70,8 +67,6 @@ TEST_CASE("identity: a fit that does not belong to its record fails") {
   auto fit = fit_friction(problem);
   fit.residual_rms = 0.2 * *std::max_element(problem.record.force.begin(), problem.record.force.end());
   CHECK(check_residuals(problem, fit).outcome == CheckOutcome::failed);
-  fit.mu0.value += 0.1 * fit.mu0.standard_error;
-  CHECK(check_stability(problem, fit).outcome == CheckOutcome::failed);
   fit.mu0_is_bound = true;
   CHECK(check_friction(fit).outcome == CheckOutcome::failed);
 }

@@ -227,12 +227,6 @@ class Options(InFolder):
         self.assertTrue(WAVE <= set(self.json("fit", CASE, "--model", "sinusoid")["parameters"]))
         self.assertNotIn("drift", self.json("fit", CASE, "--model", "constant")["parameters"])
 
-    def test_stability_is_checked_where_it_is_asked_for(self):
-        fit = self.json("fit", CASE, "--check-stability")
-        stability = next(finding for finding in fit["findings"] if finding["code"] == "unstable")
-        self.assertEqual(stability["severity"], "passed")
-        self.assertLess({number["name"]: number["value"] for number in stability["numbers"]}["mu0_moved"], 0.01)
-
     def test_truth_of_a_record_without_noise(self):
         # Its likeliest explanation has a second wave that is uncertain: the first is claimed all the same.
         record = self.folder / "exact.csv"
