@@ -65,6 +65,7 @@ def compare(truth, answer, seconds):
         "rows_out": truth["rows_out"],
         "k": truth["k"],
         "code": value_at(answer, "verdict", "code") or "no_json",
+        "status": value_at(answer, "passes", "status") or "none",
         "loss_true": truth["stiffness_lost"],
         "loss": value_at(answer, "judgement", "stiffness_lost"),
         "loss_error": value_at(answer, "judgement", "stiffness_lost_error"),
@@ -166,7 +167,8 @@ def print_tables(rows):
     loss = ["kind", "records", "null", "told", "within 2 errors", "rms", "error stated"]
     friction = ["kind", "records", "null", "rms", "covered", "half width (median)"]
     stiffness = ["kind", "records", "null", "rms %", "covered"]
-    print_table("Stiffness lost", loss, [loss_line(*group) for group in groups + split])
+    by_status = [(f"status {status}", [row for row in rows if row["status"] == status]) for status in sorted({row["status"] for row in rows})]
+    print_table("Stiffness lost", loss, [loss_line(*group) for group in groups + split + by_status])
     print_table("Friction", friction, [friction_line(*group) for group in groups + split])
     print_table("Bending stiffness", stiffness, [stiffness_line(*group) for group in groups + split])
     print_table("Cause of the drops", ["kind", "with drops", "decided", "wrong"], [cause_line(*group) for group in groups])

@@ -232,15 +232,15 @@ Done end_before_failure(Preparing& at) {
 
 namespace {
 
-// Of the falls of the force during which a reckoned stage runs back, by more than its noise and than an error of the load train explains, the one that
-// asks for the stiffest train.
+// Of the falls of the force during which a reckoned stage runs back, the one that asks for the stiffest load train.
+// The stage must run back by more than its noise, and by more than a load train explains that is a third stiffer.
 std::optional<LeastTrain> least_train(const Record& record) {
   constexpr double noise_range = 5, of_fall = 0.25;  // [1] of what the load train gives back in the fall
   const double noise = stage_noise(record.stage);
   std::optional<LeastTrain> found;
   std::size_t farthest = 0;
   for (std::size_t i = 1; i < record.stage.size(); ++i) {
-    const LeastTrain fall{farthest, i, record.force[farthest] - record.force[i],
+    const LeastTrain fall{farthest, record.force[farthest] - record.force[i],
                           record.deflection[i] - record.deflection[farthest]};
     const double back = record.stage[farthest] - record.stage[i];
     const bool runs_back = back > std::max(noise_range * noise, of_fall * (fall.advance + back));

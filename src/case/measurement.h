@@ -38,9 +38,9 @@ struct EvaluatedLoading {
 // A fall of the force during which the specimen bent farther by less than the load train stated would have given back, so that
 // this is stiffer than fall/advance.
 struct LeastTrain {
-  std::size_t before, after;  // points of the record
-  double fall;                // [N] of the force
-  double advance;             // [m] of the deflection, > 0
+  std::size_t before;  // point of the record
+  double fall;         // [N] of the force
+  double advance;      // [m] of the deflection, > 0
 };
 
 struct Measurement {

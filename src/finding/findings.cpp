@@ -290,8 +290,8 @@ Found train_by_reckoned_stage(T test) {
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("Behind row {} the deflection rises by only {} while the force falls by {}: on the load "
-                              "train stated ({}) the "
-                              "machine would have gone back by {}. The load train is stiffer than {}.",
+                              "train stated ({}) the machine would have gone back by {}. The load train is stiffer "
+                              "than {}.",
                               file_row(test, least->before), format_roughly(least->advance, print.as(kind::length)),
                               format_roughly(least->fall, print.as(kind::force)), load_train_in_words(test),
                               format_roughly(least->fall / stated - least->advance, print.as(kind::length)), bound),

@@ -160,8 +160,8 @@ std::string hangs_on_in_words(T test, bool tells_work) {
   constexpr double worth_saying = 0.005;
   const HangsOn* most = nullptr;  // of the work
   for (const HangsOn& each : all) {
-    const bool is_measured_by_few = each.quantity == name_of(StatedQuantity::load_train);  // always told
-    if (std::abs(each.friction_moves) >= worth_saying || is_measured_by_few)
+    const bool is_load_train = each.quantity == name_of(StatedQuantity::load_train);  // few measure it: never left out
+    if (std::abs(each.friction_moves) >= worth_saying || is_load_train)
       words.push_back(fmt::format(
           "{} +{}: {}", each.title, each.step,
           std::abs(each.friction_moves) < worth_saying ? "below 0.01" : signed_number(each.friction_moves)));

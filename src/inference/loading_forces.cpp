@@ -32,8 +32,8 @@ double deepest_of(const ReducedRecord& record, const Leg& leg) {
                            begin + static_cast<std::ptrdiff_t>(leg.last));
 }
 
-// [1] Of all that the earlier loading lost and settled, what was still to come at a deflection: by the losses that its drops need as cracks, or else
-// growing with the deflection.
+// [1] Of all that the earlier loading lost and settled, the share that was still to come at a deflection. Its drops show it, by
+// the losses that they need as cracks. Without drops the loss grows in proportion to the deflection.
 class StillToCome {
  public:
   StillToCome(const PassesProblem& problem, const Leg& leg, double deepest) : deepest_(deepest) {
@@ -82,8 +82,10 @@ std::vector<Pair> pairs_of(const PassesProblem& problem, const Leg& before, cons
 
 using Unknowns = Eigen::Vector<double, 5>;
 
-// ln(F2/F1) = -Λ h - d h F_w/F - Λ' - c F_w/F + v q F_q/F: the loss Λ and what settled, d, of which the share h was still to come at a deflection, the loss
-// Λ' behind the loading, the difference c of the contacts, and the logarithm v of the friction that is left. NaN of no friction counts as none.
+// The stiffness lost between two loadings, by least squares of
+//   ln(F2/F1) = -Λ h - Λ' - d h F_w/F - c F_w/F + v q F_q/F,
+// where h is the share still to come. Unknown are the loss Λ in the loading and Λ' behind it, the settling d, the change c of the
+// contact and the change v of ln(friction). Where the map tells no friction, F_w/F is 1/w and the last term is left out.
 std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
                                      const std::vector<char>& left_out, const StillToCome& still_to_come,
                                      double common) {
@@ -97,16 +99,16 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
     w[i] = pair.w, F[i] = pair.before, y[i] = elementary::log(pair.after / pair.before);
   }
   const PassStates read = states_read(w, F, problem.rig.fibre);
-  Eigen::MatrixXd of(count, 5);
+  Eigen::MatrixXd slopes(count, 5);
   for (Eigen::Index i = 0; i < count; ++i) {
     const double still = still_to_come.at(w[i]);
     const double by_w = read.is_read(i) ? read.F_w[i] / F[i] : 1 / w[i];
     const double by_friction = read.is_read(i) ? read.q[i] * read.F_q[i] / F[i] : 0;
-    of.row(i) << -still, -1, -still * by_w, -by_w, by_friction;
+    slopes.row(i) << -still, -1, -still * by_w, -by_w, by_friction;
   }
   constexpr double least = 0.003;  // [1] of the scatter
   const PassesOptions& options = problem.options;
-  constexpr double any = 100, behind = 0.2;
+  constexpr double any = 100, behind = 0.2;  // standard deviations of Λ, which is free, and of Λ'
   const double of_gain = elementary::length(options.of_forces, options.stiffening);
   const Unknowns errors(any, behind, options.settling, options.contact_change, options.level_at_bottom);
   double variance = least * least;
@@ -117,11 +119,11 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
     Unknowns prior = errors;
     for (const Eigen::Index loss : {0, 1})
       if (solution[loss] < 0) prior[loss] = of_gain;  // nothing stiffens
-    Eigen::Matrix<double, 5, 5> precision = weight * of.transpose() * of;
+    Eigen::Matrix<double, 5, 5> precision = weight * slopes.transpose() * slopes;
     precision.diagonal() += prior.array().pow(-2).matrix();
     covariance = precision.inverse();
-    solution = covariance * (of.transpose() * y) * weight;
-    variance = std::max((y - of * solution).squaredNorm() / static_cast<double>(count), least * least);
+    solution = covariance * (slopes.transpose() * y) * weight;
+    variance = std::max((y - slopes * solution).squaredNorm() / static_cast<double>(count), least * least);
   }
   const double log_loss = solution[0] + solution[1];
   const double log_loss_variance = covariance(0, 0) + covariance(1, 1) + 2 * covariance(0, 1);

@@ -110,6 +110,14 @@ struct WrittenRecord {
                      .significance = 100});
   }
 
+  // At friction .5, then to .4. Returns S.
+  double slide_and_snap() {
+    double S = 1.06;
+    slide(1.02, S, 0.5, 80);
+    snap(S, 0.5, 0.4);
+    return S;
+  }
+
   DropFeatures features() const { return drop_features(rows, {k}, {1e-4, 0.03}, drops); }
 };
 
@@ -133,9 +141,7 @@ TEST_CASE("table: features of a drop after which friction stays low, as after a 
   for (const double k : {30.0, 3000.0}) {
     CAPTURE(k);
     WrittenRecord record{k};
-    record.slide(1.02, 1.06, 0.5, 80);
-    double S = 1.06;
-    record.snap(S, 0.5, 0.4);
+    double S = record.slide_and_snap();
     const double drawn_in = S - 1.06;
     record.slide(S + 5e-4, 1.14, 0.4, 160);
     const DropFeatures features = record.features();
@@ -155,9 +161,7 @@ TEST_CASE("table: features of a drop after which the specimen sticks until frict
   for (const double k : {30.0, 3000.0}) {
     CAPTURE(k);
     WrittenRecord record{k};
-    record.slide(1.02, 1.06, 0.5, 80);
-    double S = 1.06;
-    record.snap(S, 0.5, 0.4);
+    double S = record.slide_and_snap();
     for (int i = 1; i <= 20; ++i) record.add(S, 0.4 + 0.005 * i);
     record.snap(S, 0.5, 0.4);
     for (int i = 1; i <= 20; ++i) record.add(S, 0.4 + 0.005 * i);
