@@ -54,16 +54,16 @@ void print(const std::string& file) {
   const bool is_reloaded = flexslip::is_reloaded(analysis);
   const PassesFit none;
   const PassesFit& passes = is_reloaded ? *analysis.passes : none;
-  std::printf(",%d,%d,%.6g,%.6g,%.6g,%.6g,%.6g\n", is_reloaded ? 1 : 0, static_cast<int>(passes.status),
-              passes.loss.value, passes.loss.standard_error, passes.loss_needed, passes.settled.value,
-              passes.settled.standard_error);
+  std::printf(",%d,%d,%.6g,%.6g,%.6g,%zu,%.6g,%.6g\n", is_reloaded ? 1 : 0, static_cast<int>(passes.status),
+              passes.loss.value, passes.loss.standard_error, passes.loss_needed, passes.drops_again,
+              passes.settled.value, passes.settled.standard_error);
 }
 
 int run(int count, char** files) {
   std::printf("case,load_train,rows,deepest,drops,stiffness_over_slope");
   for (const Named& each : features) std::printf(",%s", each.name);
   for (const char* name : cause_input_names) std::printf(",in_%s", name);
-  std::printf(",reloaded,passes_status,loss,loss_error,passes_need,settled,settled_error\n");
+  std::printf(",reloaded,passes_status,loss,loss_error,passes_need,drops_again,settled,settled_error\n");
   for (int i = 1; i < count; ++i) {
     try {
       print(files[i]);

@@ -214,6 +214,10 @@ Fields<FittedTest> passes_fields() {
               "share of the stiffness that the drops of these loadings would need if they were cracks only",
               [](T test) { return test.passes->loss_needed; })
       .anywhere()
+      .count("drops_again",
+             "drops of later loadings before they reach the greatest deflection of this one: slips come again, cracks "
+             "do not",
+             [](T test) { return test.passes->drops_again; })
       .list("passes", "the passes in the order of time",
             Fields<RecordOfPass>()
                 .all_of(

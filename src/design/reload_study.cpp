@@ -121,7 +121,8 @@ ReloadPlan tried(const Test& loading, const Programme& programme, const ReloadOp
   const double error = log_loss_error(*passes);
   plan.loss_needed = passes->loss_needed;
   plan.loss_error = error * (1 - passes->loss.value);
-  plan.chances = chances_of_causes(-elementary::log(1 - passes->loss_needed), error, by_one_loading.causes);
+  plan.chances = chances_of_causes(-elementary::log(1 - passes->loss_needed), error, by_one_loading.causes,
+                                   passes->drops_again > 0);
   return plan;
 }
 

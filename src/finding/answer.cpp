@@ -475,6 +475,8 @@ std::string reload_in_words(T test) {
   if (!passes.is_reloaded) return words;
   words += fmt::format("; {} of the stiffness lost", loss_in_words(passes));
   if (passes.loss_needed > 0) words += "; " + need_in_words(passes);
+  if (passes.drops_again > 0)
+    words += fmt::format("; {} came again", format_count(passes.drops_again, "drop", "drops"));
   return words;
 }
 

@@ -51,10 +51,11 @@ Causes causes_of(const DropFeatures& features, double load_train) {
   return causes_by(inputs_of(features, load_train), cause_coefficients::cracks, cause_coefficients::both);
 }
 
-Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
+Causes causes_of(const Causes& by_one_loading, const Reload& reload) {
   constexpr double surest = 0.98;  // one loading is no surer
-  const double z = loss.log_loss / loss.error;
-  const double c = (loss.log_needed - loss.log_loss) / elementary::length(loss.error, of_needed * loss.log_needed);
+  const double z = reload.log_loss / reload.error;
+  const double c =
+      (reload.log_needed - reload.log_loss) / elementary::length(reload.error, of_needed * reload.log_needed);
   const auto bounded = [surest](double p) { return std::isnan(p) ? 1.0 / 3 : std::clamp(p, (1 - surest) / 2, surest); };
   const double slips = bounded(by_one_loading.slips);
   const std::array inputs{1.0,
@@ -63,6 +64,7 @@ Causes causes_of(const Causes& by_one_loading, const LossByReload& loss) {
                           squashed(c / 3),
                           squashed(c / 8),
                           squashed((z * z - c * c) / 12),
+                          reload.drops_again ? 1.0 : 0.0,
                           elementary::log(bounded(by_one_loading.cracks) / slips),
                           elementary::log(bounded(by_one_loading.both) / slips)};
   return causes_by(inputs, cause_coefficients::cracks_by_reload, cause_coefficients::both_by_reload);
@@ -77,7 +79,8 @@ bool is_loss(double log_loss, double error) {
   return log_loss > errors * error;
 }
 
-CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading) {
+CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading,
+                               bool slips_come_again) {
   constexpr int points = 2001;
   constexpr double farthest = 5;  // [standard deviations]
   double weights = 0, slips = 0, cracks = 0;
@@ -85,8 +88,8 @@ CauseChances chances_of_causes(double log_needed, double error, const Causes& sl
   for (int i = 0; i < points; ++i) {
     const double x = farthest * (2.0 * i / (points - 1) - 1), weight = elementary::exp(-0.5 * x * x);
     const double told_of_slips = x * error, told_of_cracks = log_needed + x * error_if_cracks;
-    const Causes if_slips = causes_of(slips_by_one_loading, {told_of_slips, error, log_needed});
-    const Causes if_cracks = causes_of(Causes{}, {told_of_cracks, error, log_needed});
+    const Causes if_slips = causes_of(slips_by_one_loading, {told_of_slips, error, log_needed, slips_come_again});
+    const Causes if_cracks = causes_of(Causes{}, {told_of_cracks, error, log_needed, false});
     weights += weight;
     if (slips_at_all(if_slips) && !loses_at_all(if_slips, true) && !is_loss(told_of_slips, error)) slips += weight;
     if ((loses_at_all(if_cracks, true) || is_loss(told_of_cracks, error)) && !slips_at_all(if_cracks)) cracks += weight;

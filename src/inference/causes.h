@@ -32,15 +32,16 @@ CauseInputs inputs_of(const DropFeatures& features, double load_train);
 Causes causes_of(const DropFeatures& features, double load_train);
 
 // What a reload shows of the loading before it.
-struct LossByReload {
+struct Reload {
   double log_loss, error;  // of the stiffness, as -ln of what is left
   double log_needed;       // likewise by the drops, if they were cracks only
+  bool drops_again;        // does any drop come again? Cracks are made once.
 };
 
 // By one loading and a reload.
 // Domain:     error >= 0, log_needed > 0; by_one_loading may be NaN.
 // Method:     likewise.
-Causes causes_of(const Causes& by_one_loading, const LossByReload& loss);
+Causes causes_of(const Causes& by_one_loading, const Reload& reload);
 
 // Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %, or below 3 % by one loading?
 bool slips_at_all(const Causes& causes);
@@ -60,6 +61,7 @@ struct CauseChances {
 // Domain:     as causes_of. Of cracks, one loading is assumed to show nothing.
 // Max error:  0.002.
 // Method:     the measured loss is normally distributed, and the loss that the drops need is uncertain besides.
-CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading);
+CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading,
+                               bool slips_come_again);
 
 }  // namespace flexslip

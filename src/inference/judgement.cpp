@@ -28,7 +28,8 @@ Causes causes_of(const TestAnalysis& analysis) {
   if (!is_reloaded(analysis) || !(analysis.passes->loss_needed > 0)) return by_one_loading;
   return flexslip::causes_of(by_one_loading, {.log_loss = log_loss_of(*analysis.passes),
                                               .error = log_loss_error(*analysis.passes),
-                                              .log_needed = -elementary::log(1 - analysis.passes->loss_needed)});
+                                              .log_needed = -elementary::log(1 - analysis.passes->loss_needed),
+                                              .drops_again = analysis.passes->drops_again > 0});
 }
 
 Conclusion conclusion_by_reload(const TestAnalysis& analysis, const Causes& causes) {

@@ -563,6 +563,17 @@ PassesProblem bedding_down(PassesProblem problem) {
   return problem;
 }
 
+// Cracks are made once. Slips come again, as friction belongs to the place.
+std::size_t drops_again(const PassesProblem& problem) {
+  const std::vector<double>& w = problem.record.deflection;
+  const auto begin = w.begin();
+  const double deepest = *std::max_element(begin + static_cast<std::ptrdiff_t>(problem.first),
+                                           begin + static_cast<std::ptrdiff_t>(problem.last));
+  return static_cast<std::size_t>(std::count_if(problem.drops.begin(), problem.drops.end(), [&](const Drop& drop) {
+    return drop.before >= problem.last && w[drop.before] < deepest;
+  }));
+}
+
 // What all passes tell if they leave five times the noise, or this part of the maximum force; else what is known already.
 PassesFit fit_together(PassesFit fit, const PassesProblem& problem, const std::vector<Leg>& legs, double left_over) {
   fit.status = PassesStatus::not_sliding_out;
@@ -619,9 +630,12 @@ PassesFit fit_passes(const PassesProblem& problem) {
   const PassesFit by_forces = told_by_forces(problem, legs);
   constexpr double beside_noise = 0.005, of_bedding = 0.04;  // [maximum force]
   PassesFit fit = fit_together(by_forces, problem, legs, beside_noise);
-  if (fit.status != PassesStatus::not_explained) return fit;
-  PassesFit bedded = fit_together(by_forces, bedding_down(problem), legs, of_bedding);
-  return bedded.status == PassesStatus::ok ? bedded : fit;
+  if (fit.status == PassesStatus::not_explained) {
+    PassesFit bedded = fit_together(by_forces, bedding_down(problem), legs, of_bedding);
+    if (bedded.status == PassesStatus::ok) fit = std::move(bedded);
+  }
+  fit.drops_again = drops_again(problem);
+  return fit;
 }
 
 FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, const FitOptions& options) {

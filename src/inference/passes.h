@@ -112,6 +112,7 @@ struct PassesFit {
   bool is_followed = false;         // one comes after the evaluated loading
   Estimate loss{};                  // [1] share of the stiffness lost in all loadings that are followed by another pass
   double loss_needed = 0;           // [1] likewise, by the drops of these loadings, if they were cracks only
+  std::size_t drops_again = 0;      // in loadings after the evaluated one, before they reach its greatest deflection
   Estimate settled{};               // [L] in these loadings
   RigCorrection correction{};       // of the evaluated loading: errors of the rig, losses and settling
   Sensitivities friction_by{}, log_stiffness_by{};  // as those of FrictionFit

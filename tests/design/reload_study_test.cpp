@@ -56,7 +56,7 @@ TEST_CASE("reload study, identity: the plan named is the least that suffices") {
 TEST_CASE(
     "reload study, limit: drops that need less than three errors do not suffice, and the changes that are named do") {
   Test polished = toothed();
-  set(polished, "amplitude", 0.05);
+  set(polished, "amplitude", 0.04);
   set(polished, "travel", 520e-6);
   const auto few = reload_study(polished, {});
   std::size_t small = 0;

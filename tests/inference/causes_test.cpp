@@ -46,7 +46,9 @@ TEST_CASE("identity: slips, cracks and neither, on soft and on stiff load trains
 TEST_CASE(
     "identity: a reload that lost nothing says slips, one that lost what the drops need cracks, and one between both") {
   const auto by = [&](const Causes& one_loading, double share) {
-    return causes_of(one_loading, {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3)});
+    return causes_of(
+        one_loading,
+        {.log_loss = -std::log(1 - share), .error = 0.02, .log_needed = -std::log(1 - 0.3), .drops_again = false});
   };
   const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
   const Causes slipped{.slips = 0.6, .cracks = 0.01, .both = 0.39}, cracked{.slips = 0.02, .cracks = 0.7, .both = 0.28};
@@ -59,9 +61,19 @@ TEST_CASE(
     CHECK(sum_of(by(open, share)) == doctest::Approx(1).epsilon(1e-12));
 }
 
+TEST_CASE("identity: a drop that comes again excludes cracks only, and lets both causes stand") {
+  const Causes open{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
+  Reload reload{.log_loss = 0.12, .error = 0.05, .log_needed = 0.2, .drops_again = false};
+  const Causes once = causes_of(open, reload);
+  reload.drops_again = true;
+  const Causes again = causes_of(open, reload);
+  CHECK(again.cracks < 0.3 * once.cracks);
+  CHECK(again.slips + again.both > once.slips + once.both);
+}
+
 TEST_CASE(
     "limit: a reload that knows nothing leaves what one loading told, and nothing known is as likely as anything") {
-  const LossByReload nothing{.log_loss = 0.1, .error = 5, .log_needed = 0.3};
+  const Reload nothing{.log_loss = 0.1, .error = 5, .log_needed = 0.3, .drops_again = false};
   const Causes from_nothing = causes_of(Causes{}, nothing);
   const Causes even{.slips = 1.0 / 3, .cracks = 1.0 / 3, .both = 1.0 / 3};
   CHECK(from_nothing.slips == causes_of(even, nothing).slips);
@@ -75,15 +87,15 @@ TEST_CASE("limit: the chances of the true cause are few below three errors, and 
     CAPTURE(error);
     double before = 0;
     for (const double errors : {1.0, 2.0, 3.0, 4.0, 5.0}) {
-      const double cracks = chances_of_causes(errors * error, error, slips).cracks;
+      const double cracks = chances_of_causes(errors * error, error, slips, true).cracks;
       CHECK(cracks > before);
       before = cracks;
     }
-    CHECK(chances_of_causes(2 * error, error, slips).least() < 0.95);
+    CHECK(chances_of_causes(2 * error, error, slips, true).least() < 0.95);
   }
-  CHECK(chances_of_causes(0.4, 0.02, slips).least() > 0.99);
+  CHECK(chances_of_causes(0.4, 0.02, slips, true).least() > 0.99);
   // What one loading tells of slips counts.
-  CHECK(chances_of_causes(0.1, 0.03, slips).slips > chances_of_causes(0.1, 0.03, {}).slips);
+  CHECK(chances_of_causes(0.1, 0.03, slips, true).slips > chances_of_causes(0.1, 0.03, {}, true).slips);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <doctest/doctest.h>
 
 #include "bending_test/history.h"
+#include "inference/loading_forces.h"
 #include "inference/pass_rows.h"
 #include "inference/pass_unknowns.h"
 #include "inference/prior_draws.h"
@@ -172,6 +173,37 @@ TEST_CASE("limit: a specimen that is hardly unloaded only sticks, and its passes
   CHECK(fit.status == PassesStatus::not_sliding_out);
   const Fibre fibre;
   CHECK(sliding_out_force(fibre, 1.1, 0.5) < sliding_out_force(fibre, 1.1, 0.2));
+}
+
+TEST_CASE("oracle: the loss by the forces of two loadings, whether the specimen cracks, wears or neither") {
+  for (const Programme& programme :
+       {Programme{}, Programme{.wear = 0.8}, Programme{.cracks = {{0.12, 0.1}}},
+        Programme{.wear = 0.9, .cracks = {{0.1, 0.1}, {0.2, 0.15}}}, Programme{.k = 2000, .cracks = {{0.15, 0.25}}}}) {
+    CAPTURE(programme.wear);
+    CAPTURE(programme.cracks.size());
+    const PassesProblem problem = simulated(programme);
+    const std::vector<char> left_out(problem.record.force.size(), 0);
+    const auto forces = compare_loading_forces(problem, find_legs(problem.record.stage), left_out);
+    REQUIRE(forces);
+    CHECK(forces->is_followed);
+    double left = 1;
+    for (const Crack& crack : programme.cracks) left *= 1 - crack.loss;
+    CHECK(holds(forces->loss, 1 - left));
+    CHECK(forces->loss.standard_error < 0.15);
+    CHECK((forces->loss_needed > 0) == !programme.cracks.empty());
+  }
+  PassesProblem once = simulated({});
+  const std::vector<Leg> legs = find_legs(once.record.stage);
+  const std::vector<char> left_out(once.record.force.size(), 0);
+  CHECK_FALSE(compare_loading_forces(once, {legs[0], legs[1]}, left_out));
+}
+
+TEST_CASE("identity: a drop comes again in a later loading that has not yet gone farther") {
+  PassesProblem problem = simulated({});
+  const auto at = [](std::size_t row) { return Drop{row, row + 1, 0.1, 0, 9}; };
+  problem.drops = {at(100), at(400), at(479)};
+  problem.record.deflection[479] += 0.01;
+  CHECK(fit_passes(problem).drops_again == 1);
 }
 
 TEST_CASE("contract: a record of one pass, and a rig without stiffness, are refused") {
