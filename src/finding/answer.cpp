@@ -92,7 +92,8 @@ void add(std::vector<std::string>& parts, std::string part) {
 
 // What friction is told under of a test in which nobody knows what stiffness was lost.
 std::vector<std::string> losses_apart(T test) {
-  return may_have_lost_stiffness(test) ? std::vector<std::string>{"no stiffness was lost"} : std::vector<std::string>();
+  if (!may_have_lost_stiffness(test)) return {};
+  return {lost_before(test.analysis) ? "no more stiffness was lost" : "no stiffness was lost"};
 }
 
 Verdict verdict_of_no_drops(T test, const std::vector<Finding>& findings) {
@@ -135,14 +136,14 @@ Verdict verdict_of_cracks(T test) {
   Verdict verdict{VerdictCode::crack, {loss_in_words(*test.passes) + " of the stiffness was lost"}, "changed_reload"};
   if (!has_drops) verdict.parts.emplace_back("without a drop to be seen");
   if (has_drops && test.judgement.causes.cracks < 0.95) verdict.parts.emplace_back("some of the drops may be slips");
-  verdict.parts.push_back(friction_in_short(test));
+  verdict.parts.push_back(friction_in_short(test, losses_apart(test)));
   return verdict;
 }
 
 Verdict verdict_of_slips_and_damage(T test) {
   return {VerdictCode::slip_and_damage,
           {loss_in_words(*test.passes) + " of the stiffness was lost", need_in_words(*test.passes),
-           friction_in_short(test)},
+           friction_in_short(test, losses_apart(test))},
           "changed_reload"};
 }
 
@@ -319,7 +320,8 @@ std::string if_lost_in_words(T test) {
     if (may_have_lost_stiffness(test))
       parts.push_back(fmt::format("{:.2f} if a {} was", friction, loss > tenth ? "fifth" : "tenth"));
   }
-  return fmt::format("{}{}", may_have_lost_stiffness(test) ? ", if no stiffness was lost" : "",
+  const std::vector<std::string> condition = losses_apart(test);
+  return fmt::format("{}{}", condition.empty() ? "" : ", if " + condition.front(),
                      parts.empty() ? "" : fmt::format(" ({})", fmt::join(parts, ", ")));
 }
 

@@ -20,6 +20,8 @@ bool friction_falls(const FrictionFit& fit) {
 // [1] Of a reload, besides its own errors: passes of sound specimens differ by as much.
 constexpr double usual_difference = 0.02;
 
+bool are_fitted(const std::optional<PassesFit>& passes) { return passes && passes->status == PassesStatus::ok; }
+
 double log_loss_of(const PassesFit& passes) { return -elementary::log(1 - passes.loss.value); }
 
 Causes causes_of(const TestAnalysis& analysis) {
@@ -48,9 +50,10 @@ Conclusion conclusion_by_one_loading(const TestAnalysis& analysis, const Causes&
       0.9;  // [1] cracks only would need less friction than that to the end: then slips are not told from them
   const DropFeatures& features = analysis.drop_features;
   if (loses_at_all(causes, false) || is_loss_without_friction(features)) return Conclusion::cracks;
-  if (lost_before(analysis)) return Conclusion::cracks;
+  const bool has_slipped = slips_at_all(causes) && features.needed_at_end > crests;
+  if (lost_before(analysis)) return has_slipped ? Conclusion::slips_and_damage : Conclusion::cracks;
   if (analysis.drops.drops.empty()) return sinks(analysis) ? Conclusion::undecided : Conclusion::no_drops;
-  return slips_at_all(causes) && features.needed_at_end > crests ? Conclusion::slips : Conclusion::undecided;
+  return has_slipped ? Conclusion::slips : Conclusion::undecided;
 }
 
 std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
@@ -71,7 +74,7 @@ double log_loss_error(const PassesFit& passes) {
 }
 
 bool lost_before(const TestAnalysis& analysis) {
-  return analysis.passes && !is_reloaded(analysis) && analysis.drops.drops.empty() && is_lost(*analysis.passes);
+  return analysis.passes && !is_reloaded(analysis) && is_lost(*analysis.passes);
 }
 
 bool sinks(const TestAnalysis& analysis) {
@@ -81,9 +84,7 @@ bool sinks(const TestAnalysis& analysis) {
 
 bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }
 
-bool allows_for_losses(const TestAnalysis& analysis) {
-  return is_reloaded(analysis) && analysis.passes->status == PassesStatus::ok;
-}
+bool allows_for_losses(const TestAnalysis& analysis) { return is_reloaded(analysis) && are_fitted(analysis.passes); }
 
 bool is_lost(const PassesFit& passes) {
   return passes.is_reloaded && is_loss(log_loss_of(passes), log_loss_error(passes));
@@ -108,7 +109,7 @@ Judgement judge(const TestAnalysis& analysis) {
   if (analysis.status != AnalysisStatus::ok) return judgement;
   const bool has_lost =
       judgement.conclusion == Conclusion::cracks || judgement.conclusion == Conclusion::slips_and_damage;
-  judgement.tells_friction = !has_lost || allows_for_losses(analysis);
+  judgement.tells_friction = !has_lost || are_fitted(analysis.passes);
   judgement.friction_falls = friction_falls(analysis.fit);
   if (judgement.tells_friction && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
   return judgement;

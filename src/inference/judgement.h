@@ -37,7 +37,7 @@ struct Judgement {
 // Of the loss of a reload, as -ln of what is left: besides its own error, passes of sound specimens differ by 2 %.
 double log_loss_error(const PassesFit& passes);
 
-// Was stiffness lost before the evaluated loading, which shows no drop?
+// Was stiffness lost before the evaluated loading, and does none after it tell what it lost itself?
 bool lost_before(const TestAnalysis& analysis);
 
 // Does the force of a specimen that is hardly bent sink by a tenth, and not in drops? No elastic specimen does that.

@@ -66,6 +66,17 @@ TEST_CASE("identity: a reload tells slips, cracks and both, and friction whateve
   }
 }
 
+TEST_CASE("identity: what an earlier loading lost counts beside the slips of the one that is evaluated") {
+  auto later = reloaded(slipping(), 0.12, 0.01, 0.25);
+  later.passes->is_followed = false;
+  const auto both = judge(later);
+  CHECK(both.conclusion == Conclusion::slips_and_damage);
+  CHECK(both.tells_friction);
+  CHECK_FALSE(both.if_lost.empty());
+  later.passes->loss = normal_estimate(0.04, 0.01);
+  CHECK(judge(later).conclusion == Conclusion::slips);
+}
+
 TEST_CASE("limit: a loss without drops counts beyond three errors and what passes differ by, settling beside it") {
   auto analysis = slipping();
   analysis.drops.drops.clear();
