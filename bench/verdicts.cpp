@@ -31,7 +31,6 @@ constexpr std::array features{Named{"follows_drops", &DropFeatures::follows_drop
                               Named{"given_back", &DropFeatures::given_back},
                               Named{"least_after_drop", &DropFeatures::least_after_drop},
                               Named{"needed_at_end", &DropFeatures::needed_at_end},
-                              Named{"lost_of_first", &DropFeatures::lost_of_first},
                               Named{"roughness", &DropFeatures::roughness},
                               Named{"drawn_in", &DropFeatures::drawn_in},
                               Named{"loss_needed", &DropFeatures::loss_needed},

@@ -41,7 +41,6 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
           squashed(std::min(f.least_after_drop, 0.0) / 6),
           squashed((f.given_back - 0.5) / 0.5) * sure,
           squashed(f.roughness),
-          squashed(std::max(f.lost_of_first - 0.7, 0.0)),
           sure,
           squashed(f.drawn_in / 0.5),
           elementary::log(std::min(load_train, stiffest) / usual)};
@@ -61,8 +60,6 @@ Causes causes_of(const Causes& by_one_loading, const Reload& reload) {
   const std::array inputs{1.0,
                           squashed(z / 3),
                           squashed(z / 8),
-                          squashed(c / 3),
-                          squashed(c / 8),
                           squashed((z * z - c * c) / 12),
                           reload.drops_again ? 1.0 : 0.0,
                           elementary::log(bounded(by_one_loading.cracks) / slips),

@@ -17,9 +17,9 @@ struct Causes {
 };
 
 // What the probabilities depend on, each between -1 and 1 or so.
-inline constexpr std::array cause_input_names{"one",           "follows",    "follows_sure", "steepest",   "back_near",
-                                              "back_far",      "above_zero", "below_zero",   "given_sure", "rough",
-                                              "lost_of_first", "sure",       "drawn_in",     "stiff"};
+inline constexpr std::array cause_input_names{"one",      "follows",    "follows_sure", "steepest",   "back_near",
+                                              "back_far", "above_zero", "below_zero",   "given_sure", "rough",
+                                              "sure",     "drawn_in",   "stiff"};
 using CauseInputs = std::array<double, cause_input_names.size()>;
 
 // Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.

@@ -349,7 +349,6 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
   add_needed(features, rows, teeth);
   add_following(features, rows, teeth, errors.force / greatest);
   features.roughness = roughness_of(rows, teeth, usual_fall);
-  features.lost_of_first = usual_fall / std::max(teeth.front().q_before, of_friction);
   features.least_after_drop = infinity;
   for (const Tooth& tooth : teeth) {
     const std::size_t a = tooth.after;

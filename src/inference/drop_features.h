@@ -41,7 +41,6 @@ struct DropFeatures {
   double given_back = 0;        // the sum of the rises of friction over that of its falls
   double least_after_drop = 0;  // [errors] the least friction after a drop
   double needed_at_end = 0;     // friction at the end of the loading, if the drops were cracks only
-  double lost_of_first = 0;     // the usual drop of friction over that before the first drop
   double roughness = 0;         // of friction within the rises, over the usual drop
   double drawn_in = 0;          // the length of all snaps over the length that slid
   double loss_needed = 0;       // of the stiffness, by the drops, if they were cracks only
