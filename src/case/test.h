@@ -172,8 +172,7 @@ struct RecordInput {
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
   std::optional<ContactRule> contact{};  // none: found where the record begins before it
-  // Standard deviations: [1], [m], [1] of the maximum force (docs/case-files.md).
-  std::optional<double> gain_error{}, preload_error{}, slow_force_error{};
+  std::optional<double> gain_error{}, preload_error{}, slow_force_error{};  // standard deviations: [1], [m], [1]
   FailureRule failure = FailureRule::find;
   std::optional<char> decimal{};
   std::optional<PlaceInRecord> first{}, until{};  // none: with its first row, before failure
