@@ -367,7 +367,11 @@ Fields<FittedTest> measurement_fields() {
           "ends_with", "what ends the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
           of([](M m) {
             return name_in_order<MeasurementEnd::overload>(m.end, {"last_row", "until", "failure", "turn", "overload"});
-          }));
+          }))
+      .only_where(of([](M m) { return m.relaxation.has_value(); }))
+      .estimate("relaxation", kind::number, "share of the force lost while the stage rests, in all rests together",
+                of([](M m) { return m.relaxation->share; }))
+      .anywhere();
 }
 
 Fields<FittedTest> contact_fields() {

@@ -303,6 +303,11 @@ constexpr std::array keys{
         "standard deviation of the deflection that was there before displacement and force were set to zero, or of "
         "the bow of a specimen, which reads like it; 0.5 % of the span unless given, 0.3 % where the record begins "
         "before the contact"),
+    at_most(max_uncertainty, "such a force tells no friction",
+            share(at<&RecordInput::slow_force_error>, "slow_force_error", Range::non_negative, R"("2 %")",
+                  "standard deviation of slow deviations of the force, relative to the maximum force: the specimen or "
+                  "the rig relaxes, the load cell drifts; 0.65 % unless given, and more where rests of the stage show "
+                  "it")),
     flagged(word(at<&RecordInput::failure>, "failure", "find|none", R"("none")",
                  "whether to find where the specimen fails and end the record there; find unless given")),
     flagged(

@@ -76,6 +76,7 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
       done->name = step.name;
       at.result.preparation.push_back(std::move(*done));
     }
+  at.result.relaxation = relaxation_of(at);
   return std::move(at.result);
 }
 

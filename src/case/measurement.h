@@ -13,6 +13,7 @@
 #include "case/readings.h"
 #include "data/contact.h"
 #include "data/record.h"
+#include "data/relaxation.h"
 #include "data/sampling.h"
 #include "data/small_deflection.h"
 #include "inference/beginning.h"
@@ -72,9 +73,10 @@ struct Measurement {
   // It is the initial slope, for every command: of a record bent so little that it tells no friction (friction_told_from). Where one is bent farther its
   // beginning tells more, for friction steepens the rest.
   bool straight_is_initial = false;
-  double force_noise = 0;        // [N] standard deviation of one point
-  Baseline baseline{};           // of the force before the contact, where it is not level
-  bool baseline_is_off = false;  // taken off, as the case asks
+  double force_noise = 0;                  // [N] standard deviation of one point
+  std::optional<Relaxation> relaxation{};  // as rests of the stage up to the end of the record show it
+  Baseline baseline{};                     // of the force before the contact, where it is not level
+  bool baseline_is_off = false;            // taken off, as the case asks
 };
 
 // The record, or of several loadings the first, which starts from a specimen that friction does not hold drawn in.

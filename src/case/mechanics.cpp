@@ -580,6 +580,9 @@ RigErrors rig_errors_of(const Measurement& measurement) {
   const Test& test = measurement.test;
   RigErrors errors;
   if (measurement.begins_free) errors.preload = usual_bow;
+  if (measurement.relaxation)
+    errors.slow_force =
+        std::min(elementary::length(errors.slow_force, measurement.relaxation->over_loading), max_uncertainty);
   const auto take = [](double& error, const std::optional<Known>& known, double times = 1) {
     if (known) error = times * known->relative_uncertainty().value_or(error);
   };
@@ -593,6 +596,7 @@ RigErrors rig_errors_of(const Measurement& measurement) {
   if (test.specimen) take(errors.thickness, test.specimen->height ? test.specimen->height : test.specimen->diameter);
   if (test.record) {
     errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
+    errors.slow_force = test.record->slow_force_error.value_or(errors.slow_force);
     if (test.record->preload_error) errors.preload = *test.record->preload_error / span_of(test);
     constexpr double most = 0.05;  // [L] beyond, the beginning of the curve is another test's
     if (errors.preload > most)

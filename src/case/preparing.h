@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "case/measurement.h"
 #include "case/preparation.h"
 #include "case/readings.h"
 #include "data/record.h"
+#include "data/relaxation.h"
 #include "data/sampling.h"
 
 namespace flexslip {
@@ -28,6 +30,7 @@ struct Preparing {
   Record all{};                           // every row of the table; of those that count, once they are picked
   StatedRows stated{};                    // by begin_where_stated
   std::optional<std::size_t> last_row{};  // of the file, from 1, as stated
+  std::vector<StageRest> rests{};         // of all rows of the table
   std::size_t rows_looked_at = 0;         // between the first and the last that count
   std::size_t points = 0;                 // of `all`, up to where the record is stated to end
   Leg loading{0, 0, Direction::loading};  // of `all`, the loading that is evaluated
@@ -72,6 +75,9 @@ Done hold_stage(Preparing& at);
 // Where displacements are counted from (contact_of_record.cpp).
 // Fails: InputError where the contact is to be found and the force does not rise from one, and for too few readings behind it.
 Done count_from_contact(Preparing& at);
+
+// What the rests up to the end of the loading show.
+std::optional<Relaxation> relaxation_of(const Preparing& at);
 
 // What several of these ask.
 

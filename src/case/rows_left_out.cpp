@@ -166,6 +166,7 @@ Done leave_out_repeated(Preparing& at) {
     sampling.rows.insert(sampling.rows.end(), behind.rows.begin(), behind.rows.end());
     sampling.end = end;
   }
+  at.rests = find_rests(at.readings.displacement(), at.all.force);
   at.all = picked(at.all, sampling.rows);
   count_as_file(at.table(), sampling);
   at.result.sampling = std::move(sampling);
@@ -215,6 +216,21 @@ Done leave_out_holds(Preparing& at) {
                          .done = fmt::format("{} rows read while the stage halts, at {} {}, are left out", left.at_rest,
                                              places, places == 1 ? "place" : "places"),
                          .rows = RowRange{left.halts.front() + 2, left.last_at_rest + 1}};
+}
+
+std::optional<Relaxation> relaxation_of(const Preparing& at) {
+  const Measurement& result = at.result;
+  const std::size_t first = file_row(result, 0), last = file_row(result, result.record.force.size() - 1);
+  std::vector<StageRest> rests;
+  for (StageRest rest : at.rests) {
+    const std::size_t row = at.table().file_row(rest.first);
+    const std::size_t point = points_before(row, at.sampling());
+    const bool is_failure = row + 1 == last && result.end == MeasurementEnd::failure;
+    if (row >= last || is_failure || point >= at.all.force.size()) continue;
+    rest.force = at.all.force[point];
+    rests.push_back(rest);
+  }
+  return relaxation_at(rests, last + 1 - first, result.force_noise);
 }
 
 // The way back of the stage before the first loading, which bends nothing that is evaluated.

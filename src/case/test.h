@@ -171,8 +171,8 @@ struct RecordInput {
   std::optional<std::string> calibration{};  // of a force in volts, "222 N/V"
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
-  std::optional<ContactRule> contact{};                 // none: found where the record begins before it
-  std::optional<double> gain_error{}, preload_error{};  // standard deviations: [1], [m] (docs/case-files.md)
+  std::optional<ContactRule> contact{};  // none: found where the record begins before it
+  std::optional<double> gain_error{}, preload_error{}, slow_force_error{};  // standard deviations: [1], [m], [1]
   FailureRule failure = FailureRule::find;
   std::optional<char> decimal{};
   std::optional<PlaceInRecord> first{}, until{};  // none: with its first row, before failure

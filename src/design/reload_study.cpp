@@ -68,6 +68,7 @@ Test as_measured(Test test, const std::vector<SimulatedPoint>& path) {
   if (test.record) {
     record.gain_error = test.record->gain_error;
     record.preload_error = test.record->preload_error;
+    record.slow_force_error = test.record->slow_force_error;
   }
   record.given = std::make_shared<const Table>(std::move(table));
   test.record = std::move(record);

@@ -36,10 +36,10 @@ const CellTable& table() {
 }
 
 // States of which the table has nothing.
-struct Rest {
+struct AtRest {
   std::vector<std::size_t> index;
   std::vector<double> S, q;
-  Rest(const FibrePoints& points, const std::vector<double>& w) {
+  AtRest(const FibrePoints& points, const std::vector<double>& w) {
     for (std::size_t i = 0; i < w.size(); ++i) {
       if (!std::isnan(w[i])) continue;
       index.push_back(i);
@@ -54,7 +54,7 @@ struct Rest {
 StateArrays tabulated_states(const FibrePoints& points) {
   StateArrays states(points.size());
   table().values(points.lengths(), points.frictions(), points.size(), states.w.data(), states.F.data());
-  const Rest rest(points, states.w);
+  const AtRest rest(points, states.w);
   const StateArrays exact = fibre_states({rest.S, rest.q});
   for (std::size_t j = 0; j < rest.index.size(); ++j) {
     states.w[rest.index[j]] = exact.w[j];
@@ -67,7 +67,7 @@ SlopeArrays tabulated_states_slopes(const FibrePoints& points) {
   SlopeArrays states(points.size());
   const auto columns = states.columns();
   table().slopes(points.lengths(), points.frictions(), points.size(), columns);
-  const Rest rest(points, states.w);
+  const AtRest rest(points, states.w);
   SlopeArrays exact = fibre_states_slopes({rest.S, rest.q});
   const auto from = exact.columns();
   for (std::size_t k = 0; k < columns.size(); ++k)

@@ -447,6 +447,9 @@ std::string assumed_in_words(T test) {
                       : fmt::format("contact at {}, as {}", print.own(measurement.contact_offset, kind::length),
                                     measurement.contact == ContactSource::stated ? "stated" : "found"));
   parts.emplace_back("a slender, straight, elastic beam, its nose at midspan to 3 % of the span");
+  if (!measurement.relaxation)
+    parts.push_back(fmt::format("a stiffness that does not relax during the test (slow deviations of the force to {})",
+                                format_relative(test.analysis.rig_errors.slow_force)));
   if (test.analysis.fit.overshoots && !measurement.test.rig->snaps)
     parts.emplace_back("snaps that overshoot, as the record shows");
   std::vector<std::string> errors;

@@ -780,6 +780,27 @@ Found changing_friction(T test) {
                  .remedy = reload_remedy(test)};
 }
 
+// The force falls while the stage rests.
+Found relaxes(T test) {
+  const auto& relaxation = test.measurement.relaxation;
+  if (!relaxation) return std::nullopt;
+  const Estimate& share = relaxation->share;
+  const std::string lost = format_relative(relaxation->over_loading);
+  return Finding{
+      .severity = Severity::condition,
+      .sentence = fmt::format(
+          "The force falls by {:.2f} ± {:.2f} % while the stage rests for {} at {}. At this rate the specimen or the "
+          "rig relaxes by {} during the loading. The error of friction allows for {}.",
+          100 * share.value, 100 * share.standard_error, format_count(relaxation->rows, "row", "rows"),
+          format_count(relaxation->rests, "place", "places"), lost,
+          format_relative(test.analysis.rig_errors.slow_force)),
+      .short_form = fmt::format("relaxes by {}", lost),
+      .remedy = "Load faster and without rests, and state the bending stiffness at that speed.",
+      .numbers = {{"relaxation", share.value},
+                  {"relaxation_error", share.standard_error},
+                  {"over_loading", relaxation->over_loading}}};
+}
+
 // On a soft load train, or where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and
 // friction reads smooth.
 Found hidden_waves(T test) {
@@ -860,6 +881,7 @@ constexpr std::array rules{
     Rule{Group::alone, "thickness_not_stated", thickness_not_stated},
     Rule{Group::alone, "changing_friction", changing_friction},
     Rule{Group::alone, "hidden_waves", hidden_waves},
+    Rule{Group::alone, "relaxes", relaxes},
 };
 static_assert(rules.size() <= 35);  // A new rule replaces one.
 

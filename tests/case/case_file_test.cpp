@@ -128,6 +128,7 @@ TEST_CASE("table: the uncertainties that can be stated, in three ways") {
   };
   CHECK(record("gain_error = '1 %'").gain_error == 0.01);
   CHECK(record("gain_error = '0 %'").gain_error == 0.0);
+  CHECK(record("slow_force_error = '2 %'").slow_force_error == 0.02);
   CHECK(record("preload_error = '3 um'").preload_error == doctest::Approx(3e-6));
   CHECK(record("contact = '-3 um ± 1 um'").contact == ContactRule{Known{-3e-6, 1e-6}});
   CHECK(record("contact = 'find'").contact == ContactRule{ContactWord::find});

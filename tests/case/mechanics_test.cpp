@@ -68,12 +68,18 @@ TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual 
   CHECK(usual.span == RigErrors{}.span);
   CHECK(usual.force_gain == RigErrors{}.force_gain);
   CHECK(usual.preload == RigErrors{}.preload);
+  CHECK(usual.slow_force == RigErrors{}.slow_force);
+  measurement.relaxation = Relaxation{.rests = 1, .rows = 9, .share = {}, .over_loading = 0.05};
+  CHECK(rig_errors_of(measurement).slow_force == to(1e-15, std::hypot(RigErrors{}.slow_force, 0.05)));
+  measurement.relaxation->over_loading = 2;
+  CHECK(rig_errors_of(measurement).slow_force == max_uncertainty);
   measurement.begins_free = true;
   CHECK(rig_errors_of(measurement).preload == usual_bow);
   measurement.test = read_case(
       "[specimen]\ndiameter = '30 um ± 2 %'\nmodulus = '30 GPa'\n[rig]\nspan = '1 mm ± 2 um'\n"
       "stiffness = '90 N/m ± 0.4 %'\nsupport_stiffness = '45 N/m'\nroller_radius = '0.1 mm ± 3 %'\n"
-      "[record]\nfile = 'a.csv'\nstage = 'w [um]'\nforce = 'F [N]'\ngain_error = '0 %'\npreload_error = '3 um'",
+      "[record]\nfile = 'a.csv'\nstage = 'w [um]'\nforce = 'F [N]'\ngain_error = '0 %'\npreload_error = '3 um'\n"
+      "slow_force_error = '1 %'",
       "case.toml");
   const RigErrors errors = rig_errors_of(measurement);
   CHECK(errors.preload == doctest::Approx(0.003));
@@ -83,6 +89,7 @@ TEST_CASE("mechanics: what the test says of the rig's errors, and what is usual 
   CHECK(errors.thickness == doctest::Approx(0.02));
   CHECK(errors.support_radius == doctest::Approx(0.03));
   CHECK(errors.force_gain == 0);
+  CHECK(errors.slow_force == 0.01);
   CHECK(errors.load_train == doctest::Approx(0.002));  // half of the compliance is that of the supports
 }
 

@@ -195,6 +195,11 @@ inline std::vector<Situation> situations() {
     test.analysis.fit.shortest_wave = 0.1;
   });
   add("hidden_waves", Severity::condition, [](FittedTest& test) { test.analysis.fit.hidden_by_rig = 0.1; });
+  add("relaxes", Severity::condition, [](FittedTest& test) {
+    test.analysis.rig_errors.slow_force = 0.1;
+    test.measurement.relaxation =
+        Relaxation{.rests = 2, .rows = 80, .share = normal_estimate(0.02, 0.001), .over_loading = 0.1};
+  });
   return all;
 }
 

@@ -127,9 +127,9 @@ class Loading(InFolder):
         with open(self.folder / "made.csv", encoding="utf-8") as file:
             return [(float(row["w_s [m]"]), float(row["F [N]"])) for row in csv.DictReader(file)]
 
-    def fitted(self, rows):
+    def fitted(self, rows, *flags):
         self.file("test.csv", "w_s [m],F [N]\n" + "".join(f"{stage:.9e},{force:.9e}\n" for stage, force in rows))
-        return self.json("fit", self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'))
+        return self.json("fit", self.file("case.toml", self.RIG + '[record]\nfile = "test.csv"\nstage = "w_s"\nforce = "F"\n'), *flags)
 
     def friction_is_half(self, fit):
         self.assertEqual(fit["verdict"]["code"], "no_drops", fit["verdict"])
@@ -347,6 +347,25 @@ class Loading(InFolder):
             fit = self.fitted(rows[:151] + hold + rows[151:])
             self.friction_is_half(fit)
             self.assertIn(f"{length} while the stage halted", fit["answer"][0]["words"])
+
+    def test_truth_relaxation_at_rest_is_told_and_widens_the_error_unless_it_is_stated(self):
+        """The stage halts for 60 rows while the force falls to 97 % of itself, and stays there."""
+        rows = self.simulated()
+        hold = [(rows[150][0], rows[150][1] * (1 - 0.03 * k / 60)) for k in range(1, 61)]
+        relaxed = rows[:151] + hold + [(stage, 0.97 * force) for stage, force in rows[151:]]
+        fit, still = self.fitted(relaxed), self.fitted(rows)
+        told = fit["measurement"]["relaxation"]
+        self.assertAlmostEqual(told["value"], 0.03 * 53 / 60, delta=3 * told["standard_error"] + 1e-6)
+        self.assertIsNone(still["measurement"]["relaxation"])
+        self.assertIn("relaxes", [finding["code"] for finding in fit["findings"]])
+        assumed = lambda of: next(row["words"] for row in of["answer"] if row["label"] == "assumed")
+        self.assertIn("does not relax during the test", assumed(still))
+        self.assertNotIn("relax", assumed(fit))
+        error = lambda of: of["parameters"]["mu0"]["standard_error"]
+        self.assertGreater(error(fit), 1.5 * error(still))
+        stated = self.fitted(relaxed, "--set", "record.slow_force_error=0.65 %")
+        self.assertLess(error(stated), 1.2 * error(still))
+        self.refused("fit", self.folder / "case.toml", "--set", "record.slow_force_error=31 %", says=["record.slow_force_error", "at most 0.3"])
 
     def test_limit_what_relaxes_during_a_hold_and_stays_relaxed_is_no_drop(self):
         draw = random.Random(9)
