@@ -117,11 +117,13 @@ constexpr std::array keys{
                      "bending stiffness EI, instead of section and modulus", ", in the same three ways as a modulus")),
     plain(at<&SpecimenInput::material>, "material", Holds::text, R"("glass")", "material of the specimen",
           ", used with `support_material` to compare friction with the literature"),
-    at_most(1, "write it as \"2 %\" or 0.02",
-            share(at<&SpecimenInput::strain_at_break>, "strain_at_break", Range::positive, R"("2 %")",
-                  "bending strain at the surface at which the specimen breaks; needs a section",
-                  ". [`design` and `sweep`](rig-design.md) end there; `simulate` and `fit` say whether the record goes "
-                  "beyond it")),
+    at_most(
+        1, "write it as \"2 %\" or 0.02",
+        share(
+            at<&SpecimenInput::strain_at_break>, "strain_at_break", Range::positive, R"("2 %")",
+            "bending strain at the surface at which the specimen breaks; needs a section",
+            ". [`design` and `sweep`](planning-a-test.md) end there; `simulate` and `fit` say whether the record goes "
+            "beyond it")),
     quantity(at<&SpecimenInput::strength>, "strength", kind::pressure, Range::positive, R"("600 MPa")", "",
              "bending stress at the surface at which the specimen breaks, instead of strain_at_break"),
     in(at<&SpecimenInput::cracks>,

@@ -1,5 +1,5 @@
 // Every key of a case file, described once: a row says what it holds and which member of a Test that is. The reader, the writer, refusals, flags, --set,
-// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and the tables of docs/case-files.md are made of the rows.
+// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and the tables of docs/case-file-keys.md are made of the rows.
 #pragma once
 
 #include <span>
@@ -58,7 +58,7 @@ struct CaseKey {
   std::string_view example;        // as it is written in a file: "\"34.8 um\""
   std::string_view reduced;        // likewise, with reduced = true; "": not there
   std::string_view meaning;        // a phrase
-  std::string_view more;           // what docs/case-files.md adds (Markdown)
+  std::string_view more;           // what docs/case-file-keys.md adds (Markdown)
   double max = infinity;           // the greatest value within the range
   std::string_view why_max = "";   // a remedy for one that is greater
   std::string_view gone = "";      // a word of earlier versions; "": none
