@@ -73,7 +73,7 @@ class Design(InFolder):
         self.assertIn("will not show it", self.succeeds("design", coarse))
 
     def test_the_page_on_planning_is_true(self):
-        page = (SOURCE / "docs/rig-design.md").read_text(encoding="utf-8")
+        page = (SOURCE / "docs/planning-a-test.md").read_text(encoding="utf-8")
         snippet, = re.findall(r"^```python\n(.*?)^```$", page, re.MULTILINE | re.DOTALL)
         output = self.folder / "map.csv"
         self.succeeds("design", self.file("case.toml", CASE), "--over", "stiffness=10 N/m:1000 N/m:9", "--over=mu0=0.1:0.9:5",
