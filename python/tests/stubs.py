@@ -86,7 +86,7 @@ class Types(unittest.TestCase):
 
     def test_outside_what_the_documentation_shows(self):
         program = pathlib.Path(self.folder) / "guide.py"
-        blocks = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/python.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+        blocks = re.findall(r"^```python\n(.*?)^```$", (SOURCE / "docs/scripting.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
         told = {"fit.params.mu0": "FitParametersMu0", 'fit.params["wavelength"]': "Estimate", "fit.curves.force": "ndarray", "fit.draws.profiles": "ndarray",
                 "fit.residual": "ndarray", "surface.density": "ndarray", "test.path.force": "ndarray", "standard.modulus": "Estimate"}
         program.write_text("\n".join([*blocks, *(f"reveal_type({each})" for each in told)]))
