@@ -11,10 +11,10 @@
 
 namespace flexslip {
 
-class RigShifts {
+class RigErrorEffects {
  public:
   // Domain:     as fit_friction; the friction [1] at which thickness and supports act, 0 to 2.
-  RigShifts(const FitProblem& problem, double friction);
+  RigErrorEffects(const FitProblem& problem, double friction);
 
   // For a quantity larger than stated, to first order: by the whole of it, or by one span (changes_in_spans).
   // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
@@ -39,8 +39,8 @@ class RigShifts {
 };
 
 // What each is off by beforehand, as a standard deviation: of its value [1], or in spans [L].
-PerQuantity<double> deviations_beforehand(const MeasurementErrors& errors, const RigErrors& rig_errors,
-                                          const Supports& supports);
+PerQuantity<double> prior_deviations(const MeasurementErrors& errors, const RigErrors& rig_errors,
+                                     const Supports& supports);
 
 // The same readings with a quantity stated larger, by such a part of it [1], or by so many spans [L]. What is stated smaller is negative.
 // Domain:     more > -1; thickness and radius of the supports stay as Fibre has them; std::invalid_argument otherwise.
