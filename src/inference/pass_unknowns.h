@@ -16,7 +16,7 @@
 
 namespace flexslip {
 
-// What a drop of the force needs if it is a crack (theory.md, "The friction that cracks alone would need").
+// What a drop of the force needs if it is a crack (theory.md, "Friction that cracks only would require").
 struct NeededLoss {
   std::size_t before, after;  // rows of the record
   double log_loss;            // of stiffness, as -ln of what it leaves

@@ -1,7 +1,7 @@
 // What a rig may be off by, as what it does to the readings of a record.
 //
 // An error of the contact, the load train, the span, the gain of the load cell, the thickness or the supports moves each reading in deflection
-// and force; so does a force that deviates slowly (theory.md, "What the answer hangs on"). Reduced variables of the nominal EI.
+// and force; so does a force that deviates slowly (theory.md, "Sensitivity to the rig"). Reduced variables of the nominal EI.
 #pragma once
 
 #include <vector>
