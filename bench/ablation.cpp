@@ -59,7 +59,7 @@ constexpr std::array parts{
     Part{"valley_move", &SearchParts::valley_move},
     Part{"fall_curvature", &SearchParts::fall_curvature},
     Part{"scatter", &SearchParts::scatter},
-    Part{"rig_pull", &SearchParts::rig_pull},
+    Part{"rig_score_correction", &SearchParts::rig_score_correction},
     Part{"rig_cost", &SearchParts::rig_cost},
     Part{"hyperparameter_points", &SearchParts::hyperparameter_points},
     Part{"hidden_by_rig", &SearchParts::hidden_by_rig},

@@ -19,7 +19,7 @@ namespace flexslip {
 namespace {
 
 struct Optimum {
-  double merit, mean;  // ln p; [1] μ0
+  double log_posterior, mean;  // ln p; [1] μ0
 };
 
 // From hyperparameters drawn from what is expected beforehand.
@@ -31,7 +31,7 @@ Optimum optimum_from(const FrictionProcess& process, const Linearisation& rises,
   Mode mode = process.start(Kernel::matern_3_2, theta, rises);
   process.polish(mode, {20, 10, 0.3});
   const Observations observations = process.observations_of(mode);
-  return {mode.merit,
+  return {mode.log_posterior,
           FrictionProcess::mean_friction +
               Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean()[process.columns().mean]};
 }
@@ -61,13 +61,14 @@ int run(int count, char** arguments) {
     for (int k = 0; k < starts; ++k) optima.push_back(optimum_from(process, rises, normal));
     double own = -std::numeric_limits<double>::infinity();
     for (const auto& component : search(process, {}).components)
-      if (component.mode.theta.waves == 0 && component.mode.kernel == Kernel::matern_3_2) own = component.mode.merit;
+      if (component.mode.theta.waves == 0 && component.mode.kernel == Kernel::matern_3_2)
+        own = component.mode.log_posterior;
     double best = -std::numeric_limits<double>::infinity(), low = -best, high = best;
-    for (const auto& each : optima) best = std::max(best, each.merit);
+    for (const auto& each : optima) best = std::max(best, each.log_posterior);
     constexpr double same = 0.5;  // of ln p
     int reached = 0;
     for (const auto& each : optima) {
-      if (each.merit < best - same) continue;
+      if (each.log_posterior < best - same) continue;
       ++reached;
       low = std::min(low, each.mean);
       high = std::max(high, each.mean);

@@ -1,5 +1,5 @@
 // What a state costs at the least: its operations, counted by running the kernel on numbers that count, and how fast this processor does
-// such operations, measured on nothing else. docs/performance.md puts the two beside the times.
+// such operations, measured on nothing else. docs/numerics.md compares them with the times.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/limits.cpp"
 #include <cstddef>

@@ -60,7 +60,7 @@ inline const Points& reference_states() {
 }
 
 // Counters `error_w` and `error_F`, the worst of states with arrays w and F made from reference_states(): relative, that of F
-// divided by its condition number (docs/accuracy.md).
+// divided by its condition number (docs/numerics.md).
 template <class States>
 void report_errors(benchmark::State& run, const States& states) {
   double error_w = 0;

@@ -28,7 +28,7 @@ constexpr std::array features{Named{"follows_drops", &DropFeatures::follows_drop
                               Named{"greatest_steepness", &DropFeatures::greatest_steepness},
                               Named{"recovery_near", &DropFeatures::recovery_near},
                               Named{"recovery_far", &DropFeatures::recovery_far},
-                              Named{"given_back", &DropFeatures::given_back},
+                              Named{"given_back", &DropFeatures::stiffness_recovery},
                               Named{"least_after_drop", &DropFeatures::least_after_drop},
                               Named{"needed_at_end", &DropFeatures::needed_at_end},
                               Named{"roughness", &DropFeatures::roughness},
@@ -45,7 +45,7 @@ void print(const std::string& file) {
   const TestAnalysis analysis = analyse_drops(measurement.record, described.description, described.options);
   const DropFeatures& found = analysis.drop_features;
   std::printf("%s,%.6g,%zu,%.4f,%zu,%.6g", file.c_str(), analysis.rig.stiffness, measurement.record.force.size(),
-              analysis.reduced.deflection.back(), found.drops, analysis.stiffness_over_slope);
+              analysis.reduced.deflection.back(), found.drops, analysis.stiffness_to_slope_ratio);
   for (const Named& each : features) std::printf(",%.6g", found.*each.feature);
   const bool has_drops = found.drops > 0;
   const CauseInputs inputs = has_drops ? inputs_of(found, analysis.rig.stiffness) : CauseInputs{};

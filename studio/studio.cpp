@@ -52,9 +52,9 @@ Friction friction_of(const RigInput& rig, const Scales& scales, const Fibre& fib
   FrictionTable table = rig.friction;
   for (double& S : table.S) S = scales.reduced_length(S);
   Friction friction = Friction::table(std::move(table));
-  if (friction.max_up_to(S_max) > fibre.most_friction())
+  if (friction.max_up_to(S_max) > fibre.max_friction())
     throw std::invalid_argument("friction of up to " + std::to_string(friction.max_up_to(S_max)) + ", where at most " +
-                                std::to_string(fibre.most_friction()) + " is computed");
+                                std::to_string(fibre.max_friction()) + " is computed");
   return friction;
 }
 

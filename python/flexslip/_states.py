@@ -142,7 +142,7 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
 
     Notes
     -----
-    Max error 3e-15 in w, 8e-15 in F times its condition number (docs/accuracy.md); about 35 ns a state. Equations (4.9) to (4.15) of Fang,
+    Max error 3e-15 in w, 8e-15 in F times its condition number (docs/numerics.md); about 35 ns a state. Equations (4.9) to (4.15) of Fang,
     Kochiyama and Kesari (2021); docs/theory.md, "The state".
 
     Examples

@@ -13,7 +13,7 @@
 #include "finding/answer.h"
 #include "finding/finding.h"
 #include "finding/findings.h"
-#include "finding/hangs_on.h"
+#include "finding/sensitivities.h"
 
 namespace flexslip {
 namespace {
@@ -319,22 +319,22 @@ Fields<MeasuredEnergy> measured_energy_fields() {
 }
 
 // By the quantity, as told.
-Fields<HangsOn> sensitivity_fields() {
-  return Fields<HangsOn>()
+Fields<Sensitivity> sensitivity_fields() {
+  return Fields<Sensitivity>()
       .words("quantity",
              "bending_stiffness, load_train, span, force_gain, contact, preload, thickness or support_radius",
-             &HangsOn::quantity)
-      .words("title", "the same in words", &HangsOn::title)
-      .words("stated", "what the case states of it, or what is taken instead", &HangsOn::stated)
+             &Sensitivity::quantity)
+      .words("title", "the same in words", &Sensitivity::title)
+      .words("stated", "what the case states of it, or what is taken instead", &Sensitivity::stated)
       .words("may_be_off", "by how much it may be off; of what is taken for none, what the effect is told for",
-             &HangsOn::may_be_off)
+             &Sensitivity::may_be_off)
       .number("friction",
               "by how much the mean friction would be told larger by the whole of it, or a metre or span of it",
-              &HangsOn::friction)
+              &Sensitivity::friction)
       .number("friction_moves",
               "by how much the mean friction would be told larger, were it stated larger by what it may be off",
-              &HangsOn::friction_moves)
-      .number("work_moves", "by how much friction's share of the work would, likewise", &HangsOn::work_moves);
+              &Sensitivity::friction_moves)
+      .number("work_moves", "by how much friction's share of the work would, likewise", &Sensitivity::work_moves);
 }
 
 Fields<Correlation> parameter_correlation_fields() {
@@ -433,7 +433,7 @@ Fields<FittedTest> every_fit_field() {
       .list("sensitivities",
             "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "
             "a constant",
-            sensitivity_fields(), what_the_answer_hangs_on)
+            sensitivity_fields(), sensitivities_of)
       .list("correlations",
             "how pairs of the parameters go together, each pair once; empty without an answer, or of a constant",
             parameter_correlation_fields(), correlations_of)

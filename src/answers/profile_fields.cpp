@@ -164,7 +164,9 @@ ResultTable draw_table(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   if (!is_fitted(test)) throw std::invalid_argument("a test without a fit has no draws");
   // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
-  const auto rolls_back = [&](std::size_t i) { return fit.along.rolls_back_at(fit.along.at(fit.band.S[i])); };
+  const auto rolls_back = [&](std::size_t i) {
+    return fit.along.contact_moves_outward_at(fit.along.at(fit.band.S[i]));
+  };
   std::vector<BandPlace> places;
   for (std::size_t i = 0; i < fit.band.S.size(); ++i)
     if (rolls_back(i) == rolls_back(fit.band.S.size() / 2)) places.push_back({&fit, i});

@@ -53,12 +53,12 @@ std::string si_unit(const Kind& kind) {
   return "1";
 }
 
-Fields<LoadReached> reached_fields() {
-  return Fields<LoadReached>()
-      .own_quantity("force", kind::force, "force", &LoadReached::force)
-      .own_quantity("deflection", kind::length, "deflection, from the origin", &LoadReached::deflection)
-      .own_quantity("stress", kind::pressure, "flexural stress, F L depth/(8 I)", &LoadReached::stress)
-      .own_quantity("strain", kind::number, "flexural strain, 6 δ depth/L²", &LoadReached::strain);
+Fields<LoadPoint> reached_fields() {
+  return Fields<LoadPoint>()
+      .own_quantity("force", kind::force, "force", &LoadPoint::force)
+      .own_quantity("deflection", kind::length, "deflection, from the origin", &LoadPoint::deflection)
+      .own_quantity("stress", kind::pressure, "flexural stress, F L depth/(8 I)", &LoadPoint::stress)
+      .own_quantity("strain", kind::number, "flexural strain, 6 δ depth/L²", &LoadPoint::strain);
 }
 
 auto ends(ShareRange FrictionGain::*range) {

@@ -93,8 +93,9 @@ std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study) {
   std::vector<ToldEquilibrium> points;
   const Fibre& fibre = study.fibre;
   for (const EquilibriumPoint& point : study.points)
-    points.push_back(
-        {point, fibre.on_edges() ? point.S : fibre.length_between_contacts(fibre.bent(point.w, point.q).state)});
+    points.push_back({point, fibre.on_edges()
+                                 ? point.S
+                                 : fibre.length_between_contacts(fibre.at_deflection(point.w, point.q).state)});
   return points;
 }
 

@@ -197,7 +197,7 @@ class Loading {
  private:
   DesignStatus walk() {
     StablePart part = stable_part_from(curve_, curve_.begin);
-    if (!fibre().begins_straight() && !bend_shallow(part.from))
+    if (!fibre().slides_inward_only() && !bend_shallow(part.from))
       return breaks_ ? DesignStatus::breaks : DesignStatus::ok;
     Rest rest{fibre().state(part.from.S, part.from.q)};
     while (true) {
@@ -242,7 +242,7 @@ class Loading {
       outcome_.friction_heat += work.friction;
       here = to;
     }
-    breaks_ = sees(fibre().bent(here.w, here.q).state);
+    breaks_ = sees(fibre().at_deflection(here.w, here.q).state);
     outcome_.stage_reached = here.stage;
     outcome_.w_reached = here.w;
     greatest_.see(here.F);
@@ -297,10 +297,10 @@ class Loading {
   // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
   bool slide(const StablePart& part, const Rest& rest_from, const Rest& rest_to) {
     const auto& [from, to] = part;
-    const double work_before = outcome_.work, last = fibre().way(to.S);
+    const double work_before = outcome_.work, last = fibre().sliding_coordinate(to.S);
     slid_to_ = from.S;
     bool is_held = true;
-    for (double way = fibre().way(from.S); is_held && !breaks_ && way < last;) {
+    for (double way = fibre().sliding_coordinate(from.S); is_held && !breaks_ && way < last;) {
       const CurvePiece piece = piece_beyond(way, last);
       double end = sound_until(piece, way, std::min(piece.to, last));
       if (!breaks_ && end == last && sees(rest_to.state)) end = broken_between(way, last);
@@ -322,7 +322,9 @@ class Loading {
     if (next_piece_ < curve_.pieces.size()) return curve_.pieces[next_piece_];
     const double S = fibre().length_at(way), S_last = fibre().length_at(last);
     const double end =
-        S < S_last ? fibre().way(end_of_stretch(curve_.friction, fibre(), S, S_last, CurvePiece::longest)) : last;
+        S < S_last
+            ? fibre().sliding_coordinate(end_of_stretch(curve_.friction, fibre(), S, S_last, CurvePiece::longest))
+            : last;
     return piece_between(way, end > way ? end : last);  // what is shorter than a length can tell is one piece
   }
   CurvePiece piece_between(double from, double to) const {
@@ -414,7 +416,7 @@ class Loading {
       held.q = a.state.q + (b.state.q - a.state.q) * t;
       held.Pn = Pn.at(t).value;
       const double contact = rolls ? contacts.at(t).value : S;
-      return design_.friction.at(contact).mu * held.Pn + fibre().lost_bending(held);
+      return design_.friction.at(contact).mu * held.Pn + fibre().bending_energy_lost_at_contact(held);
     };
     constexpr double scales = 2;  // half the shortest period
     double heat = 0;
@@ -548,7 +550,8 @@ std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fi
   std::vector<FoldPoint> points;
   points.reserve(static_cast<std::size_t>(n));
   for (int i = 1; i <= n; ++i) {
-    const double S = fibre.length_at(fibre.way(1) + (fibre.way(S_max) - fibre.way(1)) * i / n);
+    const double S = fibre.length_at(fibre.sliding_coordinate(1) +
+                                     (fibre.sliding_coordinate(S_max) - fibre.sliding_coordinate(1)) * i / n);
     const auto state = fibre.state(S, friction.at(S).mu);
     if (state.status != FibreStatus::ok || state.w > w_max) break;
     points.push_back({state.w, state.F, stiffness_of_fold(friction, S, fibre)});

@@ -23,8 +23,9 @@ void require_range(double S_max, int n) {
 double length_at(const Fibre& fibre, double S_max, int i, int n) {
   if (i == n - 1) return S_max;
   const double fraction = static_cast<double>(i) / (n - 1);
-  if (fibre.begins_straight()) return 1 + (S_max - 1) * fraction * fraction;
-  return fibre.length_at(fibre.way(1) + (fibre.way(S_max) - fibre.way(1)) * fraction);
+  if (fibre.slides_inward_only()) return 1 + (S_max - 1) * fraction * fraction;
+  return fibre.length_at(fibre.sliding_coordinate(1) +
+                         (fibre.sliding_coordinate(S_max) - fibre.sliding_coordinate(1)) * fraction);
 }
 
 EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, state.w, state.F}; }

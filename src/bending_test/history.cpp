@@ -175,7 +175,7 @@ class Recorder {
   bool move_along(double stage, int n) {
     if (stage == fibre_.state().stage) fibre_.halt();
     while (const auto stretch = fibre_.advance_towards(stage)) {
-      const bool is_straight = stretch->from.S == 1 && stretch->to.S == 1 && rig_.fibre.begins_straight();
+      const bool is_straight = stretch->from.S == 1 && stretch->to.S == 1 && rig_.fibre.slides_inward_only();
       if (is_straight) continue;  // without a force
       for (const Stretch& part : fibre_.parts_of(*stretch, n)) {
         account_for(part);

@@ -43,14 +43,15 @@ double longest_on_the_way(const BendingTest& test, double farthest) {
 
 // At fixed S: in rolling the axis that leaves the span loses bending, no friction works.
 SlidingWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
-  if (S == 1 && rig.fibre.begins_straight()) return {};  // no force bends the straight fibre
-  constexpr double smooth = 0.5;                         // of q
+  if (S == 1 && rig.fibre.slides_inward_only()) return {};  // no force bends the straight fibre
+  constexpr double smooth = 0.5;                            // of q
   const double c = 1 / rig.stiffness;
   const double way = q_to - q_from;
   const auto power = [&](double q) {
     const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     const double leaves = -2 * rig.fibre.supports().radius * slopes.theta0_q;
-    return SlidingWork{state.F * (slopes.w_q + c * slopes.F_q), rig.fibre.lost_bending(state) * leaves};
+    return SlidingWork{state.F * (slopes.w_q + c * slopes.F_q),
+                       rig.fibre.bending_energy_lost_at_contact(state) * leaves};
   };
   if (std::abs(way) <= 0.1 * smooth) return integral(gauss_3, q_from, q_to, power);
   const int pieces = static_cast<int>(std::ceil(std::abs(way) / smooth));
@@ -67,7 +68,7 @@ std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) 
   const auto& [from, to, jump] = stretch;
   if (begins_shallow(stretch)) return {from.w, to.w};
   if (to.motion == Motion::stick) return {from.q, to.q};
-  return {fibre.way(from.S), fibre.way(to.S)};
+  return {fibre.sliding_coordinate(from.S), fibre.sliding_coordinate(to.S)};
 }
 
 }  // namespace
@@ -85,7 +86,7 @@ MovingFibre::MovingFibre(BendingTest test, double farthest)
   const Fibre& fibre = test_.rig.fibre;
   if (fibre.supports().radius > 0 && test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0)
     throw std::invalid_argument("on rollers there is no static excess");
-  state_ = fibre.begins_straight() ? path_point(in_.begin, Motion::stick) : shallow().straight();
+  state_ = fibre.slides_inward_only() ? path_point(in_.begin, Motion::stick) : shallow().straight();
 }
 
 MovingFibre::MovingFibre(BendingTest test, double farthest, const PathPoint& there)
@@ -124,10 +125,10 @@ void MovingFibre::return_to(const Position& position) {
 
 std::optional<Stretch> MovingFibre::settle() {
   const Fibre& fibre = test_.rig.fibre;
-  const bool is_straight = fibre.begins_straight() ? state_.S == 1 : state_.w == 0;
+  const bool is_straight = fibre.slides_inward_only() ? state_.S == 1 : state_.w == 0;
   if (end_ != HistoryStatus::ok || is_straight) return std::nullopt;
   const Sliding sliding = state_.q > 0 ? Sliding::in : Sliding::out;
-  if (!fibre.begins_straight()) {
+  if (!fibre.slides_inward_only()) {
     const PathPoint rest = shallow().held(state_.stage, state_.q);
     if (is_shallow(sliding) || Shallow::holds(fibre, rest.S, rest.w)) return settle_shallow(rest);
   }
@@ -215,7 +216,7 @@ double MovingFibre::limit_at(Sliding sliding) const {
 // On the first part of the way of a specimen with a thickness.
 bool MovingFibre::is_shallow(Sliding sliding) const {
   const Fibre& fibre = test_.rig.fibre;
-  if (fibre.begins_straight()) return false;
+  if (fibre.slides_inward_only()) return false;
   constexpr double level = 1e-11, rounding = 1e-14;
   const bool slides_out = sliding == Sliding::out && state_.S - 1 <= rounding && state_.q <= -limit_at(sliding) + level;
   return slides_out || Shallow::holds(fibre, state_.S, state_.w);

@@ -196,7 +196,7 @@ RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, doubl
 
 double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales) {
   constexpr double smooth_step = 0.125;  // in σ, over which the elastica itself varies little
-  const double sigma = fibre.way(S);
+  const double sigma = fibre.sliding_coordinate(S);
   const auto knots = friction.knots();
   if (S_to > S) {
     const auto knot = std::upper_bound(knots.begin(), knots.end(), S);
@@ -220,7 +220,8 @@ double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
     return !(there.exists && there.point.stage < stage);
   };
   const auto enough = [](const Bracket& ways) { return !(ways.low < close * ways.high); };
-  return rig.fibre.length_at(halved_until(enough, {rig.fibre.way(1), rig.fibre.way(S_most)}, is_beyond).high);
+  return rig.fibre.length_at(
+      halved_until(enough, {rig.fibre.sliding_coordinate(1), rig.fibre.sliding_coordinate(S_most)}, is_beyond).high);
 }
 
 }  // namespace flexslip

@@ -21,7 +21,7 @@ double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : moti
 }  // namespace
 
 bool Shallow::holds(const Fibre& fibre, double S, double w) {
-  return !fibre.begins_straight() && (S < 1 || w < 1.5 * fibre.supports().half_depth);
+  return !fibre.slides_inward_only() && (S < 1 || w < 1.5 * fibre.supports().half_depth);
 }
 
 double Shallow::length_met(const FibreState& state) const {
@@ -47,8 +47,8 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
   double low = -max_friction_sought, high = max_friction_sought;
   const bool rolls = rolled > 0;
   for (int i = 0; i < 100; ++i) {
-    found.at = rolls ? rig_.fibre.bent(w, q) : rig_.fibre.drawn_in(w, q);
-    const Fibre::BentState& at = found.at;
+    found.at = rolls ? rig_.fibre.at_deflection(w, q) : rig_.fibre.at_deflection_without_contacts(w, q);
+    const Fibre::DeflectionState& at = found.at;
     const double length_q = rolls ? at.S_q - rolled * at.theta0_q : at.S_q;
     const double length_w = rolls ? at.S_w - rolled * at.theta0_w : at.S_w;
     double step = 0;
@@ -91,7 +91,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const double advance = stage > from.stage ? 1 : -1;
   const Fibre& fibre = rig_.fibre;
   const double half_depth = fibre.supports().half_depth;
-  const Fibre::BentState here = fibre.bent(from.w, from.q);
+  const Fibre::DeflectionState here = fibre.at_deflection(from.w, from.q);
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
   Guess guess{from.w, from.q, 0};  // from what was found last
@@ -108,7 +108,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
 
   double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
-    while (fibre.bent(far, mu).state.S < 1) far *= 1.2;
+    while (fibre.at_deflection(far, mu).state.S < 1) far *= 1.2;
   const auto to_go = [&](const Place& there) { return advance * (stage - stage_of(there)); };
   const auto leaves = [&] { return advance > 0 && way.direction > 0; };
   // What is left until the stretch ends, all of it positive until then: to the stage position; of sliding, or of what friction can hold; to the length 1.
@@ -193,11 +193,11 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   };
   const auto power = [&](double w) {
     const Place there = place_at(w);
-    const FibreState state = fibre.with_contacts(there.at).state;
+    const FibreState state = fibre.add_contacts(there.at).state;
     const double F_w = there.at.F_w + there.at.F_q * there.q_w;
     return SlidingWork{state.F * (1 + F_w / rig_.stiffness),
                        state.q * state.Pn * (way.direction == 0 ? 0 : there.at.S_w + there.at.S_q * there.q_w) +
-                           fibre.lost_bending(state) * there.length_w};
+                           fibre.bending_energy_lost_at_contact(state) * there.length_w};
   };
   const double rolled = 2 * fibre.supports().radius * 3 * std::abs(to.w - from.w), slid = std::abs(to.S - from.S);
   const auto knots = friction_.knots();
@@ -243,8 +243,8 @@ PathPoint Shallow::held(double stage, double q) const {
     const FibreState state = at(w).at.state;
     return PathPoint{stage, w, state.F, state.S, state.q, Motion::stick};
   };
-  const PathPoint point = point_of([&](double w) { return Place{rig_.fibre.bent(w, q), 0, 0}; });
-  if (std::abs(q) <= friction_at(rig_.fibre.bent(point.w, q).state)) return point;
+  const PathPoint point = point_of([&](double w) { return Place{rig_.fibre.at_deflection(w, q), 0, 0}; });
+  if (std::abs(q) <= friction_at(rig_.fibre.at_deflection(point.w, q).state)) return point;
   return point_of([&](double w) { return place({q > 0 ? 1.0 : -1.0, 0}, w, q); });
 }
 

@@ -28,7 +28,7 @@ struct PathPoint {
 
 // Its state: of a specimen with a thickness that of the deflection, since two may belong to a length.
 inline FibreState state_at(const Fibre& fibre, const PathPoint& point) {
-  return fibre.begins_straight() ? fibre.state(point.S, point.q) : fibre.state_bent(point.w, point.q);
+  return fibre.slides_inward_only() ? fibre.state(point.S, point.q) : fibre.state_at_deflection(point.w, point.q);
 }
 
 // [EI/L]
@@ -63,7 +63,7 @@ class Shallow {
 
  private:
   struct Place {
-    Fibre::BentState at;
+    Fibre::DeflectionState at;
     double q_w;                                              // [1/L] along the way
     double length_w;                                         // [L/L] of what lies between the contacts
     double slides() const { return at.S_w + at.S_q * q_w; }  // [L/L] of what has been drawn in

@@ -28,8 +28,8 @@ CurveSample straight(double direction, double compliance, double q) {
 CurveSample sample_of(double direction, const Rig& rig, double S, const FrictionPoint& mu,
                       const Fibre::TabulatedSlopes& fibre) {
   const double q = direction * mu.mu, compliance = 1 / rig.stiffness;
-  if (S == 1 && rig.fibre.begins_straight()) return straight(direction, compliance, q);
-  const double sigma = rig.fibre.way(S);  // that of the rounded S, at which everything is evaluated
+  if (S == 1 && rig.fibre.slides_inward_only()) return straight(direction, compliance, q);
+  const double sigma = rig.fibre.sliding_coordinate(S);  // that of the rounded S, at which everything is evaluated
   const double smooth = fibre.w_S + compliance * fibre.F_S;
   const double rough = direction * (fibre.w_q + compliance * fibre.F_q) * mu.slope;
   return {.exists = !std::isnan(fibre.w),
@@ -40,7 +40,9 @@ CurveSample sample_of(double direction, const Rig& rig, double S, const Friction
 
 }  // namespace
 
-double way_at(const Fibre& fibre, Sliding sliding, double S) { return direction_of(sliding) * fibre.way(S); }
+double way_at(const Fibre& fibre, Sliding sliding, double S) {
+  return direction_of(sliding) * fibre.sliding_coordinate(S);
+}
 
 CurveSample sample_at(const Friction& friction, const Rig& rig, Sliding sliding, double x) {
   const double S = rig.fibre.length_at(x);
@@ -84,19 +86,20 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
   constexpr double supported_error = 1e-11;  // of a state by the tables of its supports
   const Fibre& fibre = rig_.fibre;
   const double S = fibre.length_at(sigma);
-  if (S == 1 && fibre.begins_straight()) return {.exists = true};
+  if (S == 1 && fibre.slides_inward_only()) return {.exists = true};
   const auto mu = friction_.at(S);
   const double q = direction_ * mu.mu;
   const auto [state, slopes] = fibre.on_edges() ? FibreStateSlopes{fibre.state(S, q), {}} : fibre.state_slopes(S, q);
   if (state.status != FibreStatus::ok) return {};
-  const double corrected = sigma / fibre.way(S);  // all belongs to the rounded length, and starts in proportion to σ
+  const double corrected =
+      sigma / fibre.sliding_coordinate(S);  // all belongs to the rounded length, and starts in proportion to σ
   const double leaves = 1 - 2 * fibre.supports().radius * (slopes.theta0_S + direction_ * slopes.theta0_q * mu.slope);
   const double power = 2 * sigma * corrected;
   return {.exists = true,
           .stage = (state.w + state.F / rig_.stiffness) * corrected,
           .F = state.F * corrected,
-          .friction = (q * state.Pn + fibre.lost_bending(state) * leaves) * power,
-          .most_friction = state.Pn * power,
+          .friction = (q * state.Pn + fibre.bending_energy_lost_at_contact(state) * leaves) * power,
+          .max_friction = state.Pn * power,
           .error = 0x1p-50 * std::abs(mu.slope) + (fibre.on_edges() ? 0 : supported_error)};
 }
 
@@ -112,7 +115,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int
     F[j] = sample.F;
     friction[j] = sample.friction;
     missing += sample.exists ? 0 : 1;
-    for (const auto field : {&Sample::stage, &Sample::F, &Sample::most_friction, &Sample::error})
+    for (const auto field : {&Sample::stage, &Sample::F, &Sample::max_friction, &Sample::error})
       greatest.*field = std::max(greatest.*field, sample.*field);
   }
   const auto is_resolved = [&](const Series& c, double scale) {
@@ -124,7 +127,7 @@ void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int
   F = Interpolant<degree>::chebyshev(F);
   friction = Interpolant<degree>::chebyshev(friction);
   const bool resolved = !ends && is_resolved(stage, greatest.stage) && is_resolved(F, greatest.F) &&
-                        is_resolved(friction, greatest.most_friction);
+                        is_resolved(friction, greatest.max_friction);
   if (!resolved && halvings < max_halvings && cell.size() < max_pieces) {
     const double middle = 0.5 * (from + to);
     fill(cell, from, middle, greatest, halvings + 1);
@@ -138,7 +141,8 @@ void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int
 
 const SlidingTable::Cell& SlidingTable::cell(std::size_t i) {
   Cell& found = cells_[i];
-  if (found.empty()) fill(found, rig_.fibre.way(edges_[i]), rig_.fibre.way(edges_[i + 1]), {}, 0);
+  if (found.empty())
+    fill(found, rig_.fibre.sliding_coordinate(edges_[i]), rig_.fibre.sliding_coordinate(edges_[i + 1]), {}, 0);
   return found;
 }
 
@@ -168,10 +172,10 @@ SlidingWork SlidingTable::work(double S_from, double S_to) {
   }
   const std::size_t last = cell_of(S_to);
   const std::size_t first = cell_of(S_from);
-  const SlidingWork start = up_to(cell(first), rig_.fibre.way(S_from));
+  const SlidingWork start = up_to(cell(first), rig_.fibre.sliding_coordinate(S_from));
   SlidingWork sum{-start.stage, -start.friction};
-  for (std::size_t i = first; i < last; ++i) sum += up_to(cell(i), rig_.fibre.way(edges_[i + 1]));
-  sum += up_to(cell(last), rig_.fibre.way(S_to));
+  for (std::size_t i = first; i < last; ++i) sum += up_to(cell(i), rig_.fibre.sliding_coordinate(edges_[i + 1]));
+  sum += up_to(cell(last), rig_.fibre.sliding_coordinate(S_to));
   return sum;
 }
 
@@ -179,10 +183,11 @@ SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : 
   if (!(S_max > 1 && S_max <= longest_ladder))
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
-  const double sigma_max = fibre.way(S_max), from = fibre.way(1);  // bent as if that much were before it
+  const double sigma_max = fibre.sliding_coordinate(S_max),
+               from = fibre.sliding_coordinate(1);  // bent as if that much were before it
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
   const double sigma_step = (sigma_max + from) / static_cast<double>(n - 1);
-  const double straight = fibre.begins_straight() ? 0 : fibre.state(1, 0).w;
+  const double straight = fibre.slides_inward_only() ? 0 : fibre.state(1, 0).w;
   S_.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double sigma = sigma_step * static_cast<double>(i) - from;
@@ -199,7 +204,7 @@ StateArrays SlidingLadder::curve(std::span<const double> mu) const {
   std::vector<double> held;
   for (std::size_t i = 0; i < shallow_.size(); ++i)
     held.push_back(mu[i] * std::clamp((shallow_[i] / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0));
-  const std::vector<double> forces = fibre_.forces_bent(shallow_, held);
+  const std::vector<double> forces = fibre_.forces_at_deflections(shallow_, held);
   std::copy(shallow_.begin(), shallow_.end(), states.w.begin());
   std::copy(forces.begin(), forces.end(), states.F.begin());
   return states;

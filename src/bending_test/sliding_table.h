@@ -82,8 +82,8 @@ class SlidingTable {
   struct Sample {
     bool exists = false;
     double stage = 0, F = 0;
-    double friction = 0, most_friction = 0;  // [EI/L/√L] power per σ, and that of a friction of 1
-    double error = 0;                        // of all of them, relative
+    double friction = 0, max_friction = 0;  // [EI/L/√L] power per σ, and that of a friction of 1
+    double error = 0;                       // of all of them, relative
   };
 
   Sample sample_at(double sigma) const;

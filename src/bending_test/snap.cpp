@@ -33,7 +33,8 @@ class Slide {
   }
 
   SnapWork work(double S_from, double S_to) {
-    return integral(gauss_6, rig_.fibre.way(S_from), rig_.fibre.way(S_to), [this](double x) { return power_at(x); });
+    return integral(gauss_6, rig_.fibre.sliding_coordinate(S_from), rig_.fibre.sliding_coordinate(S_to),
+                    [this](double x) { return power_at(x); });
   }
 
   // Near the straight fibre q varies like a power of 1/σ: there stretches are a part of σ.
@@ -67,7 +68,7 @@ class Slide {
 
   Held held(const FibreState& state, const FibreSlopes& slopes) const {
     const Fibre& fibre = rig_.fibre;
-    const double lost = fibre.lost_bending(state);
+    const double lost = fibre.bending_energy_lost_at_contact(state);
     if (lost == 0) return {state.q, state.Pn, fibre.length_between_contacts(state), 0};
     const double c = 1 / rig_.stiffness;  // at a fixed stage position
     const double q_S = -(slopes.w_S + c * slopes.F_S) / (slopes.w_q + c * slopes.F_q);
@@ -109,7 +110,7 @@ class Slide {
 // Where, between two lengths, the energy left is spent.
 Swing end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
   const auto energy_left = [&](double end) {
-    const double sigma = rig.fibre.way(end);
+    const double sigma = rig.fibre.sliding_coordinate(end);
     return ValueAndSlope{left.released + slide.work(S, end).released, slide.power_at(sigma).released / (2 * sigma)};
   };
   constexpr double rounding = 0x1p-50;
@@ -125,7 +126,7 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
     throw std::invalid_argument("no fibre rests at S = " + std::to_string(S) + ", stage " + std::to_string(stage) +
                                 ", q " + std::to_string(q));
   const double c = 1 / rig.stiffness;
-  double low = -rig.fibre.most_friction();
+  double low = -rig.fibre.max_friction();
   double high = rig.fibre.on_edges() ? largest_q : 2 * largest_q_on_supports;
   FibreState held{};
   bool is_below = false;   // the stage stands beyond a state met,

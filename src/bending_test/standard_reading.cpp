@@ -12,7 +12,7 @@ namespace flexslip {
 
 std::optional<StandardReading> standard_reading(const Fibre& fibre, double friction, const LoadingRead& read) {
   const auto [from, to, greatest] = read;
-  if (!(friction >= 0 && friction <= fibre.most_friction()))
+  if (!(friction >= 0 && friction <= fibre.max_friction()))
     throw std::invalid_argument("friction is " + std::to_string(friction));
   if (!(from >= 0 && from < to && to <= greatest))
     throw std::invalid_argument("deflections do not rise: " + std::to_string(from) + ", " + std::to_string(to) + ", " +

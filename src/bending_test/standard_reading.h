@@ -22,7 +22,7 @@ struct StandardReading {
 
 // With a friction that is the same all along the specimen. Of one with a thickness the surface slides outwards first and bends the axis by a couple; drawn in,
 // friction pulls at the axis: both make it stiffer.
-// Domain:     0 <= friction <= fibre.most_friction(); 0 <= from < to <= greatest, 1e-6 <= greatest; std::invalid_argument otherwise.
+// Domain:     0 <= friction <= fibre.max_friction(); 0 <= from < to <= greatest, 1e-6 <= greatest; std::invalid_argument otherwise.
 // Max error:  1e-9, of a modulus times to/(to - from).
 // Limit:      hardly bent, with τ = h/2L: 1/(1 - 3 μ τ), 1/(1 - 2 μ τ) and 3 μ τ (1 - 4 μ τ)/(1 - 3 μ τ) (docs/bending-standards.md).
 // Fails:      none beyond deflections that the map has, or where the specimen slips through its supports.

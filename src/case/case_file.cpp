@@ -515,7 +515,7 @@ std::string in_words(const Test& test, const KeyChange& change) {
   return test.by_flags ? change.flag() : change.in_case();
 }
 
-std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
+std::string instruction_to_set(const Test& test, const std::vector<KeyChange>& changes) {
   std::vector<std::string> said;
   for (const KeyChange& change : changes)
     said.push_back(test.by_flags ? change.flag() : fmt::format("{} = {}", change.name, change.value));
@@ -523,7 +523,9 @@ std::string to_say(const Test& test, const std::vector<KeyChange>& changes) {
   return fmt::format("write {} into [{}]", fmt::join(said, " and "), changes.front().section);
 }
 
-std::string to_say(const Test& test, const KeyChange& change) { return to_say(test, std::vector<KeyChange>{change}); }
+std::string instruction_to_set(const Test& test, const KeyChange& change) {
+  return instruction_to_set(test, std::vector<KeyChange>{change});
+}
 
 std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names) {
   if (!test.by_flags) return fmt::format("[{}] {}", section, in_words(names));

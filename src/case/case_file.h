@@ -60,8 +60,8 @@ struct KeyChange {
 std::string in_words(const Test& test, const KeyChange& change);
 
 // Changes in one section, a clause likewise: "write sign = "keep" into [record]", or "pass --sign keep".
-std::string to_say(const Test& test, const std::vector<KeyChange>& changes);
-std::string to_say(const Test& test, const KeyChange& change);
+std::string instruction_to_set(const Test& test, const std::vector<KeyChange>& changes);
+std::string instruction_to_set(const Test& test, const KeyChange& change);
 
 // Keys of one section likewise: "[rig] supports or roller_radius", or "--supports or --set rig.roller_radius=…".
 std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names);

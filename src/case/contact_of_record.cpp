@@ -72,12 +72,12 @@ bool leaves(std::size_t points, const Record& record, double contact) {
 }
 
 // Does the straight part meet zero force farther behind the contact than friction and supports explain? All before it is then a toe.
-bool begins_with_toe(const Record& record, const StraightPart& straight, const BeamGeometry& geometry, double contact,
+bool begins_with_toe(const Record& record, const LinearRegion& straight, const BeamGeometry& geometry, double contact,
                      double contact_error) {
   constexpr double surely = 3;
   const double middle = straight.middle(record);
   const double error = elementary::length(contact_error, straight.origin_error(record));
-  const double steeper = most_steepening(geometry, middle - contact);
+  const double steeper = max_steepening(geometry, middle - contact);
   return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
 }
 
@@ -110,7 +110,7 @@ std::optional<RowRange> rows_before_contact(const Preparing& at, const Contact& 
 
 PreparationStep count_from_straight_part(Preparing& at, const Contact& contact, double usual_error) {
   Measurement& result = at.result;
-  const StraightPart& straight = *result.straight;
+  const LinearRegion& straight = *result.straight;
   result.contact = ContactSource::found;
   result.contact_offset = straight.origin;
   const double between = contact.status == ContactStatus::found ? straight.origin - contact.offset.value : 0;
@@ -172,7 +172,7 @@ PreparationStep find_contact_of_record(Preparing& at) {
   const std::optional<ContactRule>& rule = at.input().record->contact;
   const bool is_asked = rule == ContactRule{ContactWord::find};
   const BeginningOf beginning = beginning_of(at.input(), record, at.stiffness);
-  const double usual_error = usual_contact_error * beginning.span;
+  const double usual_error = default_contact_error * beginning.span;
   const Contact contact = find_contact(record, beginning);
   result.own_contact = contact;
   if (is_asked && contact.status != ContactStatus::found)
@@ -216,7 +216,7 @@ void take_off_contact(Preparing& at) {
     result.straight->last -= skipped;
     result.straight->origin -= result.contact_offset;
   } else {
-    result.straight = straight_part(result.record, geometry_of(at.input()), straight_options(at));
+    result.straight = find_linear_region(result.record, geometry_of(at.input()), straight_options(at));
   }
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
 }
@@ -226,7 +226,7 @@ void take_off_contact(Preparing& at) {
 Done count_from_contact(Preparing& at) {
   Measurement& result = at.result;
   result.force_noise = force_noise(result.record);
-  result.straight = straight_part(result.record, geometry_of(at.input()), straight_options(at));
+  result.straight = find_linear_region(result.record, geometry_of(at.input()), straight_options(at));
   result.straight_is_initial = result.straight && at.input().rig && at.input().rig->span &&
                                result.loading.number <= 1 && tells_no_friction(at.input(), result.record);
   PreparationStep step = find_contact_of_record(at);

@@ -64,7 +64,8 @@ Loading loading_to_evaluate(const Preparing& at, const Record& record, const std
        .found = "one that only unloads",
        .remedy =
            "if the stage is counted the other way, " +
-           to_say(at.input(), switch_to("sign", at.input().record->sign == SignRule::reverse ? "keep" : "reverse"))});
+           instruction_to_set(at.input(),
+                              switch_to("sign", at.input().record->sign == SignRule::reverse ? "keep" : "reverse"))});
 }
 
 // Fails:      InputError where a loading begins under more than a fifth of its greatest force, and the force falls steadily to nearly none: an
@@ -276,10 +277,11 @@ Done hold_stage(Preparing& at) {
            .field = "the stage",
            .expected = fmt::format("a position no smaller than the farthest before it, {}", in_words(farthest)),
            .found = in_words(stage[i]),
-           .remedy = i < 30 ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
-                                          to_say(at.input(), switch_to("sign", "keep")))
-                            : "keep only the loading: " +
-                                  to_say(at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
+           .remedy = i < 30
+                         ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
+                                       instruction_to_set(at.input(), switch_to("sign", "keep")))
+                         : "keep only the loading: " +
+                               instruction_to_set(at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
     }
     if (stage[i] < farthest) ++held;
     largest = std::max(largest, farthest - stage[i]);

@@ -83,7 +83,7 @@ std::optional<PassesFit> fit_all_passes(const Measurement& measurement, const Te
                                           ? description.bending_stiffness_error
                                           : std::max(of_slope, description.bending_stiffness_error),
                  .contact = description.contact_error ? scales.reduced_length(*description.contact_error)
-                                                      : usual_contact_error},
+                                                      : default_contact_error},
       .rig_errors = description.rig_errors,
       .first = measurement.first,
       .last = measurement.first + measurement.record.force.size(),
@@ -136,7 +136,7 @@ std::vector<std::string> model_names() {
 
 AnalysisOptions options_for(const Test& input, const AnalysisChoice& choice) {
   AnalysisOptions options = choice.options;
-  if (const auto limit = pin_limit_of(input)) options.most_friction = *limit;
+  if (const auto limit = pin_limit_of(input)) options.max_friction = *limit;
   std::string asked = choice.model;
   if (asked.empty() && input.friction && input.friction->model && !input.friction->has_parameters()) {
     asked = words_of(*case_key("friction", "model")).at(static_cast<std::size_t>(*input.friction->model));
@@ -194,7 +194,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   Judgement judgement = judge(analysis);
   if (!judgement.tells_friction) {  // cracks took their part of the work
     analysis.energy.friction_share = analysis.energy.friction_share_error = not_a_number;
-    analysis.work_by.reset();
+    analysis.work_share_sensitivities.reset();
   }
   const DropsElsewhere drops_elsewhere = drops_in_other_loadings(measurement);
   std::optional<ImagedLength> imaged;
@@ -247,7 +247,7 @@ FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
   const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
-  const std::optional<double> radius = usual_roller_radius(geometry_of(measurement.test));
+  const std::optional<double> radius = standard_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);
   if (!is_fitted(test) || !radius) return test;

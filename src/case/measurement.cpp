@@ -51,7 +51,7 @@ double stiffness_for(const Readings& readings) {
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
                       "the stiffness of the load train, as the displacement is that of the stage", "none",
-                      to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
+                      instruction_to_set(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
                           "; \"inf\" if the displacement is that of the specimen's midpoint or already corrected");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }

@@ -69,8 +69,8 @@ struct Measurement {
   double contact_offset = 0;  // [m] taken off stage and deflection
   double contact_error = 0;   // [m] standard deviation, wide enough to hold the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, counted from that taken off
-  std::optional<StraightPart> straight{};              // of the record
-  // It is the initial slope, for every command: of a record bent so little that it tells no friction (friction_told_from). Where one is bent farther its
+  std::optional<LinearRegion> straight{};              // of the record
+  // It is the initial slope, for every command: of a record bent so little that it tells no friction (min_informative_deflection). Where one is bent farther its
   // beginning tells more, for friction steepens the rest.
   bool straight_is_initial = false;
   double force_noise = 0;                  // [N] standard deviation of one point

@@ -67,7 +67,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   const Known* known = estimate ? std::get_if<Known>(&*estimate) : nullptr;
   if (!known) return std::nullopt;
   const std::optional<double> own = known->relative_uncertainty();
-  BendingStiffnessUsed used{known->value, own.value_or(usual_stiffness_error),
+  BendingStiffnessUsed used{known->value, own.value_or(default_stiffness_error),
                             own ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (product) return used;
   const auto section = section_of(test);
@@ -75,7 +75,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   used.value *= second_moment(*section);
   if (states_section_error(*test.specimen))
     used.relative_error =
-        std::min(elementary::length(own.value_or(usual_modulus_error), section_error_of(test)), max_stiffness_error);
+        std::min(elementary::length(own.value_or(default_modulus_error), section_error_of(test)), max_stiffness_error);
   return used;
 }
 
@@ -312,7 +312,7 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
 
 // What friction there may be, in words: "friction of at most 20".
 std::string friction_limit(const Fibre& fibre) {
-  return fmt::format("friction of at most {:g}{}", fibre.most_friction(), fibre.on_edges() ? "" : " at the surface");
+  return fmt::format("friction of at most {:g}{}", fibre.max_friction(), fibre.on_edges() ? "" : " at the surface");
 }
 
 // The friction of a support as asked for, and the fibre that is to meet it at lengths up to S_max [L].
@@ -383,11 +383,11 @@ void require_followed(const Asked& asked) {
                    fmt::format("up to {:.5g} times as much", steepest / limit), less_steep(asked, steepest / limit));
 }
 
-// Refuses what the mechanics of a fibre does not cover: more than its most_friction, or steeper than steepest_followed.
+// Refuses what the mechanics of a fibre does not cover: more than its max_friction, or steeper than steepest_followed.
 void require_covered(const Asked& asked) {
   const auto& [side, kinetic, fibre, scales, S_max] = asked;
   const double most = kinetic.max_up_to(S_max);
-  const double limit = fibre.most_friction();
+  const double limit = fibre.max_friction();
   if (most <= limit) return require_followed(asked);
   const std::string expected = friction_limit(fibre), found = fmt::format("{:g}", most);
   switch (*side.friction.model) {
@@ -430,7 +430,7 @@ Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales,
   return pins ? capped(friction, *pins, reach) : friction;
 }
 
-// Of a surface that is climbed on the way in and come down on the way out, on edges that are alike.
+// Of a surface that is local_maximum on the way in and come down on the way out, on edges that are alike.
 // Fails:      InputError where that is not covered: two surfaces, rollers, an excess at rest, or slopes on which the specimen
 //             would slide out by itself.
 Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
@@ -449,7 +449,7 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   const double mu0 = *friction.mu0;
   for (std::size_t i = 0; i < out.mu.size(); ++i) {
     out.mu[i] = friction_on_the_way_back(out.mu[i], mu0);
-    if (out.mu[i] > 0 && out.mu[i] <= fibre.most_friction()) continue;
+    if (out.mu[i] > 0 && out.mu[i] <= fibre.max_friction()) continue;
     throw wrong_value(
         test, "friction.trace",
         fmt::format("slopes below the friction of {:g} in both directions, as the stage turns back", mu0),
@@ -511,8 +511,8 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
   const double span = span_of(test);
   if (const auto& straight = measurement.straight; measurement.straight_is_initial) {
     constexpr double of_one = 0.3;  // standard deviation of a friction that is as likely any up to 1
-    const double bend = of_one * most_steepening(geometry_of(test), straight->middle(measurement.record));
-    const double error = elementary::length(elementary::length(usual_stiffness_error, bend),
+    const double bend = of_one * max_steepening(geometry_of(test), straight->middle(measurement.record));
+    const double error = elementary::length(elementary::length(default_stiffness_error, bend),
                                             straight->slope.standard_error / straight->slope.value);
     return {beam_bending_stiffness(straight->slope.value, span), error, StiffnessSource::initial_slope};
   }
@@ -562,11 +562,12 @@ Supports supports_of(const Test& test, const Scales& scales) {
         "check the units of both, and the span");
   constexpr double thinnest = 1e-6;  // [L] what a thinner one slides before it slides in is lost in rounding
   if (is_thick && supports.half_depth < thinnest)
-    throw wrong_value(test, "specimen",
-                      fmt::format("a specimen of a thickness of at least {}",
-                                  readable_length(test, 2 * scales.physical_length(thinnest))),
-                      readable_length(test, depth(*section)),
-                      fmt::format("check its unit, or {}", to_say(test, KeyChange{"rig", "friction_at", "\"axis\""})));
+    throw wrong_value(
+        test, "specimen",
+        fmt::format("a specimen of a thickness of at least {}",
+                    readable_length(test, 2 * scales.physical_length(thinnest))),
+        readable_length(test, depth(*section)),
+        fmt::format("check its unit, or {}", instruction_to_set(test, KeyChange{"rig", "friction_at", "\"axis\""})));
   return supports;
 }
 
@@ -656,7 +657,7 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
   const auto refuse = [&](std::string_view key, std::string expected, std::string found, std::string remedy) {
     throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
   };
-  if (excess > 0 && most > rig.fibre.most_friction())
+  if (excess > 0 && most > rig.fibre.max_friction())
     refuse("friction.static_excess", "static " + friction_limit(rig.fibre),
            fmt::format("{:g}, which raises it to {:g}", excess, most), "write a smaller one");
   if (excess > 0 && rig.fibre.supports().radius > 0)

@@ -34,7 +34,7 @@ struct ImpossibleTest : InputError {
 
 enum class StiffnessSource {
   stated,         // by the case, with its uncertainty
-  assumed_error,  // by the case, without: usual_stiffness_error
+  assumed_error,  // by the case, without: default_stiffness_error
   initial_slope,  // of the record, F = 48 EI w/L^3
 };
 

@@ -41,9 +41,11 @@ std::vector<std::string> questions_about_rig(const Test& input, const Needs& nee
                                              const std::optional<double>& span_of_file) {
   std::vector<std::string> questions;
   if (!stiffness.empty() && !(input.rig && input.rig->stiffness))
-    questions.push_back(fmt::format("{} {}", stiffness, to_say(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
+    questions.push_back(
+        fmt::format("{} {}", stiffness, instruction_to_set(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
   if (needs.span && !span_of_file && !(input.rig && input.rig->span))
-    questions.push_back("how far are the supports apart? " + to_say(input, KeyChange{"rig", "span", "\"… mm\""}));
+    questions.push_back("how far are the supports apart? " +
+                        instruction_to_set(input, KeyChange{"rig", "span", "\"… mm\""}));
   return questions;
 }
 
@@ -90,7 +92,7 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   throw InputError({.file = file.origin.source,
                     .expected = "one specimen, or the number of one",
                     .found = fmt::format("{} specimens", count),
-                    .remedy = to_say(input, KeyChange{"record", "specimen", "1"})});
+                    .remedy = instruction_to_set(input, KeyChange{"record", "specimen", "1"})});
 }
 
 // The column with a role; the key that names it is what a file that has none, or several, is asked for.
@@ -98,7 +100,7 @@ const ExportColumn& column_for(std::string_view key, const Test& input, const Ex
                                const ExportedSpecimen& specimen, ColumnRole role) {
   return column_with(
       file, specimen, role,
-      to_say(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
+      instruction_to_set(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
 }
 
 struct FoundDisplacement {
@@ -122,8 +124,8 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
                         .field = fmt::format("column {}", in_quotes(column.name)),
                         .expected = fmt::format("a displacement of the {}, as stated", words_for(role).word()),
                         .found = fmt::format("one whose name says {}", words_for(other).word()),
-                        .remedy = to_say(input, switch_to("displacement", words_for(other).word())) + "; or " +
-                                  to_say(input, switch_to("displacement_column", column.name)) +
+                        .remedy = instruction_to_set(input, switch_to("displacement", words_for(other).word())) +
+                                  "; or " + instruction_to_set(input, switch_to("displacement_column", column.name)) +
                                   " besides, if its name is wrong"});
     }
     return {displacement_with(found), *asked.displacement, true};
@@ -137,7 +139,7 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
        .field = fmt::format("column {}", in_quotes(column.name)),
        .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
        .found = "a name that does not say which",
-       .remedy = to_say(input, switch_to("displacement", "crosshead")) +
+       .remedy = instruction_to_set(input, switch_to("displacement", "crosshead")) +
                  ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
                  "\"deflection\" if a deflectometer or a camera measured it"});
 }
@@ -210,17 +212,18 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
   std::vector<std::string> questions;
   const std::vector<std::string>& sheets = file.origin.alike;
   if (!sheets.empty())
-    questions.push_back(fmt::format("which of the sheets {}, which hold such a table each? {}", listed(sheets),
-                                    to_say(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
-  if (count > 1 && !asked.specimen)
     questions.push_back(
-        fmt::format("which of the {} specimens? {}", count, to_say(input, KeyChange{"record", "specimen", "1"})));
+        fmt::format("which of the sheets {}, which hold such a table each? {}", listed(sheets),
+                    instruction_to_set(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
+  if (count > 1 && !asked.specimen)
+    questions.push_back(fmt::format("which of the {} specimens? {}", count,
+                                    instruction_to_set(input, KeyChange{"record", "specimen", "1"})));
   const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
   for (const OpenQuestion& each : questions_of(columns)) {
     if (each.with_test.empty()) continue;
     std::vector<KeyChange> changes;
     for (const RecordKey& key : each.with_test) changes.push_back({"record", key.name, key.value});
-    questions.push_back(each.words + " " + to_say(input, changes));
+    questions.push_back(each.words + " " + instruction_to_set(input, changes));
   }
   const auto has = [&](ColumnRole role) {
     return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
@@ -286,8 +289,8 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
                       .expected = "one record",
                       .found = fmt::format("a second one from row {} on, where time and displacement begin anew", next),
                       .remedy = fmt::format("take the first ({}) or the second ({})",
-                                            to_say(input, KeyChange{"record", "until", row}),
-                                            to_say(input, KeyChange{"record", "first", next}))});
+                                            instruction_to_set(input, KeyChange{"record", "until", row}),
+                                            instruction_to_set(input, KeyChange{"record", "first", next}))});
   }
 }
 
@@ -295,7 +298,8 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
 std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
                              std::string_view key) {
   return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
-    return "name the column with its unit: " + to_say(input, switch_to(key, fmt::format("{} [{}]", column.name, unit)));
+    return "name the column with its unit: " +
+           instruction_to_set(input, switch_to(key, fmt::format("{} [{}]", column.name, unit)));
   });
 }
 
@@ -359,7 +363,7 @@ void require_one_sheet(const Test& input, const Export& file) {
   if (alike.empty()) return;
   throw wrong_value(input, "record.sheet",
                     fmt::format("one of the sheets {}, which hold such a table each", listed(alike)), "none",
-                    to_say(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
+                    instruction_to_set(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
 }
 
 // The columns that a case names by their titles.

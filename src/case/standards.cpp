@@ -42,7 +42,7 @@ std::optional<ShareRange> stated_friction(const Test& test) {
 // Of the supports of a case, or where it states none of edges and of rollers of the usual radius; [L] of a span.
 std::vector<Supports> possible_supports(const Test& test, const Scales& scales) {
   std::vector<Supports> possible{supports_of(test, scales)};
-  if (const auto usual = usual_roller_radius(geometry_of(test))) {
+  if (const auto usual = standard_roller_radius(geometry_of(test))) {
     possible.push_back(possible.front());
     possible.back().radius = scales.reduced_length(*usual);
   }
@@ -68,7 +68,7 @@ Steepening steepening_of(const Test& test) {
       for (const double friction : {0.0, most}) {
         const auto before = standard_reading(fibre, friction, read(earlier)),
                    after = standard_reading(fibre, friction, read(later));
-        if (!before || !after) return most_steepening(geometry, std::midpoint(later.from, later.to));
+        if (!before || !after) return max_steepening(geometry, std::midpoint(later.from, later.to));
         steeper = std::max(steeper, after->modulus / before->modulus - 1);
       }
     }
@@ -91,7 +91,7 @@ SmallDeflection small_deflection_of(const Measurement& measurement, const std::o
   options.steepening = steepening_of(test);
   if (measurement.contact == ContactSource::stated) options.contact = normal_estimate(0, measurement.contact_error);
   return small_deflection(measurement.record,
-                          window ? straight_part(measurement.record, geometry, options) : measurement.straight,
+                          window ? find_linear_region(measurement.record, geometry, options) : measurement.straight,
                           geometry, options);
 }
 

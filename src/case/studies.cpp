@@ -84,12 +84,12 @@ InvertedTest invert_test(const Test& asked, const OtherSupports& other) {
   if (const auto supports = other ? other(input, scales) : std::nullopt) rig.fibre = Fibre(*supports);
   FrictionProfile profile = measure_friction(record, rig, errors_of(measurement, stiffness, scales));
   std::vector<std::string> remarks = assumptions_in_words(stiffness);
-  const double most = rig.fibre.most_friction();
+  const double most = rig.fibre.max_friction();
   if (!profile.unexplained.empty())
     remarks.push_back(
         fmt::format("no friction between {:g} and {:g} explains {} readings, which are left out; the first is row {}",
                     -most, most, profile.unexplained.size(), file_row(measurement, profile.unexplained.front())));
-  const bool is_thick = least_half_depths * rig.fibre.supports().half_depth > hardly_bent;
+  const bool is_thick = least_half_depths * rig.fibre.supports().half_depth > min_profile_deflection;
   std::string why;
   if (profile.points.empty())
     why = fmt::format(

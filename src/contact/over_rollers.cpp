@@ -100,7 +100,7 @@ FrictionArrays OverRollers::at(std::span<const double> S) const {
 // At most so many smooth scales of what lies between the contacts: y² is Σ less its least value, and S - Σ = -2 r θ0.
 double OverRollers::end_of(double S, double scales, bool inwards) const {
   const double scale = scales * along_.smooth_scale();
-  const double a = slope_by_way * fibre_.supports().radius, y = fibre_.way(S);
+  const double a = slope_by_way * fibre_.supports().radius, y = fibre_.sliding_coordinate(S);
   const double square = (y + a) * (y + a) + (inwards ? scale : -scale);
   const double end = std::sqrt(std::max(square, a * a)) - a;
   return std::isinf(scale) ? (inwards ? scale : 1.0) : std::max(fibre_.length_at(end), 1.0);
@@ -114,7 +114,7 @@ void OverRollers::add_knots(double S_most) {
     double length, slope, S;
   };
   const auto place = [&](double w, double mu) {
-    const Fibre::BentState at = fibre_.bent(w, direction_ * mu);
+    const Fibre::DeflectionState at = fibre_.at_deflection(w, direction_ * mu);
     return Place{fibre_.length_between_contacts(at.state), at.S_w - rolled * at.theta0_w, at.state.S};
   };
   // The deflection at which the length between the contacts is the least; it falls up to there, and rises then.
@@ -150,7 +150,8 @@ void OverRollers::add_knots(double S_most) {
 double steepest_followed(const Fibre& fibre, double most, double S_most) {
   if (fibre.on_edges()) return infinity;
   const double rolled = 2 * fibre.supports().radius;
-  const double first = fibre.way(1), last = fibre.way(std::max(S_most, 1.0)), shallow = 3 * fibre.supports().half_depth;
+  const double first = fibre.sliding_coordinate(1), last = fibre.sliding_coordinate(std::max(S_most, 1.0)),
+               shallow = 3 * fibre.supports().half_depth;
   double moved = 0;
   // At so many parts of a way.
   const auto sample = [&](int samples, const auto& place_at, const auto& by_friction) {
@@ -169,10 +170,10 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
         [&](const auto& S, const auto& q) {
           return fibre.contacts({S, q}).length_q;
         });
-  if (!fibre.begins_straight())
+  if (!fibre.slides_inward_only())
     sample(
         6, [&](double part) { return part * shallow; },
-        [&](const auto& w, const auto& q) { return fibre.lengths_by_friction(w, q); });
+        [&](const auto& w, const auto& q) { return fibre.length_friction_derivatives(w, q); });
   return 1 / moved;
 }
 

@@ -42,7 +42,7 @@ double noise_of(const Record& record) {
 }
 
 // The line through points [first, last).
-std::optional<StraightPart> line_of(const Record& record, std::size_t first, std::size_t last, double noise,
+std::optional<LinearRegion> line_of(const Record& record, std::size_t first, std::size_t last, double noise,
                                     double load_train_error) {
   const std::size_t n = last - first;
   const auto F = std::span(record.force).subspan(first, n);
@@ -54,17 +54,17 @@ std::optional<StraightPart> line_of(const Record& record, std::size_t first, std
   const double scatter = std::max(slope_error(line, correlation_lost_to_line(line.residuals), max_correlation), least);
   const double share = 1 - line.z.slope;
   const double of_load_train = line.slope * share / line.z.slope * load_train_error;
-  return StraightPart{.window = {},
+  return LinearRegion{.window = {},
                       .window_force = 0,
                       .first = first,
                       .last = last,
                       .slope = normal_estimate(line.slope, elementary::length(scatter, of_load_train)),
                       .origin = line.z.mean_y - line.y.mean_y / line.slope,
-                      .before_beginning = 0,
+                      .origin_before_record = 0,
                       .load_train_share = share};
 }
 
-std::optional<StraightPart> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
+std::optional<LinearRegion> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
                                         double noise, double load_train_error) {
   const auto force = std::span(record.force).first(points);
   std::size_t last = 0;
@@ -140,7 +140,7 @@ std::size_t points_before_teeth(const Record& record, std::size_t points, double
   return points;
 }
 
-std::optional<StraightPart> steepest(const Record& record, std::size_t points, double most, double noise,
+std::optional<LinearRegion> steepest(const Record& record, std::size_t points, double most, double noise,
                                      const SmallDeflectionOptions& options) {
   points = points_before_teeth(record, points, most, options.halts);
   const Stretches stretches(record, points, noise);
@@ -200,9 +200,9 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
 }
 
 // What supports and friction explain of a straight part that is steeper than the chord.
-double explained(const Chord& chord, double origin, const StraightPart& straight, const Record& record,
+double explained(const Chord& chord, double origin, const LinearRegion& straight, const Record& record,
                  const BeamGeometry& geometry, const Steepening& steepening) {
-  if (!steepening) return most_steepening(geometry, straight.middle(record) - origin);
+  if (!steepening) return max_steepening(geometry, straight.middle(record) - origin);
   return steepening({origin + chord.deflection_from, origin + chord.deflection_to},
                     {record.deflection[straight.first], record.deflection[straight.last - 1]});
 }
@@ -215,7 +215,7 @@ double load_train_share(const Record& record, std::size_t point) {
 
 }  // namespace
 
-std::optional<double> usual_roller_radius(const BeamGeometry& geometry) {
+std::optional<double> standard_roller_radius(const BeamGeometry& geometry) {
   constexpr double thinnest = 1e-3, thin = 3e-3;          // [m] of the bars of ISO 178
   constexpr double radius_of_thin = 2e-3, radius = 5e-3;  // [m]
   constexpr double least_spans = 8;                       // of the thinnest bar, 16 times as long as thick
@@ -227,23 +227,23 @@ std::optional<double> usual_roller_radius(const BeamGeometry& geometry) {
   return is_bar ? usual : std::min(usual, *geometry.span / spans_of_small);
 }
 
-double most_steepening(const BeamGeometry& geometry, double deflection) {
+double max_steepening(const BeamGeometry& geometry, double deflection) {
   if (!geometry.span) return 0;
-  const double radius = geometry.support_radius ? *geometry.support_radius : *usual_roller_radius(geometry);
+  const double radius = geometry.support_radius ? *geometry.support_radius : *standard_roller_radius(geometry);
   const double R = radius + (geometry.section ? 0.5 * depth(*geometry.section) : 0);
   return (4.8 + 27 * R / *geometry.span) * deflection / *geometry.span;
 }
 
-double StraightPart::origin_error(const Record& record) const {
+double LinearRegion::origin_error(const Record& record) const {
   return (middle(record) - origin) * slope.standard_error / slope.value;
 }
 
-double StraightPart::middle(const Record& record) const {
+double LinearRegion::middle(const Record& record) const {
   return std::midpoint(record.deflection[first], record.deflection[last - 1]);
 }
 
-std::optional<StraightPart> straight_part(const Record& record, const BeamGeometry& geometry,
-                                          const SmallDeflectionOptions& options) {
+std::optional<LinearRegion> find_linear_region(const Record& record, const BeamGeometry& geometry,
+                                               const SmallDeflectionOptions& options) {
   if (options.window) {
     require(options.window->from >= 0 && options.window->from < options.window->up_to, "window from",
             options.window->from);
@@ -265,17 +265,17 @@ std::optional<StraightPart> straight_part(const Record& record, const BeamGeomet
                                  : steepest(record, points, most, noise, options);
   if (!straight) return straight;
   straight->window_force = most;
-  straight->before_beginning = std::max(record.deflection.front() - straight->origin, 0.0);
-  straight->origin += straight->before_beginning;
+  straight->origin_before_record = std::max(record.deflection.front() - straight->origin, 0.0);
+  straight->origin += straight->origin_before_record;
   return straight;
 }
 
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options) {
-  return small_deflection(record, straight_part(record, geometry, options), geometry, options);
+  return small_deflection(record, find_linear_region(record, geometry, options), geometry, options);
 }
 
-SmallDeflection small_deflection(const Record& record, const std::optional<StraightPart>& straight,
+SmallDeflection small_deflection(const Record& record, const std::optional<LinearRegion>& straight,
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options) {
   SmallDeflection result{};
   result.status = SmallDeflectionStatus::no_straight_part;
@@ -309,9 +309,9 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   const Estimate contact = options.contact.value_or(normal_estimate(straight->origin, straight->origin_error(record)));
   result.origin = contact.value;
   result.origin_error = contact.standard_error;
-  result.before_beginning = options.contact ? 0 : straight->before_beginning;
+  result.origin_before_record = options.contact ? 0 : straight->origin_before_record;
   const auto reached = [&](std::size_t point) {
-    LoadReached at{record.force[point], record.deflection[point] - result.origin, {}, {}};
+    LoadPoint at{record.force[point], record.deflection[point] - result.origin, {}, {}};
     if (!geometry.span || !section) return at;
     at.stress = at.force * L * depth(*section) / (8 * second_moment(*section));
     at.strain = 6 * at.deflection * depth(*section) / (L * L);
@@ -325,7 +325,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
   // A record that begins under a force that bends the specimen further than the chord's lower strain does not cover it.
-  if (result.before_beginning < strain_from * L * L / (6 * depth(*section)))
+  if (result.origin_before_record < strain_from * L * L / (6 * depth(*section)))
     result.chord =
         chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
   if (!result.chord) return result;
@@ -333,13 +333,14 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Strai
   const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
   result.toe_excess = of_part.value / of_chord.value - 1;
   if (!(of_part.value - clearly * error > of_chord.value)) return result;
-  result.toe_explained = explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
+  result.toe_excess_explained =
+      explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
   // In a toe the force lies above the straight part.
   constexpr double surely = 4;  // of the noise of a reading
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
   result.chord_in_toe = *low > stiffness * (result.origin + from - straight->origin) + surely * noise_of(record) &&
-                        of_part.value - clearly * error > (1 + result.toe_explained) * of_chord.value;
+                        of_part.value - clearly * error > (1 + result.toe_excess_explained) * of_chord.value;
   if (result.chord_in_toe) result.chord.reset();
   return result;
 }

@@ -44,7 +44,7 @@ struct SlopeArrays {
 
 // Max error:  as fibre_state, of which these are the values, bit by bit.
 // Cost:       about 35 ns a state on a processor with AVX2; beyond S = 2.16, q in [-1.2, 3] or near the end of the branch as much as
-//             fibre_state (docs/performance.md).
+//             fibre_state (docs/numerics.md).
 StateArrays fibre_states(const FibrePoints& points);
 
 // Likewise those of fibre_state_slopes. Cost: about 100 ns.

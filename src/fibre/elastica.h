@@ -40,7 +40,7 @@ inline constexpr double largest_q = 20;  // [1] of mobilised friction that is co
 // Ψ: the state of a fibre of length S with mobilised friction q.
 // Domain:     S >= 1 and q in [-20, 20]; std::invalid_argument outside.
 // Max error:  relative, 3e-15 in w and Pn, 4e-15 in theta0, 8e-15 in U, 8e-15 in F times its condition number
-//             1 + |(S - 1) F_S/F| + |q F_q/F| (tests/fibre/elastica_test.cpp, docs/accuracy.md).
+//             1 + |(S - 1) F_S/F| + |q F_q/F| (tests/fibre/elastica_test.cpp, docs/numerics.md).
 // Fails:      beyond_branch.
 // Method:     closed form in Jacobi's functions at u (theory.md, "The state"); u by Halley's iteration on
 //             (1 - 1/S)^(1/4), which is nearly linear in u.

@@ -39,9 +39,9 @@ const Supports& Fibre::supports() const {
   return tables_ ? tables_->supports : edges;
 }
 
-Fibre::BentState Fibre::bent(double w, double q) const { return with_contacts(drawn_in(w, q)); }
+Fibre::DeflectionState Fibre::at_deflection(double w, double q) const { return add_contacts(at_deflection_without_contacts(w, q)); }
 
-Fibre::BentState Fibre::with_contacts(BentState at) const {
+Fibre::DeflectionState Fibre::add_contacts(DeflectionState at) const {
   if (at.state.w == 0 || at.state.status != FibreStatus::ok) return at;
   const PairSlope turned = tables_->contacts(at.state.w, at.state.q);
   at.state.theta0 = turned[0], at.state.Pn = turned[1];
@@ -49,8 +49,8 @@ Fibre::BentState Fibre::with_contacts(BentState at) const {
   return at;
 }
 
-Fibre::BentState Fibre::drawn_in(double w, double q) const {
-  BentState at{};
+Fibre::DeflectionState Fibre::at_deflection_without_contacts(double w, double q) const {
+  DeflectionState at{};
   if (w == 0) {
     at.state = fibre_state(1, 0);
     at.S_w = -6 * supports().half_depth;
@@ -73,7 +73,7 @@ Fibre::BentState Fibre::drawn_in(double w, double q) const {
   return at;
 }
 
-void Fibre::BentState::move_by(double dq) {
+void Fibre::DeflectionState::move_by(double dq) {
   state.q += dq;
   slid += S_q * dq;
   state.S = 1 + slid;
@@ -82,13 +82,13 @@ void Fibre::BentState::move_by(double dq) {
   state.Pn += Pn_q * dq;
 }
 
-FibreState Fibre::state_bent(double w, double q) const {
-  FibreState state = bent(w, q).state;
+FibreState Fibre::state_at_deflection(double w, double q) const {
+  FibreState state = at_deflection(w, q).state;
   if (w > 0 && state.status == FibreStatus::ok) state.U = tables_->bending(w, q).U;
   return state;
 }
 
-std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<const double> q) const {
+std::vector<double> Fibre::forces_at_deflections(std::span<const double> w, std::span<const double> q) const {
   if (w.empty()) return {};
   std::vector<double> forces = tables_->forces(w, q);
   for (std::size_t i = 0; i < w.size(); ++i) {
@@ -100,7 +100,7 @@ std::vector<double> Fibre::forces_bent(std::span<const double> w, std::span<cons
   return forces;
 }
 
-std::vector<double> Fibre::lengths_by_friction(std::span<const double> w, std::span<const double> q) const {
+std::vector<double> Fibre::length_friction_derivatives(std::span<const double> w, std::span<const double> q) const {
   const PairSlopes slid = tables_->sliding(w, q);
   std::vector<double> by_friction = slid.columns[3];
   const double rolled = 2 * supports().radius;
@@ -128,7 +128,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q, double w) const {
   }
   result.state = nothing_at(S, q);
   if (std::isnan(w)) return result;
-  const BentState at = bent(w, q);
+  const DeflectionState at = at_deflection(w, q);
   if (at.state.status != FibreStatus::ok) return result;
   result.state = at.state;
   result.state.S = S;
@@ -144,7 +144,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q, double w) const {
   d.Pn_S = at.Pn_w * d.w_S;
   d.Pn_q = at.Pn_q + at.Pn_w * d.w_q;
   // dU = F dw - (q Pn dS + what is lost of the axis that leaves)
-  const double r2 = 2 * supports().radius, lost = lost_bending(s);
+  const double r2 = 2 * supports().radius, lost = bending_energy_lost_at_contact(s);
   d.U_S = s.F * d.w_S - q * s.Pn - lost * (1 - r2 * d.theta0_S);
   d.U_q = s.F * d.w_q + lost * r2 * d.theta0_q;
   return result;
@@ -180,7 +180,7 @@ Fibre::ContactArrays Fibre::contacts(const FibrePoints& points) const {
 }
 
 // Lengths as the table by length takes them: 1 for the least.
-std::vector<double> Fibre::from_the_least(const FibrePoints& points) const {
+std::vector<double> Fibre::relative_to_least_length(const FibrePoints& points) const {
   std::vector<double> lengths(points.lengths(), points.lengths() + points.size());
   for (double& S : lengths) S = S - least_length_ + 1;
   return lengths;
@@ -189,14 +189,14 @@ std::vector<double> Fibre::from_the_least(const FibrePoints& points) const {
 // Adds the state of the least length to what the table by length gave, and fills in what it has not, down to a force.
 template <std::size_t n_columns>
 void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns,
-                     WhereForceEnds end) const {
+                     NearBranchEnd end) const {
   const auto& [w, F] = std::array{columns[0], columns[1]};
   std::vector<std::size_t> others;
   std::vector<double> S, q, guesses;
   for (std::size_t i = 0; i < points.size(); ++i) {
     w[i] += tables_->least_w();
     F[i] += tables_->least_F();
-    if (points.lengths()[i] >= smooth_from_ && (F[i] >= 0 || end == WhereForceEnds::left_out)) continue;
+    if (points.lengths()[i] >= smooth_from_ && (F[i] >= 0 || end == NearBranchEnd::left_out)) continue;
     others.push_back(i);
     guesses.push_back(w[i]);
     S.push_back(points.lengths()[i]);
@@ -210,15 +210,15 @@ void Fibre::complete(const FibrePoints& points, const std::array<double*, n_colu
 }
 
 StateArrays Fibre::states_by_length(const FibrePoints& points) const {
-  const std::vector<double> lengths = from_the_least(points);
+  const std::vector<double> lengths = relative_to_least_length(points);
   StateArrays result(lengths.size());
   tables_->by_length().values(lengths.data(), points.frictions(), lengths.size(), result.w.data(), result.F.data());
-  complete(points, std::array{result.w.data(), result.F.data()}, WhereForceEnds::computed);
+  complete(points, std::array{result.w.data(), result.F.data()}, NearBranchEnd::computed);
   return result;
 }
 
-SlopeArrays Fibre::slopes_by_length(const FibrePoints& points, WhereForceEnds end) const {
-  const std::vector<double> lengths = from_the_least(points);
+SlopeArrays Fibre::slopes_by_length(const FibrePoints& points, NearBranchEnd end) const {
+  const std::vector<double> lengths = relative_to_least_length(points);
   SlopeArrays result(lengths.size());
   tables_->by_length().slopes(lengths.data(), points.frictions(), lengths.size(), result.columns());
   complete(points, result.columns(), end);
@@ -230,7 +230,7 @@ SlopeArrays Fibre::slopes_by_deflection(std::span<const double> S, std::span<con
   const std::size_t n = S.size();
   const PairSlopes at = tables_->sliding(w, q);
   SlopeArrays result(n);
-  const bool has_straight = begins_straight();
+  const bool has_straight = slides_inward_only();
   for (std::size_t i = 0; i < n; ++i) {
     if (has_straight && S[i] == 1) {
       result.w[i] = result.F[i] = 0;
@@ -269,7 +269,7 @@ StateArrays Fibre::tabulated_states(const FibrePoints& points) const {
 }
 
 SlopeArrays Fibre::tabulated_states_slopes(const FibrePoints& points) const {
-  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::computed);
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, NearBranchEnd::computed);
 }
 
 Fibre::TabulatedSlopes Fibre::tabulated_state_slopes(double S, double q) const {
@@ -282,12 +282,12 @@ Fibre::TabulatedSlopes Fibre::tabulated_state_slopes(double S, double q) const {
   const std::array columns{&at.w, &at.F, &at.w_S, &at.w_q, &at.F_S, &at.F_q};
   const double length = S - least_length_ + 1;
   tables_->by_length().slopes(&length, &q, 1, columns);
-  complete(point, columns, WhereForceEnds::computed);
+  complete(point, columns, NearBranchEnd::computed);
   return at;
 }
 
-SlopeArrays Fibre::states_slopes_under_force(const FibrePoints& points) const {
-  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, WhereForceEnds::left_out);
+SlopeArrays Fibre::states_slopes_before_branch_end(const FibrePoints& points) const {
+  return on_edges() ? flexslip::tabulated_states_slopes(points) : slopes_by_length(points, NearBranchEnd::left_out);
 }
 
 StateArrays Fibre::states(const FibrePoints& points) const {
@@ -349,7 +349,7 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
 FibreState Fibre::state_from_force(double w, double F) const {
   if (on_edges()) return fibre_state_from_force(w, F);
   const InverseArrays found = states_from_forces({&w, 1}, {&F, 1});
-  if (!std::isnan(found.q[0])) return state_bent(w, found.q[0]);
+  if (!std::isnan(found.q[0])) return state_at_deflection(w, found.q[0]);
   FibreState none = nothing_at(1, 0);
   none.status = FibreStatus::no_friction;
   none.w = w;
@@ -380,11 +380,11 @@ std::vector<double> Fibre::curvatures_at_midspan(const FibrePoints& points, std:
   return curvatures;
 }
 
-ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, double S_most) : fibre_(fibre) {
+ContactPath::ContactPath(const Fibre& fibre, double q, double S_least, double S_most) : fibre_(fibre) {
   if (fibre.supports().radius == 0) return;
   constexpr int pieces = 128;
-  first_ = fibre.way(S_least);
-  step_ = (fibre.way(S_most) - first_) / pieces;
+  first_ = fibre.sliding_coordinate(S_least);
+  step_ = (fibre.sliding_coordinate(S_most) - first_) / pieces;
   for (int i = 0; i <= pieces; ++i) {
     const double sigma = first_ + step_ * i;
     const auto [length, length_S, length_q] = fibre.contact(fibre.length_at(sigma), q);
@@ -401,7 +401,7 @@ ContactTravel::ContactTravel(const Fibre& fibre, double q, double S_least, doubl
 }
 
 // A cubic between two knots.
-ContactTravel::Value ContactTravel::value(double sigma) const {
+ContactPath::Value ContactPath::value(double sigma) const {
   const double place = std::clamp((sigma - first_) / step_, 0.0, static_cast<double>(knots_.size() - 1));
   const std::size_t i = std::min(static_cast<std::size_t>(place), knots_.size() - 2);
   const Value &a = knots_[i], &b = knots_[i + 1];
@@ -411,19 +411,19 @@ ContactTravel::Value ContactTravel::value(double sigma) const {
   return {length + slope * beyond, slope};
 }
 
-double ContactTravel::at(double S) const {
+double ContactPath::at(double S) const {
   if (knots_.empty()) return S;
-  const double sigma = fibre_.way(S), length = value(sigma).length;
+  const double sigma = fibre_.sliding_coordinate(S), length = value(sigma).length;
   return sigma < turn_at_ ? 2 * turn_ - length : length;
 }
 
-double ContactTravel::slope(double S) const {
+double ContactPath::slope(double S) const {
   if (knots_.empty()) return 1;
-  const double sigma = fibre_.way(S);
+  const double sigma = fibre_.sliding_coordinate(S);
   return std::abs(value(sigma).slope) / (2 * sigma);
 }
 
-double ContactTravel::drawn_in_at(double travel) const {
+double ContactPath::sliding_length_at(double travel) const {
   if (knots_.empty()) return travel;
   const bool rolls_back = travel < turn_;
   const double length = length_at(travel);

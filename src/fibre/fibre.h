@@ -32,7 +32,7 @@ class Fibre {
   bool on_edges() const { return tables_ == nullptr; }
   const Supports& supports() const;
   // [1] Of friction that is computed.
-  double most_friction() const { return on_edges() ? largest_q : largest_q_on_supports; }
+  double max_friction() const { return on_edges() ? largest_q : largest_q_on_supports; }
 
   // As fibre_state and its kin. Domain besides, if not on edges: deflections up to deepest_on_supports.
   // Max error:  if not on edges, for w <= 0.35 and q in [-0.8, 2]: relative, 1e-12 in w, F, theta0, Pn and U; of slopes 1e-9 of the larger of |X_S|
@@ -56,28 +56,29 @@ class Fibre {
   TabulatedSlopes tabulated_state_slopes(double S, double q) const;
   // The same but for the last of the branch: if not on edges, NaN within a cell of the table (0.024 of the way, 1/8 of q) from its end, where
   // hardly any force is left and each state costs 0.1 ms.
-  SlopeArrays states_slopes_under_force(const FibrePoints& points) const;
+  SlopeArrays states_slopes_before_branch_end(const FibrePoints& points) const;
   InverseArrays states_from_forces(std::span<const double> w, std::span<const double> F) const;
   InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const;
 
   // The state that is bent so far, on either side of the least length; its energy stands in a table of its own, and is NaN here. Slopes are those along w
   // at fixed q, and in q at fixed w.
   // Domain:     not on edges; 0 <= w; the straight fibre has q = 0.
-  struct BentState {
+  struct DeflectionState {
     FibreState state;
     double slid;  // [L] S - 1, with the digits that S loses
     double S_w, S_q, F_w, F_q, theta0_w, theta0_q, Pn_w, Pn_q;
     void move_by(double dq);  // along the tangent, the deflection as it is; an error of dq²
   };
-  BentState bent(double w, double q) const;
-  BentState drawn_in(double w, double q) const;       // the same in half the time: θ0 and Pn are NaN, unless w = 0
-  BentState with_contacts(BentState drawn_in) const;  // which adds them
-  FibreState state_bent(double w, double q) const;    // with its energy
+  DeflectionState at_deflection(double w, double q) const;
+  DeflectionState at_deflection_without_contacts(
+      double w, double q) const;  // the same in half the time: θ0 and Pn are NaN, unless w = 0
+  DeflectionState add_contacts(DeflectionState drawn_in) const;  // which adds them
+  FibreState state_at_deflection(double w, double q) const;      // with its energy
   // [EI/L^2] Its force alone, of many. Domain and accuracy as bent, none of them on edges too; NaN where there is no state with a force.
-  std::vector<double> forces_bent(std::span<const double> w, std::span<const double> q) const;
+  std::vector<double> forces_at_deflections(std::span<const double> w, std::span<const double> q) const;
 
   // [L] By how much the length between the contacts changes with friction at a deflection, of many; NaN where there is no state. Not on edges.
-  std::vector<double> lengths_by_friction(std::span<const double> w, std::span<const double> q) const;
+  std::vector<double> length_friction_derivatives(std::span<const double> w, std::span<const double> q) const;
 
   // [L] The length of axis between the contacts, at which friction is looked up.
   double length_between_contacts(const FibreState& state) const {
@@ -101,15 +102,15 @@ class Fibre {
 
   // A coordinate of the way that the fibre slides, in which its curves have no singularity: σ = √(S - Σ0), Σ0 being the least length of the
   // fibre hardly bent, 1 on edges. S >= 1.
-  double way(double S) const { return std::sqrt(S - least_length_); }
+  double sliding_coordinate(double S) const { return std::sqrt(S - least_length_); }
   double length_at(double sigma) const { return least_length_ + sigma * sigma; }
   double least_length() const { return least_length_; }
-  bool begins_straight() const {
+  bool slides_inward_only() const {
     return least_length_ == 1;
   }  // no thickness: what slides only slides in as the fibre is bent
 
   // [EI/L^2] The bending that axis loses as it leaves the span, by length of it: κ0²/2, of the curvature that friction at the surface forces on it.
-  double lost_bending(const FibreState& state) const {
+  double bending_energy_lost_at_contact(const FibreState& state) const {
     const double couple = state.q * state.Pn * supports().half_depth;
     return 0.5 * couple * couple;
   }
@@ -120,14 +121,14 @@ class Fibre {
   std::vector<double> curvatures_at_midspan(const FibrePoints& points, std::span<const double> w) const;
 
  private:
-  bool is_straight(double S) const { return S == 1 && begins_straight(); }
-  enum class WhereForceEnds { computed, left_out };
+  bool is_straight(double S) const { return S == 1 && slides_inward_only(); }
+  enum class NearBranchEnd { computed, left_out };
 
-  std::vector<double> from_the_least(const FibrePoints& points) const;
+  std::vector<double> relative_to_least_length(const FibrePoints& points) const;
   template <std::size_t n_columns>
-  void complete(const FibrePoints& points, const std::array<double*, n_columns>& columns, WhereForceEnds end) const;
+  void complete(const FibrePoints& points, const std::array<double*, n_columns>& columns, NearBranchEnd end) const;
   StateArrays states_by_length(const FibrePoints& points) const;
-  SlopeArrays slopes_by_length(const FibrePoints& points, WhereForceEnds end) const;
+  SlopeArrays slopes_by_length(const FibrePoints& points, NearBranchEnd end) const;
   SlopeArrays slopes_by_deflection(std::span<const double> S, std::span<const double> q,
                                    std::span<const double> w) const;
 
@@ -141,27 +142,27 @@ class Fibre {
 // The fibre is drawn in and rolls on at once: at first the contacts roll outwards faster than it is drawn in, so that the axis between them
 // becomes shorter, and later longer. How far they have travelled along the specimen only grows (theory.md, "Rollers and thickness").
 
-class ContactTravel {
+class ContactPath {
  public:
   // On edges: a length drawn in is the length between the contacts.
-  ContactTravel() = default;
+  ContactPath() = default;
 
   // At a constant friction, for lengths Σ of about [S_least, S_most], linear beyond.
   // Domain:     1 < S_least < S_most, where the fibre has states; on edges that of edges.
   // Max error:  1e-6 of the length, for the friction stated.
-  ContactTravel(const Fibre& fibre, double q, double S_least, double S_most);
+  ContactPath(const Fibre& fibre, double q, double S_least, double S_most);
 
   // [L] Rising: the length between the contacts once it grows, and mirrored at the least length before.
   double at(double S) const;
   double slope(double S) const;  // dξ/dΣ >= 0
 
   // [L] Σ at which it has come so far.
-  double drawn_in_at(double travel) const;
+  double sliding_length_at(double travel) const;
 
   // Do the contacts roll outwards faster than the fibre is drawn in?
-  bool rolls_back_at(double travel) const { return travel < turn_; }
+  bool contact_moves_outward_at(double travel) const { return travel < turn_; }
   // [L] The length between the contacts.
-  double length_at(double travel) const { return rolls_back_at(travel) ? 2 * turn_ - travel : travel; }
+  double length_at(double travel) const { return contact_moves_outward_at(travel) ? 2 * turn_ - travel : travel; }
 
  private:
   struct Value {

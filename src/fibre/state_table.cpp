@@ -224,9 +224,9 @@ double SupportedTables::deflection(double S, double q) const {
 
 double SupportedTables::guessed_deflection(double S, double q) const {
   if (S >= smooth_from) {
-    const double from_the_least = S - least_length(supports) + 1;
+    const double relative_to_least_length = S - least_length(supports) + 1;
     double w = 0, F = 0;
-    by_length_.values(&from_the_least, &q, 1, &w, &F);
+    by_length_.values(&relative_to_least_length, &q, 1, &w, &F);
     w += least_w();
     if (w > 0 && w < deepest_on_supports) return w;
   }
@@ -260,7 +260,7 @@ SupportedState SupportedTables::state(double w, double q, PhaseAndSpan& from) co
   if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q)) return no_state_on_supports(q);
   const double end = branch_end(q).w;
   if (w > end + led_beyond) return no_state_on_supports(q);
-  const SupportedState led = state_led_on(w, q, supports, from);
+  const SupportedState led = extrapolated_state(w, q, supports, from);
   // Leading on may lose a state that is there, of a fibre much bent.
   return led.status == FibreStatus::ok || w > end ? led : state_on_supports(w, q, supports);
 }

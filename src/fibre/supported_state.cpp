@@ -271,20 +271,20 @@ SupportedState no_state_on_supports(double q) {
 }
 
 SupportedState state_on_supports(double w, double q, const Supports& supports) {
-  const SupportedState found = state_led_on(w, q, supports);
+  const SupportedState found = extrapolated_state(w, q, supports);
   if (found.status == FibreStatus::ok) return found.F >= 0 ? found : no_state_on_supports(q);
   return solved_state(w, q, supports);
 }
 
-SupportedState state_led_on(double w, double q, const Supports& supports, PhaseAndSpan& from) {
+SupportedState extrapolated_state(double w, double q, const Supports& supports, PhaseAndSpan& from) {
   require_domain(w, q, supports);
   effort_spent += effort_of_supported_state;
   return state_nearby(w, q, supports, from);
 }
 
-SupportedState state_led_on(double w, double q, const Supports& supports) {
+SupportedState extrapolated_state(double w, double q, const Supports& supports) {
   PhaseAndSpan from;
-  return state_led_on(w, q, supports, from);
+  return extrapolated_state(w, q, supports, from);
 }
 
 SupportedState state_on_supports_from_force(double w, double F, const Supports& supports) {

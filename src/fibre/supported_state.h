@@ -50,8 +50,8 @@ struct PhaseAndSpan {
 
 // The same, led on beyond the end of the branch as far as it is smooth: with a force below 0, which no support bears. Begins at `from`, and leaves
 // there where it has ended.
-SupportedState state_led_on(double w, double q, const Supports& supports, PhaseAndSpan& from);
-SupportedState state_led_on(double w, double q, const Supports& supports);
+SupportedState extrapolated_state(double w, double q, const Supports& supports, PhaseAndSpan& from);
+SupportedState extrapolated_state(double w, double q, const Supports& supports);
 
 // What stands where there is none with this friction: beyond_branch.
 SupportedState no_state_on_supports(double q);

@@ -14,8 +14,8 @@
 #include "data/names.h"
 #include "finding/clauses.h"
 #include "finding/findings.h"
-#include "finding/hangs_on.h"
 #include "finding/printed.h"
+#include "finding/sensitivities.h"
 #include "numerics/statistics.h"
 
 namespace flexslip {
@@ -70,8 +70,9 @@ std::string count_of_drops(T test) { return format_count(drops_of(test), "drop",
 // "friction 0.47 ± 0.06 if the supports are knife edges and no stiffness was lost, 0.21 ± 0.05 on rollers of 5 mm", or that none is told.
 std::string friction_in_short(T test, std::vector<std::string> conditions = {}) {
   if (!is_fitted(test))
-    return test.analysis.status == AnalysisStatus::bent_too_little ? "friction cannot be told at so small a deflection"
-                                                                   : "no friction can be read off";
+    return test.analysis.status == AnalysisStatus::deflection_too_small
+               ? "friction cannot be told at so small a deflection"
+               : "no friction can be read off";
   if (!test.judgement.tells_friction) return "no friction can be read off";
   const FrictionFit& fit = test.analysis.fit;
   const auto on_rollers = friction_on_rollers(test);
@@ -349,7 +350,7 @@ std::string friction_in_words(T test, const std::vector<Finding>& findings) {
       format_roughly(test.analysis.scales.physical_length(slid), Print(test).as(kind::length)));
   words += if_lost_in_words(test);
   if (on_rollers) words += "; " + *on_rollers;
-  const FrictionRead& read = test.analysis.friction_read;
+  const PointwiseFriction& read = test.analysis.pointwise_friction;
   if (std::isfinite(read.median)) {
     const bool above = read.low80 > fit.mu0.value, below = read.high80 < fit.mu0.value;
     words += fmt::format("; {:.2f} to {:.2f} {}", read.low80, read.high80,
@@ -493,13 +494,13 @@ std::vector<AnswerRow> rows_of(T test, const std::vector<Finding>& findings, con
     rows.push_back({"friction", friction_in_words(test, findings)});
     if (tells_work(test)) rows.push_back({"work", work_in_words(test, verdict)});
   }
-  const bool is_bent_little = test.analysis.status == AnalysisStatus::bent_too_little;
+  const bool is_bent_little = test.analysis.status == AnalysisStatus::deflection_too_small;
   if (const std::string reload = reload_in_words(test); (tells || is_bent_little) && !reload.empty())
     rows.push_back({"reload", reload});
   const bool tells_friction = tells && test.judgement.tells_friction;
   rows.push_back({"stiffness", stiffness_in_words(test, tells_friction)});
   if (tells_friction && test.analysis.fit.friction_by)
-    rows.push_back({"hangs on", hangs_on_in_words(test, tells_work(test))});
+    rows.push_back({"hangs on", sensitivities_in_words(test, tells_work(test))});
   rows.push_back({"assumed", assumed_in_words(test)});
   return rows;
 }

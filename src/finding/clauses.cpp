@@ -76,7 +76,7 @@ std::string usual_rollers(const FittedTest& test) {
 
 std::optional<std::string> friction_on_rollers(const FittedTest& test) {
   if (!test.on_rollers || !test.judgement.tells_friction) return std::nullopt;
-  if (test.on_rollers->analysis.status == AnalysisStatus::bent_too_little)
+  if (test.on_rollers->analysis.status == AnalysisStatus::deflection_too_small)
     return fmt::format("too little bent to tell any on {}", usual_rollers(test));
   if (!is_fitted(*test.on_rollers)) return std::nullopt;
   const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;

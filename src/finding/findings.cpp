@@ -14,8 +14,8 @@
 #include "data/names.h"
 #include "data/small_deflection.h"
 #include "finding/clauses.h"
-#include "finding/hangs_on.h"
 #include "finding/printed.h"
+#include "finding/sensitivities.h"
 #include "inference/first_passages.h"
 #include "inference/process_mode.h"
 #include "io/text.h"
@@ -47,7 +47,7 @@ bool contradicts_slope(T test) {
          !(test.passes && !test.passes->is_followed && is_lost(*test.passes));
 }
 
-bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::bent_too_little; }
+bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::deflection_too_small; }
 
 double greatest_deflection(T test) {
   const auto& w = test.analysis.reduced.deflection;
@@ -61,7 +61,9 @@ std::string load_train_in_words(T test) {
 }
 
 // In the words of who states the test (case/case_file.h).
-std::string to_change(T test, KeyChange change) { return to_say(test.measurement.test, {std::move(change)}); }
+std::string to_change(T test, KeyChange change) {
+  return instruction_to_set(test.measurement.test, {std::move(change)});
+}
 std::string rig_keys(T test, const std::vector<std::string>& names) {
   return keys_in_words(test.measurement.test, "rig", names);
 }
@@ -89,7 +91,7 @@ Finding checked(T test, const Check& check, std::string passed, std::string fail
 Finding unjudged(std::string sentence) { return {.severity = Severity::unjudged, .sentence = std::move(sentence)}; }
 
 // What would make a bending stiffness so many times too large or too small; a clause.
-std::string likely_slip_of_units(double times) {
+std::string likely_unit_error(double times) {
   struct Slip {
     double times;
     std::string_view words;
@@ -110,9 +112,10 @@ std::string likely_slip_of_units(double times) {
 }
 
 // By how much a record misses what sliding gives; a clause.
-std::string by_how_much(T test) {
+std::string misfit_clause(T test) {
   const TestAnalysis& analysis = test.analysis;
-  const double below = 1 - analysis.over_frictionless.median, deepest = 1 - analysis.over_frictionless.least;
+  const double below = 1 - analysis.frictionless_force_ratio.median,
+               deepest = 1 - analysis.frictionless_force_ratio.least;
   constexpr double noticeable = 0.01;
   if (below > noticeable)
     return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve",
@@ -304,7 +307,7 @@ Found train_by_reckoned_stage(T test) {
 Found too_few_points(T test) {
   if (is_bent_enough(test)) return std::nullopt;
   const std::size_t rows = test.analysis.record.force.size();
-  const double deepest = greatest_deflection(test), from = friction_judged_from(deepest, test.analysis.rig.fibre);
+  const double deepest = greatest_deflection(test), from = min_fit_deflection(deepest, test.analysis.rig.fibre);
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("Fewer than {} of {} lie beyond a deflection of {}, from which on friction is judged. "
@@ -338,9 +341,9 @@ Found wrong_load_train(T test) {
   if (Found found = train_by_reckoned_stage(test)) return found;
   if (!is_bent_enough(test)) return std::nullopt;
   if (Found found = train_by_drops(test)) return found;
-  const double times = analysis.stiffness_over_slope;
+  const double times = analysis.stiffness_to_slope_ratio;
   if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
-      !likely_slip_of_units(times).empty())
+      !likely_unit_error(times).empty())
     return std::nullopt;
   const double train = analysis.scales.physical_stiffness(beam_stiffness / (times - 1));
   return Finding{
@@ -358,11 +361,11 @@ Found wrong_load_train(T test) {
 Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!contradicts_slope(test)) return std::nullopt;
-  const double times = analysis.stiffness_over_slope;
+  const double times = analysis.stiffness_to_slope_ratio;
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format("The {} is {} times that of the record's initial slope{}.", "bending stiffness stated",
-                              format_roughly(times, kind::number), likely_slip_of_units(times)),
+                              format_roughly(times, kind::number), likely_unit_error(times)),
       .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
       .remedy =
           fmt::format("Check the modulus, the section, the span, the load train, the columns and their units; to take "
@@ -381,11 +384,11 @@ double modulus_found(T test) {
 // Of a slope in wrong units, or of a load train that gives as much as all of the displacement.
 Found impossible_modulus(T test) {
   const double modulus = modulus_found(test);
-  if (!(modulus > stiffest_material)) return std::nullopt;
+  if (!(modulus > max_material_modulus)) return std::nullopt;
   const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
   return Finding{.severity = Severity::refusal,
                  .sentence = fmt::format("The modulus would be {}, and no material exceeds {}.", in_words(modulus),
-                                         in_words(stiffest_material)),
+                                         in_words(max_material_modulus)),
                  .short_form = fmt::format("modulus {}", in_words(modulus)),
                  .remedy = "Check the section, the span, the load train, the columns and their units.",
                  .numbers = {{"modulus", modulus, kind::pressure}}};
@@ -398,7 +401,7 @@ Found not_explained(T test) {
       is_fitted(test) ? " If they are right, the specimen gave way: unload and load once more." : "";
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("No friction explains this record{}.", by_how_much(test)),
+      .sentence = fmt::format("No friction explains this record{}.", misfit_clause(test)),
       .short_form = "no friction explains it",
       .remedy = find_contact_or_check(test,
                                       "the columns (flexslip read FILE shows them), their units, the span, the "
@@ -475,13 +478,13 @@ Found changed_reload(T test) {
 Found implausible_friction(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!is_friction_implausible(analysis)) {
-    if (!(analysis.friction_read.median < min_friction)) return std::nullopt;
+    if (!(analysis.pointwise_friction.median < min_friction)) return std::nullopt;
     return Finding{.severity = Severity::doubt,
                    .sentence = "The force lies below the frictionless curve.",
                    .short_form = "below the frictionless curve",
                    .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
   }
-  const double most = std::min(analysis.suspects.limit, analysis.most_friction);
+  const double most = std::min(analysis.suspects.limit, analysis.max_friction);
   const std::string how =
       analysis.suspects.suspect
           ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
@@ -490,10 +493,10 @@ Found implausible_friction(T test) {
   return Finding{.severity = Severity::suspicion,
                  .sentence = fmt::format("The record needs implausible friction, {}.", how),
                  .short_form = fmt::format("friction above {:.2g}", most),
-                 .remedy = analysis.fit.mu0.low > analysis.most_friction
+                 .remedy = analysis.fit.mu0.low > analysis.max_friction
                                ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether "
                                              "they are stuck.",
-                                             analysis.most_friction)
+                                             analysis.max_friction)
                            : !test.measurement.test.rig->states_supports()
                                ? fmt::format("If the supports are not edges, state {}: rollers taken for edges read "
                                              "so.",
@@ -625,15 +628,15 @@ Found drops_elsewhere(T test) {
   const auto& [drops, rows] = test.drops_elsewhere;
   if (drops_of(test) > 0 || drops == 0) return std::nullopt;
   const std::string some = format_count(drops, "drop", "drops");
-  return Finding{
-      .severity = Severity::doubt,
-      .sentence = fmt::format("{} in other loadings {} not judged: that evaluated has none.", capitalised(some),
-                              drops == 1 ? "is" : "are"),
-      .short_form = fmt::format("{} in other loadings", some),
-      .remedy = fmt::format("Evaluate the loading that has them: {}.",
-                            to_say(test.measurement.test, {{"record", "first", fmt::format("{}", rows.first)},
-                                                           {"record", "until", fmt::format("{}", rows.last)}})),
-      .numbers = {{"drops", static_cast<double>(drops)}}};
+  return Finding{.severity = Severity::doubt,
+                 .sentence = fmt::format("{} in other loadings {} not judged: that evaluated has none.",
+                                         capitalised(some), drops == 1 ? "is" : "are"),
+                 .short_form = fmt::format("{} in other loadings", some),
+                 .remedy = fmt::format(
+                     "Evaluate the loading that has them: {}.",
+                     instruction_to_set(test.measurement.test, {{"record", "first", fmt::format("{}", rows.first)},
+                                                                {"record", "until", fmt::format("{}", rows.last)}})),
+                 .numbers = {{"drops", static_cast<double>(drops)}}};
 }
 
 Found few_rows(T test) {
@@ -719,7 +722,7 @@ Found supports_not_stated(T test) {
       .short_form = "supports not stated",
       .remedy = fmt::format("State {}, or {}.", in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
                             rig_keys(test, {"roller_radius"}))};
-  if (rollers.status == AnalysisStatus::bent_too_little) {
+  if (rollers.status == AnalysisStatus::deflection_too_small) {
     finding.sentence += fmt::format(" On {} the deflection is too small to tell friction.", usual_rollers(test));
     return finding;
   }

@@ -14,7 +14,7 @@
 #include "fibre/elastica.h"
 #include "inference/beginning.h"
 #include "inference/profile.h"
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
 #include "numerics/progress.h"
@@ -22,11 +22,12 @@
 
 namespace flexslip {
 
-bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error) {
+bool is_consistent_with_sliding(const Record& record, const Scales& scales, const Rig& rig,
+                                double bending_stiffness_error) {
   const auto slides = [&](double stiffening) {
     const ReducedRecord reduced = to_reduced(record, {scales.span(), stiffening * scales.bending_stiffness()});
     const Fibre& fibre = rig.fibre;
-    const ReadStates read = read_states(reduced, fibre, friction_told_from(fibre, judged_from));
+    const ReadStates read = read_states(reduced, fibre, min_informative_deflection(fibre, min_judged_deflection));
     const auto negative = static_cast<std::size_t>(
         std::count_if(read.q.begin(), read.q.end(), [](double mu) { return mu < min_friction; }));
     const std::size_t impossible = negative + read.unexplained.size();
@@ -36,14 +37,14 @@ bool may_slide(const Record& record, const Scales& scales, const Rig& rig, doubl
   return slides(1) || slides(within) || slides(1 / within);
 }
 
-OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fibre) {
+FrictionlessForceRatio frictionless_force_ratio(const ReducedRecord& record, const Fibre& fibre) {
   const double deepest = *std::max_element(record.deflection.begin(), record.deflection.end());
-  if (!(deepest > judged_from)) return {};
+  if (!(deepest > min_judged_deflection)) return {};
   constexpr int enough = 200;  // for the ratio to 1e-4
   const auto frictionless = sliding_up_to(deepest, 0, enough, fibre);
   std::vector<double> ratios;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
-    if (!(record.deflection[i] > judged_from)) continue;
+    if (!(record.deflection[i] > min_judged_deflection)) continue;
     const double ratio = record.force[i] / force_at(frictionless, record.deflection[i]);
     if (std::isfinite(ratio)) ratios.push_back(ratio);
   }
@@ -64,7 +65,7 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
   constexpr double bend =
       0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
   const double error = elementary::length(
-      elementary::length(usual_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
+      elementary::length(default_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
   return {.found = work > 0 && error <= max_stiffness_error,
           .value = beam_bending_stiffness(work / square, span),
           .relative_error = error,
@@ -74,7 +75,7 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
 namespace {
 
 Replay replay_of(const TestAnalysis& analysis) {
-  constexpr double from = friction_shows_from;
+  constexpr double from = min_friction_deflection;
   Replay replay{.force = std::vector<double>(analysis.reduced.force.size(), not_a_number)};
   const FrictionTable table = replay_table(analysis.reduced, analysis.rig, analysis.profile, analysis.drops.drops);
   if (table.S.size() < 2) return replay;
@@ -150,7 +151,7 @@ void share_as_unharmed(MeasuredEnergy& energy, const MeasuredEnergy& unharmed) {
 MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) {
   MeasuredEnergy energy{};
   const auto& [stiffening, record, rig, errors] = at;
-  const ReadStates read = read_states(record, rig.fibre, friction_told_from(rig.fibre, hardly_bent));
+  const ReadStates read = read_states(record, rig.fibre, min_informative_deflection(rig.fibre, min_profile_deflection));
   for (std::size_t i = 1; i < record.force.size(); ++i) {
     const double mean_force = 0.5 * (record.force[i] + record.force[i - 1]);
     energy.account.stage_work += mean_force * (record.stage[i] - record.stage[i - 1]);
@@ -196,12 +197,12 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
 
 // One standard deviation of each quantity moves the share; they are independent.
 double error_of_share(const TestAnalysis& analysis) {
-  if (!analysis.work_by) return not_a_number;
+  if (!analysis.work_share_sensitivities) return not_a_number;
   const PerQuantity<double> deviations =
-      deviations_beforehand(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
+      prior_deviations(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
   double error = 0;
   for (const StatedQuantity quantity : stated_quantities)
-    error = elementary::length(error, (*analysis.work_by)[quantity] * deviations[quantity]);
+    error = elementary::length(error, (*analysis.work_share_sensitivities)[quantity] * deviations[quantity]);
   return error;
 }
 
@@ -243,10 +244,10 @@ SawtoothCategory category_of(const TestAnalysis& analysis) {
 
 FrictionProfile profile_at_fit(const TestAnalysis& analysis) {
   const AtFit at = at_fit(analysis);
-  return measure_friction(at.record, at.rig, at.errors, friction_shows_from);
+  return measure_friction(at.record, at.rig, at.errors, min_friction_deflection);
 }
 
-FrictionRead friction_read_of(const FrictionProfile& profile) {
+PointwiseFriction friction_read_of(const FrictionProfile& profile) {
   std::vector<double> mu;
   for (const auto& point : profile.points) mu.push_back(point.mu);
   std::sort(mu.begin(), mu.end());
@@ -299,7 +300,7 @@ TestAnalysis analyse_drops(const Record& record, const TestDescription& descript
                         .scales = scales,
                         .rig = stated_rig,
                         .bending_stiffness_error = EI_error,
-                        .stiffness_over_slope = ratio,
+                        .stiffness_to_slope_ratio = ratio,
                         .stiffness_implausible = ratio > farthest_ratio || ratio < 1 / farthest_ratio,
                         .record = record,
                         .reduced = to_reduced(record, scales)};
@@ -309,7 +310,7 @@ TestAnalysis analyse_drops(const Record& record, const TestDescription& descript
   const MeasurementErrors errors{
       .force = analysis.force_noise,
       .bending_stiffness = analysis.bending_stiffness_error,
-      .contact = description.contact_error ? scales.reduced_length(*description.contact_error) : usual_contact_error};
+      .contact = description.contact_error ? scales.reduced_length(*description.contact_error) : default_contact_error};
   analysis.errors = errors;
   analysis.rig_errors = description.rig_errors;
   analysis.profile = measure_friction(analysis.reduced, analysis.rig, errors);
@@ -328,9 +329,9 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const MeasurementErrors& errors = analysis.errors;
   const Scales& scales = analysis.scales;
   analysis.suspects = find_suspects(analysis.reduced, analysis.profile, options.suspect_limit);
-  analysis.over_frictionless = over_frictionless(analysis.reduced, analysis.rig.fibre);
+  analysis.frictionless_force_ratio = frictionless_force_ratio(analysis.reduced, analysis.rig.fibre);
   analysis.category = category_of(analysis);
-  analysis.most_friction = options.most_friction;
+  analysis.max_friction = options.max_friction;
   const FitProblem problem{analysis.reduced,       analysis.rig,     errors,
                            description.rig_errors, description.nose, description.snaps};
   stages.enter("friction", 0.8);
@@ -341,19 +342,19 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   if (!are_fitted()) analysis.fit = fit_friction(problem, options.fit);
   if (analysis.fit.status != FrictionFitStatus::ok) {
     const bool is_bent = analysis.fit.status != FrictionFitStatus::too_few_points;
-    analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::bent_too_little;
+    analysis.status = is_bent ? AnalysisStatus::not_explained : AnalysisStatus::deflection_too_small;
     return analysis;
   }
   stages.enter("the fit run forward", 0.04);
   analysis.profile_at_fit = profile_at_fit(analysis);
-  analysis.friction_read = friction_read_of(analysis.profile_at_fit);
+  analysis.pointwise_friction = friction_read_of(analysis.profile_at_fit);
   const AtFit fitted = at_fit(analysis);
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
   analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips, description.nose);
   // Of a specimen that lost stiffness the force may lie below that of any friction; the passes allow for it.
   const auto slides = [&] {
-    return may_slide(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
+    return is_consistent_with_sliding(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   };
   analysis.model_implausible = misses_force(analysis.fit, analysis.reduced) || (!are_fitted() && !slides());
   analysis.replay = replay_of(analysis);
@@ -363,7 +364,7 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis) &&
                           analysis.energy.friction_share > 0;  // no heat is negative
   if (!tells_work) analysis.energy.friction_share = not_a_number;
-  if (tells_work && analysis.fit.friction_by) analysis.work_by = work_sensitivities(analysis);
+  if (tells_work && analysis.fit.friction_by) analysis.work_share_sensitivities = work_sensitivities(analysis);
   analysis.energy.friction_share_error = error_of_share(analysis);
   stages.enter("checks", 0.09);
   analysis.checks = checks_of(problem, analysis.fit, options);
@@ -386,10 +387,10 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
 }
 
 bool is_friction_implausible(const TestAnalysis& analysis) {
-  return analysis.suspects.suspect || analysis.fit.mu0.low > std::min(analysis.suspects.limit, analysis.most_friction);
+  return analysis.suspects.suspect || analysis.fit.mu0.low > std::min(analysis.suspects.limit, analysis.max_friction);
 }
 
-double friction_hidden_by(const TestAnalysis& analysis, double loss) {
+double friction_underestimate(const TestAnalysis& analysis, double loss) {
   if (!(loss >= 0 && loss < 1)) throw std::invalid_argument("loss of " + std::to_string(loss) + " is not in [0, 1)");
   AtFit whole = at_fit(analysis);
   const double deepest = *std::max_element(whole.record.deflection.begin(), whole.record.deflection.end());
@@ -398,7 +399,7 @@ double friction_hidden_by(const TestAnalysis& analysis, double loss) {
     whole.record.force[i] *= elementary::exp(-part * elementary::log(1 - loss));  // of F = e Ψ(w; μ)
   }
   const FrictionProfile unharmed =
-      measure_friction(whole.record, whole.rig, whole.errors, friction_told_from(whole.rig.fibre));
+      measure_friction(whole.record, whole.rig, whole.errors, min_informative_deflection(whole.rig.fibre));
   const auto& read = analysis.profile_at_fit.points;
   double integral = 0, length = 0, hidden_before = 0, S_before = not_a_number;
   auto at = read.begin();
@@ -429,7 +430,7 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
   return beam_stiffness * stiffening_of(analysis) * deflection;
 }
 
-TestPath mean_run_forward(const TestAnalysis& analysis) {
+TestPath simulated_mean_fit(const TestAnalysis& analysis) {
   constexpr int points = 1000;  // on each stretch: a figure thins them out
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = std::min(*std::max_element(stage.begin(), stage.end()), farthest_run(analysis));
@@ -441,7 +442,7 @@ TestPath mean_run_forward(const TestAnalysis& analysis) {
   return forward;
 }
 
-std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis) {
+std::vector<FittedFriction> detected_waves(const TestAnalysis& analysis) {
   const FrictionFit& fit = analysis.fit;
   std::vector<FittedFriction> waves;
   if (!fit.wave_claimed) return waves;

@@ -24,18 +24,19 @@ namespace flexslip {
 
 // Can a record be sliding with friction at all?
 
-// Do four fifths of the points past the deflection judged_from have a friction of min_friction or more (profile.h), at the bending stiffness of
+// Do four fifths of the points past the deflection min_judged_deflection have a friction of min_friction or more (profile.h), at the bending stiffness of
 // the scales or one that differs from it by twice its error?
 // Domain:     bending_stiffness_error >= 0 [1]; the stiffness of the rig is in units of the scales.
-bool may_slide(const Record& record, const Scales& scales, const Rig& rig, double bending_stiffness_error);
+bool is_consistent_with_sliding(const Record& record, const Scales& scales, const Rig& rig,
+                                double bending_stiffness_error);
 
-// The force over that without friction at the same deflection, past the deflection judged_from.
-struct OverFrictionless {
+// The force over that without friction at the same deflection, past the deflection min_judged_deflection.
+struct FrictionlessForceRatio {
   double median = not_a_number, least = not_a_number;  // [1] NaN without such points
 };
 
 // Max error:  1e-4.
-OverFrictionless over_frictionless(const ReducedRecord& record, const Fibre& fibre);
+FrictionlessForceRatio frictionless_force_ratio(const ReducedRecord& record, const Fibre& fibre);
 
 // The bending stiffness of a specimen, as far as it is known without a fit.
 
@@ -53,18 +54,19 @@ struct StiffnessFromSlope {
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
 
 // The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
-inline constexpr double usual_stiffness_error = 0.03;
+inline constexpr double default_stiffness_error = 0.03;
 // And of a modulus beside a section whose uncertainty is stated: what the diameter to 0.5 %, which is 2 % of EI, leaves of it.
-inline constexpr double usual_modulus_error = 0.022;
+inline constexpr double default_modulus_error = 0.022;
 
 // What is known of a test besides its record.
 struct TestDescription {
   double span;                  // [m]
   double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
   double bending_stiffness;     // [N m^2] EI
-  double bending_stiffness_error = usual_stiffness_error;  // [1] standard deviation
-  std::optional<double> contact_error{};  // [m] standard deviation of the contact point; not given: usual_contact_error
-  Fibre fibre{};                          // on its supports
+  double bending_stiffness_error = default_stiffness_error;  // [1] standard deviation
+  std::optional<double>
+      contact_error{};  // [m] standard deviation of the contact point; not given: default_contact_error
+  Fibre fibre{};        // on its supports
   Nose nose = Nose::holds;
   std::optional<SnapRest> snaps{};  // not given: as the record shows
   RigErrors rig_errors{};
@@ -74,8 +76,8 @@ struct TestDescription {
 struct AnalysisOptions {
   FitOptions fit;
   DropOptions drops;
-  double suspect_limit = 1.0;       // [1] friction above it is implausible
-  double most_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
+  double suspect_limit = 1.0;      // [1] friction above it is implausible
+  double max_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
 };
 
 // How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
@@ -104,7 +106,7 @@ struct Replay {
 
 // Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four
 // fifths between the other two. NaN without points.
-struct FrictionRead {
+struct PointwiseFriction {
   double median = not_a_number, low80 = not_a_number, high80 = not_a_number;  // [1]
 };
 
@@ -113,7 +115,7 @@ inline constexpr std::size_t min_fitted_points = 30;
 
 enum class AnalysisStatus {
   ok,
-  bent_too_little,  // fewer than 20 readings lie past friction_judged_from (first_passages.h): nothing from the fit on is valid
+  deflection_too_small,  // fewer than 20 readings lie past min_fit_deflection (first_passages.h): nothing from the fit on is valid
   not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
 };
 
@@ -121,12 +123,12 @@ struct TestAnalysis {
   AnalysisStatus status;
   Scales scales;  // nominal
   Rig rig;
-  double bending_stiffness_error;  // [1] as used
-  double stiffness_over_slope;     // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  bool stiffness_implausible;      // they differ by more than 40 % and twice its error
-  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (may_slide).
+  double bending_stiffness_error;   // [1] as used
+  double stiffness_to_slope_ratio;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
+  bool stiffness_implausible;       // they differ by more than 40 % and twice its error
+  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (is_consistent_with_sliding).
   bool model_implausible = false;
-  OverFrictionless over_frictionless{};  // beforehand
+  FrictionlessForceRatio frictionless_force_ratio{};  // beforehand
   Record record;
   ReducedRecord reduced;
   double force_noise = not_a_number;  // [EI/L^2] of one reading
@@ -137,20 +139,21 @@ struct TestAnalysis {
   FrictionProfile profile{};
   // Judged at the bending stiffness stated, told at that of the fit.
   std::vector<Slip> slips{};
-  double most_friction = infinity;  // [1] as in the options
+  double max_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   std::optional<PassesFit> passes{};  // as in the description
   DropFeatures drop_features{};       // whatever the status
   SuspectReport suspects{};
   FrictionFit fit{};
-  FrictionProfile profile_at_fit{};  // at the bending stiffness of the fit, past the deflection 0.05
-  FrictionRead friction_read{};      // of it
+  FrictionProfile profile_at_fit{};        // at the bending stiffness of the fit, past the deflection 0.05
+  PointwiseFriction pointwise_friction{};  // of it
   std::vector<Check> checks{};
   // The mean of the fit on the stage positions of the record, at the estimated bending stiffness: work and energies are in units of that.
   TestPath model{};
   Replay replay{};
   MeasuredEnergy energy{};
-  std::optional<Sensitivities> work_by{};  // of energy.friction_share; none of a constant, and where there is none
+  std::optional<Sensitivities>
+      work_share_sensitivities{};  // of energy.friction_share; none of a constant, and where there is none
   SawtoothCategory category = SawtoothCategory::none;
 };
 
@@ -172,7 +175,7 @@ bool is_friction_implausible(const TestAnalysis& analysis);
 // [1] By how much the friction read off a record, averaged over the length that slid, would be larger if that share of the bending stiffness had been lost by
 // its middle, the half of its deepest deflection, evenly until there. A loss lowers the force, which reads as less friction.
 // Domain:     analysis.status is ok; 0 <= loss < 1, std::invalid_argument otherwise. NaN where no point can be read off both ways.
-double friction_hidden_by(const TestAnalysis& analysis, double loss);
+double friction_underestimate(const TestAnalysis& analysis, double loss);
 
 // What a figure of an analysis shows beside the record: curves of the same specimen on the same rig. Reduced variables of the nominal bending
 // stiffness.
@@ -187,13 +190,13 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection);
 
 // The mean of the fit run forward over all stage positions, not only those of the record.
 // Domain:     analysis.status is ok.
-TestPath mean_run_forward(const TestAnalysis& analysis);
+TestPath simulated_mean_fit(const TestAnalysis& analysis);
 
 // The waves that the fit claims, about its mean and drift, over what has been drawn in.
 struct FittedFriction {
   double S, mu;  // [L], [1]
 };
 // Domain:     analysis.status is ok. Empty if no wave is claimed.
-std::vector<FittedFriction> claimed_waves(const TestAnalysis& analysis);
+std::vector<FittedFriction> detected_waves(const TestAnalysis& analysis);
 
 }  // namespace flexslip

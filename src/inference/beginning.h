@@ -32,7 +32,7 @@ struct Contact {
 };
 
 // The uncertainty of a contact that is stated without one [L].
-inline constexpr double usual_contact_error = 0.0005;
+inline constexpr double default_contact_error = 0.0005;
 
 // No beginning tells a contact better [L]: seats, lags of a row and friction that varies at once move it by as much.
 inline constexpr double least_contact_error = 0.00025;

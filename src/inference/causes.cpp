@@ -39,7 +39,7 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
           squashed(f.recovery_far),
           squashed(f.least_after_drop / 3),
           squashed(std::min(f.least_after_drop, 0.0) / 6),
-          squashed((f.given_back - 0.5) / 0.5) * sure,
+          squashed((f.stiffness_recovery - 0.5) / 0.5) * sure,
           squashed(f.roughness),
           sure,
           squashed(f.drawn_in / 0.5),

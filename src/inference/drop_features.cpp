@@ -15,8 +15,8 @@ namespace flexslip {
 namespace {
 
 constexpr double usual_q = 0.5;
-constexpr double least_friction = -0.5, most_friction = 1.6;  // between which slopes of the map are taken
-constexpr double deepest = 0.515;                             // [L] deeper, the specimen slips through
+constexpr double min_slope_friction = -0.5, max_slope_friction = 1.6;  // between which slopes of the map are taken
+constexpr double deepest = 0.515;                                      // [L] deeper, the specimen slips through
 
 // States of given deflections and frictions, with slopes: to w at fixed q, and to q at fixed w.
 struct States {
@@ -31,7 +31,7 @@ struct States {
 States states_on_supports(std::span<const double> w, std::span<const double> q, const Fibre& fibre) {
   States states;
   for (std::size_t i = 0; i < w.size(); ++i) {
-    const Fibre::BentState at = fibre.drawn_in(w[i], q[i]);
+    const Fibre::DeflectionState at = fibre.at_deflection_without_contacts(w[i], q[i]);
     states.add(at.state.S, at.state.F, at.S_w, at.S_q, at.F_w, at.F_q);
   }
   return states;
@@ -95,7 +95,7 @@ class Rows {
     std::vector<double> held = q;  // where the map has slopes; beyond, friction is led on straight
     for (std::size_t i = 0; i < w.size(); ++i) {
       if (std::isnan(held[i])) held[i] = usual_q + (F[i] - usual.F[i]) / sensitivity(usual.F_q[i], usual.F[i]);
-      held[i] = std::clamp(held[i], least_friction, most_friction);
+      held[i] = std::clamp(held[i], min_slope_friction, max_slope_friction);
     }
     const States states = states_at(w, held, rig.fibre);
     S = states.S, F_q = states.F_q, F_w = states.F_w;
@@ -211,7 +211,7 @@ void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth
     rises += tooth.rise;
   }
   if (weights > 0) features.recovery_near /= weights, features.recovery_far /= weights;
-  features.given_back = rises / falls;
+  features.stiffness_recovery = rises / falls;
 }
 
 // The friction that would have acted at the end if the drops were cracks only.

@@ -38,13 +38,13 @@ struct DropFeatures {
   double greatest_steepness = 0;
   // Of a drop, the part of friction that is back after three and twelve lengths of its snap.
   double recovery_near = 0, recovery_far = 0;
-  double given_back = 0;        // the sum of the rises of friction over that of its falls
-  double least_after_drop = 0;  // [errors] the least friction after a drop
-  double needed_at_end = 0;     // friction at the end of the loading, if the drops were cracks only
-  double roughness = 0;         // of friction within the rises, over the usual drop
-  double drawn_in = 0;          // the length of all snaps over the length that slid
-  double loss_needed = 0;       // of the stiffness, by the drops, if they were cracks only
-  double loss_recovered = 0;    // of it, what is back after twelve lengths of the snaps
+  double stiffness_recovery = 0;  // the sum of the rises of friction over that of its falls
+  double least_after_drop = 0;    // [errors] the least friction after a drop
+  double needed_at_end = 0;       // friction at the end of the loading, if the drops were cracks only
+  double roughness = 0;           // of friction within the rises, over the usual drop
+  double drawn_in = 0;            // the length of all snaps over the length that slid
+  double loss_needed = 0;         // of the stiffness, by the drops, if they were cracks only
+  double loss_recovered = 0;      // of it, what is back after twelve lengths of the snaps
 
   // Of all rows, in drops or not: the least friction [errors], and the farthest that friction fell
   // below what it was before, while the stage moved.

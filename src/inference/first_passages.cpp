@@ -95,13 +95,13 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     return;
   }
   const auto slopes =
-      inverse_slopes(passages.fibre.states_slopes_under_force({S, std::vector<double>(S.size(), friction)}));
+      inverse_slopes(passages.fibre.states_slopes_before_branch_end({S, std::vector<double>(S.size(), friction)}));
 
   // Along that curve, a column each: the quantities, ln EI first, then the deviations.
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
-  const RigShifts rig(problem, friction);
+  const RigErrorEffects rig(problem, friction);
   constexpr auto alone = static_cast<Index>(stated_quantities.size());
   MatrixXd shift_w, shift_F, of_friction, of_place;
   for (std::size_t k = 0; k < w.size(); ++k) {
@@ -183,14 +183,14 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
 }
 
 double deflection_judged_from(const ReducedRecord& record, const Fibre& fibre) {
-  return friction_judged_from(*std::max_element(record.deflection.begin(), record.deflection.end()), fibre);
+  return min_fit_deflection(*std::max_element(record.deflection.begin(), record.deflection.end()), fibre);
 }
 
 }  // namespace
 
-double friction_judged_from(double greatest_deflection, const Fibre& fibre) {
+double min_fit_deflection(double greatest_deflection, const Fibre& fibre) {
   constexpr double usually = 0.08;  // below, 1 % in EI is 0.06 in μ
-  return std::max(std::min(usually, 0.5 * greatest_deflection), friction_told_from(fibre));
+  return std::max(std::min(usually, 0.5 * greatest_deflection), min_informative_deflection(fibre));
 }
 
 std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibre& fibre) {
@@ -285,7 +285,7 @@ Passages passages_of(const FitProblem& problem, const SearchOptions& options) {
   if (p.size() == 0) return p;
   const auto [least, most] = std::minmax_element(p.S.begin(), p.S.end());
   const double beyond = 0.1 * (*most - *least);
-  p.along = ContactTravel(p.fibre, median_of(p.q), std::max(*least - beyond, min_S), *most + beyond);
+  p.along = ContactPath(p.fibre, median_of(p.q), std::max(*least - beyond, min_S), *most + beyond);
   p.S_middle = 0.5 * (p.along.at(p.S.front()) + p.along.at(p.S.back()));
   p.range = p.share * (p.along.at(*most) - p.along.at(*least));
   return p;
@@ -322,7 +322,7 @@ double log_density_of_rests(const Passages& passages, double noise, double corre
 
 namespace {
 
-// Friction levels (levels_of), and the states there.
+// Friction levels (friction_at_stage), and the states there.
 struct Levels {
   std::vector<double> mu;
   SlopeArrays states;
@@ -344,7 +344,7 @@ Levels levels_between(double least, double most, std::span<const double> S, std:
       S_here.push_back(S[i]);
       mu_here.push_back(mu[i]);
     }
-    SlopeArrays here = fibre.states_slopes_under_force({S_here, mu_here});
+    SlopeArrays here = fibre.states_slopes_before_branch_end({S_here, mu_here});
     const auto from = here.columns();
     std::size_t left = 0;
     for (std::size_t j = 0; j < mu_here.size(); ++j) {
@@ -442,8 +442,8 @@ void complete(Linearisation& at, const Passages& passages) {
   at.log_jacobian = gains.value();
 }
 
-std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                              const Fibre& fibre, double compliance, double eta) {
+std::vector<double> friction_at_stage(std::span<const double> S, std::span<const double> stage,
+                                      std::span<const double> near, const Fibre& fibre, double compliance, double eta) {
   return levels_between(min_q, max_q, S, stage, {near.begin(), near.end()}, fibre, compliance * elementary::exp(eta))
       .mu;
 }
@@ -509,16 +509,16 @@ double landing_of(const Stuck& stuck, std::span<const double> S) {
   return std::clamp(stuck.S, S[stuck.reading - 1], stuck.reading < S.size() ? S[stuck.reading] : infinity);
 }
 
-std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at, double noise,
-                              const std::vector<GapSite>& before) {
+std::vector<SkippedPoint> skipped_segments(const Passages& passages, const Linearisation& at, double noise,
+                                           const std::vector<SkippedPoint>& before) {
   const auto& options = passages.options;
   const auto& S = at.S;
-  std::vector<GapSite> sites;
+  std::vector<SkippedPoint> sites;
   if (!options.parts.gaps) return sites;
   auto kept = before.begin();
   auto stuck = passages.stuck.begin();
-  const auto keep = [&](GapSite site) {
-    const auto place = [](const GapSite& each) { return std::pair{each.reading, each.node}; };
+  const auto keep = [&](SkippedPoint site) {
+    const auto place = [](const SkippedPoint& each) { return std::pair{each.reading, each.node}; };
     while (kept != before.end() && place(*kept) < place(site)) ++kept;
     const bool was_there = kept != before.end() && place(*kept) == place(site) && kept->nodes == site.nodes;
     sites.push_back(was_there ? *kept : site);
@@ -544,7 +544,7 @@ std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at,
   return sites;
 }
 
-double log_weight(const GapSite& site, double mean, double variance) {
+double log_weight(const SkippedPoint& site, double mean, double variance) {
   const double precision = 1 / std::max(variance, 1e-12) - site.precision;
   if (!(precision > 1e-10)) return 0;
   const double cavity_variance = 1 / precision;

@@ -13,7 +13,7 @@
 
 #include "fibre/fibre.h"
 #include "inference/fit.h"
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 #include "inference/search_options.h"
 
 namespace flexslip {
@@ -60,22 +60,22 @@ struct Passages {
   double stiffness_error;            // [1] standard deviation of ln EI beforehand
   RigError stiffness;                // of ln EI, by one
   std::vector<RigError> rig_errors;  // by one standard deviation, independent of each other
-  PerQuantity<RigError> quantities;  // of each that is larger than stated, as RigShifts::by
+  PerQuantity<RigError> quantities;  // of each that is larger than stated, as RigErrorEffects::by
   double noise;                      // [EI/L^2] of a reading, by second differences
-  ContactTravel along;               // the specimen, past its contacts
+  ContactPath along;                 // the specimen, past its contacts
   double share;                      // [1] of what slides (share_of_sliding)
   double S_middle;                   // [L] of it
   double range;                      // [L] of places on the fibre: that share of what has passed
 
   std::size_t size() const { return row.size(); }
   double place(double S_at) const { return share * (along.at(S_at) - S_middle); }  // [L] x of matern.h
-  double drawn_in_at(double place) const { return along.drawn_in_at(S_middle + place / share); }
+  double sliding_length_at(double place) const { return along.sliding_length_at(S_middle + place / share); }
 };
 
-// [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below friction_told_from.
-double friction_judged_from(double greatest_deflection, const Fibre& fibre);
+// [L] The deflection from which on readings are judged: 0.08, or half the greatest if that is less, never below min_informative_deflection.
+double min_fit_deflection(double greatest_deflection, const Fibre& fibre);
 
-// The readings past friction_judged_from and up to 0.8 where the stage advances, by their rows; those within a drop of several readings are left out.
+// The readings past min_fit_deflection and up to 0.8 where the stage advances, by their rows; those within a drop of several readings are left out.
 // Domain:     forces in any unit; a record of at least 3 readings.
 std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibre& fibre);
 
@@ -125,10 +125,10 @@ inline bool has_slid(const Linearisation& at) { return at.S.back() - at.S.front(
 void complete(Linearisation& at, const Passages& passages);
 
 // [1] The friction at which the fibre passes each length when the stage is at a position.
-// Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_under_force) it is the
+// Domain:     S in (1, 2.1); `near` are frictions not far from those sought. Where hardly any force is left (states_slopes_before_branch_end) it is the
 //             nearest friction with a force; to 0.05 more, where the branch ends before.
-std::vector<double> levels_of(std::span<const double> S, std::span<const double> stage, std::span<const double> near,
-                              const Fibre& fibre, double compliance, double eta);
+std::vector<double> friction_at_stage(std::span<const double> S, std::span<const double> stage,
+                                      std::span<const double> near, const Fibre& fibre, double compliance, double eta);
 
 // Where the search begins: S over the stage cut into the straight, non-falling pieces of least cost.
 // Method:     dynamic programming; a piece costs 1.5 ln n. Noise: second differences of the force.
@@ -140,7 +140,7 @@ inline constexpr double bound_softness = 0.003;  // [1] of μ
 
 // What a place in a gap, where friction must have been below a bound, or one where it held the fibre, above it, is taken for: a Gaussian of the slack
 // between the two.
-struct GapSite {
+struct SkippedPoint {
   std::size_t reading;           // the first beyond the gap
   std::size_t node, nodes;       // which of how many
   std::optional<Stuck> stuck{};  // beyond the gap; none where it slid on at once
@@ -155,10 +155,10 @@ double landing_of(const Stuck& stuck, std::span<const double> S);
 
 // The sites of a linearisation at a noise [EI/L^2] of the force: where the fibre advanced by far more than friction that stays would let it, it jumped.
 // Those that were there before stay as they were.
-std::vector<GapSite> sites_of(const Passages& passages, const Linearisation& at, double noise,
-                              const std::vector<GapSite>& before);
+std::vector<SkippedPoint> skipped_segments(const Passages& passages, const Linearisation& at, double noise,
+                                           const std::vector<SkippedPoint>& before);
 
 // What a site adds to the evidence beyond the Gaussian that stands for it, which gives the slack this mean and variance.
-double log_weight(const GapSite& site, double mean, double variance);
+double log_weight(const SkippedPoint& site, double mean, double variance);
 
 }  // namespace flexslip

@@ -398,7 +398,8 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const auto mean = mean_friction(of_mean);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;
-  const bool rolls_back = fit.along.rolls_back_at(passages.S_middle);  // so that it passes the contacts the other way
+  const bool rolls_back =
+      fit.along.contact_moves_outward_at(passages.S_middle);  // so that it passes the contacts the other way
   fit.drift = estimate_of(posterior.drift);
   if (rolls_back) fit.drift = {-fit.drift.value, fit.drift.standard_error, -fit.drift.high, -fit.drift.low};
   const bool rough = options.model == ProfileModel::roughness;

@@ -118,7 +118,7 @@ struct FrictionFit {
   ProfileModel model;
   std::size_t readings;     // that tell of friction
   double S_begin, S_end;    // [L] the fibre seen, by what has been drawn in
-  ContactTravel along;      // where its contacts were then
+  ContactPath along;        // where its contacts were then
   double share = 0.5;       // [1] of what slides: share_of_sliding
   bool overshoots = false;  // snaps do, as stated or by the record
   double S_middle;    // [L] between the contacts midway: where phase_at_middle is meant, and mu0 with drift and wave

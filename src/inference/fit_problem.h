@@ -17,7 +17,7 @@ namespace flexslip {
 inline constexpr double usual_bow = 0.003;
 
 // By how much a rig is off what is stated of it, beforehand: standard deviations, each relative to its value. What a careful laboratory is off
-// by, unless the case states better (theory.md, "What the answer hangs on").
+// by, unless the case states better (theory.md, "Sensitivity to the rig").
 struct RigErrors {
   double load_train = 0.02, span = 0.005;
   double force_gain = 0.01;

@@ -61,7 +61,8 @@ std::vector<FrictionIfLost> friction_if_lost(const TestAnalysis& analysis) {
   const Estimate& told = analysis.fit.mu0;
   std::vector<FrictionIfLost> all;
   for (const double loss : losses) {
-    const double friction = (analysis.fit.mu0_is_bound ? told.high : told.value) + friction_hidden_by(analysis, loss);
+    const double friction =
+        (analysis.fit.mu0_is_bound ? told.high : told.value) + friction_underestimate(analysis, loss);
     if (std::isfinite(friction)) all.push_back({loss, friction});
   }
   return all;
@@ -79,7 +80,7 @@ bool lost_before(const TestAnalysis& analysis) {
 
 bool sinks(const TestAnalysis& analysis) {
   constexpr double worth_saying = 0.1;
-  return analysis.status == AnalysisStatus::bent_too_little && analysis.statistics.sinking.share > worth_saying;
+  return analysis.status == AnalysisStatus::deflection_too_small && analysis.statistics.sinking.share > worth_saying;
 }
 
 bool is_reloaded(const TestAnalysis& analysis) { return analysis.passes && analysis.passes->is_followed; }

@@ -106,7 +106,7 @@ PassUnknowns::PassUnknowns(const PassesProblem& problem, const std::vector<Leg>&
       out_(as_fit_problem(problem), -usual_friction(read)),
       side_(rows.side) {
   for (MatrixXd* map : {&W, &G, &E, &L}) map->resize(index_of(rows.size()), 0);
-  deviations = deviations_beforehand(problem.errors, problem.rig_errors, problem.rig.fibre.supports());
+  deviations = prior_deviations(problem.errors, problem.rig_errors, problem.rig.fibre.supports());
   E.col(add(0, problem.errors.bending_stiffness)).setOnes();
   add_rig(rows);
   add_zero(problem, rows);

@@ -12,11 +12,11 @@
 
 #include "inference/pass_rows.h"
 #include "inference/passes.h"
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 
 namespace flexslip {
 
-// What a drop of the force needs if it is a crack (theory.md, "The friction that cracks alone would need").
+// What a drop of the force needs if it is a crack (theory.md, "Friction that cracks only would require").
 struct NeededLoss {
   std::size_t before, after;  // rows of the record
   double log_loss;            // of stiffness, as -ln of what it leaves
@@ -48,7 +48,7 @@ class PassUnknowns {
   // Of all that is lost, and of all that settles, in loadings that another pass follows: coefficients of the unknowns.
   Eigen::VectorXd log_loss, settled;
   static constexpr Eigen::Index stiffness = 0;  // of ln EI
-  // Of a quantity that is stated, and its prior deviation (rig_shifts.h).
+  // Of a quantity that is stated, and its prior deviation (rig_error_effects.h).
   Eigen::Index of(StatedQuantity quantity) const { return static_cast<Eigen::Index>(quantity); }
   PerQuantity<double> deviations;
 
@@ -62,7 +62,7 @@ class PassUnknowns {
   void add_losses(const PassesProblem& problem, const std::vector<Leg>& legs, const std::vector<NeededLoss>& needed,
                   const PassRows& rows);
 
-  RigShifts in_, out_;  // of the rig, for a specimen that slides in or out
+  RigErrorEffects in_, out_;  // of the rig, for a specimen that slides in or out
   std::vector<double> side_;
 };
 

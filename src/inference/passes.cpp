@@ -450,8 +450,8 @@ void PassesFitter::advance(int round) {
   const Index nodes = nodes_.size(), unknowns = unknowns_.size();
   constexpr int early = 6;
   const double step = round == 0 ? 1 : round < early ? 0.8 : 0.6;
-  constexpr double most_friction = 2, farthest = 3.5;  // [1]; [prior deviations]
-  for (Index j = 0; j < nodes; ++j) mu_[j] = std::clamp(mu_[j] + step * (solution_[j] - mu_[j]), 0.0, most_friction);
+  constexpr double max_friction = 2, farthest = 3.5;  // [1]; [prior deviations]
+  for (Index j = 0; j < nodes; ++j) mu_[j] = std::clamp(mu_[j] + step * (solution_[j] - mu_[j]), 0.0, max_friction);
   for (Index j = 0; j < unknowns; ++j) {
     const double deviation = unknowns_.deviation[j], longest = 0.3 * std::max(1.0, deviation);
     theta_[j] += step * std::clamp(solution_[nodes + j] - theta_[j], -longest, longest);
@@ -538,7 +538,7 @@ PassesFit told_by_forces(const PassesProblem& problem, const std::vector<Leg>& l
   const double least = problem.options.min_force * greatest_of(record.force);
   std::vector<char> left_out;  // without contact, or where the specimen sticks
   for (const double force : record.force) left_out.push_back(force < least);
-  if (greatest_of(record.deflection) > judged_from) {  // less deep, friction holds hardly any of the force
+  if (greatest_of(record.deflection) > min_judged_deflection) {  // less deep, friction holds hardly any of the force
     const ReadPasses read = read_passes(problem, legs);
     if (read.rows.size() >= min_rows)
       for (std::size_t i = 0; i < read.rows.size(); ++i) left_out[read.rows.row[i]] = read.stuck[i];

@@ -97,7 +97,7 @@ PassesFit told_of(const PassesSolution& best, const PassesProblem& problem, cons
     slid[pass].add(best.S[i]);
     ++sliding[pass];
     fit.sliding_out += rows.side[row] < 0;
-    if (rows.row[row] >= problem.first && rows.row[row] < problem.last && rows.w[i] > friction_shows_from)
+    if (rows.row[row] >= problem.first && rows.row[row] < problem.last && rows.w[i] > min_friction_deflection)
       evaluated.add(best.S[i]);
   }
   fit.S_first = evaluated.first;

@@ -38,8 +38,8 @@ ForwardRun::ForwardRun(const Passages& passages) : passages_(passages) {
   // Evenly along the specimen.
   const double begin = passages.along.at(from), end = passages.along.at(to);
   for (std::size_t i = 0; i < count; ++i)
-    S_.push_back(
-        passages.along.drawn_in_at(begin + (end - begin) * static_cast<double>(i) / static_cast<double>(count - 1)));
+    S_.push_back(passages.along.sliding_length_at(begin + (end - begin) * static_cast<double>(i) /
+                                                              static_cast<double>(count - 1)));
 }
 
 ForwardStates ForwardRun::states(std::span<const double> mu, double eta, std::span<const double> stages) const {

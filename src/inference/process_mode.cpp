@@ -25,7 +25,7 @@ constexpr int of_friction_and_stiffness = 3;  // mean, drift, and ln EI
 static_assert(of_friction_and_stiffness + most_rig_errors + 2 * max_waves <= max_columns);
 
 // Of the slack between a bound and friction, which is not negative.
-double sign_of(const GapSite& site) { return site.held ? -1 : 1; }
+double sign_of(const SkippedPoint& site) { return site.held ? -1 : 1; }
 
 }  // namespace
 
@@ -100,14 +100,14 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
     if (site.stuck) stage.back() += (site.held ? site.stuck->last : site.stuck->landing) - passages_.stage[reading];
     near.push_back(mode.at.mu[reading]);
   }
-  const auto levels = levels_of(S, stage, near, passages_.fibre, passages_.compliance, mode.at.eta);
+  const auto levels = friction_at_stage(S, stage, near, passages_.fibre, passages_.compliance, mode.at.eta);
   std::vector<Node> nodes;
   for (std::size_t j = 0; j < S.size(); ++j) nodes.push_back({S[j], levels[j]});
   return nodes;
 }
 
 // What friction at a node is below, less what is expected of it.
-double FrictionProcess::bound_at(const Node& node, const GapSite& site, const Mode& mode) const {
+double FrictionProcess::bound_at(const Node& node, const SkippedPoint& site, const Mode& mode) const {
   return node.level - mean_friction + by_errors_at(mode.at, reading_of(site), site.wave_slope);
 }
 
@@ -209,7 +209,7 @@ void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes
   std::size_t j = 0;
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (observations.all[k].is_reading()) continue;
-    const GapSite& site = mode.sites[j];
+    const SkippedPoint& site = mode.sites[j];
     const double bound = bound_at(nodes[j++], site, mode);
     const bool seen = site.precision > 0;
     observations.all[k].variance = seen ? 1 / site.precision : infinity;
@@ -271,7 +271,7 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   std::size_t j = 0;
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
     if (observations.all[k].is_reading()) continue;
-    GapSite& site = mode.sites[j];
+    SkippedPoint& site = mode.sites[j];
     const double mean = sign_of(site) * (bound_at(nodes[j++], site, mode) - smoothed[k].f);
     const double precision = 1 / std::max(smoothed[k].variance, 1e-12) - site.precision;
     if (!(precision > 1e-10)) continue;
@@ -304,7 +304,7 @@ double FrictionProcess::by_moving_rig(const Mode& mode, const Chain& chain) cons
 }
 
 void FrictionProcess::settle(Mode& mode) const {
-  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
+  mode.sites = skipped_segments(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
   const auto nodes = nodes_of(mode);
   Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -332,8 +332,8 @@ void FrictionProcess::settle(Mode& mode) const {
         continue;
       }
     }
-    mode.merit = evidence - by_moving_rig(mode, chain) + mode.at.log_jacobian +
-                 prior_of_theta_.log_density(mode.kernel, mode.theta);
+    mode.log_posterior = evidence - by_moving_rig(mode, chain) + mode.at.log_jacobian +
+                         prior_of_theta_.log_density(mode.kernel, mode.theta);
     break;
   }
 }
@@ -353,7 +353,8 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
       const double rate = 2 * std::numbers::pi * elementary::exp(-mode.theta.log_wavelength(wave));
       waves += rate * (beta[c + 1] * h[c] - beta[c] * h[c + 1]);
     }
-    const double x_by_S = passages_.share * passages_.along.slope(passages_.drawn_in_at(observations.all[k].place));
+    const double x_by_S =
+        passages_.share * passages_.along.slope(passages_.sliding_length_at(observations.all[k].place));
     slopes.push_back({x_by_S * (smoothed[k].slope + beta[columns_.drift] / passages_.range + waves), x_by_S * waves});
   }
   return slopes;
@@ -361,7 +362,7 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
 
 // One Gauss-Newton step; returns how far the fitted lengths had to go, the greatest of them [L].
 double FrictionProcess::pass(Mode& mode, double fraction) const {
-  mode.sites = sites_of(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
+  mode.sites = skipped_segments(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
   const auto nodes = nodes_of(mode);
   const Observations observations = observations_of(mode, nodes);
   const auto p = hyperparameters_of(mode.theta);
@@ -405,7 +406,7 @@ double FrictionProcess::pass(Mode& mode, double fraction) const {
 }
 
 Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisation& at) {
-  return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .merit = -infinity};
+  return {.kernel = kernel, .theta = theta, .at = at, .sites = {}, .log_posterior = -infinity};
 }
 
 void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
@@ -421,7 +422,7 @@ double FrictionProcess::longest_step(double log_wavelength) const {
   return options().wave_step * elementary::exp(log_wavelength - elementary::log(passages_.range));
 }
 
-// Minus the inverse curvature of the merit in θ, roughly.
+// Minus the inverse curvature of the log_posterior in θ, roughly.
 FrictionProcess::ThetaMatrix FrictionProcess::usual_spread(const Theta& theta) const {
   const auto n = static_cast<Index>(theta.size());
   ThetaMatrix spread = options().theta_spread * ThetaMatrix::Identity(n, n);
@@ -470,16 +471,16 @@ void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) 
 
 void FrictionProcess::polish(Mode& mode, const Schedule& schedule) const {
   settle(mode);
-  double before = mode.merit;
-  Mode best = mode;  // of states that have followed their hyperparameters: the merit of others means nothing
+  double before = mode.log_posterior;
+  Mode best = mode;  // of states that have followed their hyperparameters: the log_posterior of others means nothing
   ThetaMatrix spread = usual_spread(mode.theta);
   for (int round = 0; round < schedule.rounds; ++round) {
     maximise(mode, spread, static_cast<int>(options().theta_iterations));
     burst(mode, schedule);
-    const double gain = mode.merit - before;
+    const double gain = mode.log_posterior - before;
     if (round == 0 || gain > 0) {
       best = mode;
-      before = mode.merit;
+      before = mode.log_posterior;
     }
     if (std::abs(gain) < options().polish_accuracy) break;
   }

@@ -2,7 +2,7 @@
 //
 // The posterior is approached by turns: at given hyperparameters the readings are linearised at the state fitted (Gauss-Newton) and the
 // bounds of the gaps, over which the fibre jumped, are taken as Gaussians (expectation propagation); at a given linearisation the
-// hyperparameters are moved uphill. What a mode is worth is its merit, ln p(readings, gaps, hyperparameters).
+// hyperparameters are moved uphill. What a mode is worth is its log_posterior, ln p(readings, gaps, hyperparameters).
 #pragma once
 
 #include <algorithm>
@@ -23,8 +23,8 @@ struct Mode {
   Kernel kernel;
   Theta theta;
   Linearisation at;
-  std::vector<GapSite> sites;
-  double merit;  // ln p(readings, gaps, θ)
+  std::vector<SkippedPoint> sites;
+  double log_posterior;  // ln p(readings, gaps, θ)
 };
 
 struct Profile {
@@ -44,7 +44,7 @@ class FrictionProcess {
   // Domain:     at least 20 readings; std::invalid_argument otherwise.
   explicit FrictionProcess(Passages passages);
 
-  // The same with what else is known of its columns but waves (rig_pull.h).
+  // The same with what else is known of its columns but waves (rig_score_correction.h).
   FrictionProcess with_pull(const Coefficients& pull) const;
 
   const Passages& passages() const { return passages_; }
@@ -57,7 +57,7 @@ class FrictionProcess {
 
   static Mode start(Kernel kernel, const Theta& theta, const Linearisation& at);
 
-  // Gauss-Newton steps by a fraction of their length, the sites along; the merit is that of the end.
+  // Gauss-Newton steps by a fraction of their length, the sites along; the log_posterior is that of the end.
   void burst(Mode& mode, int steps, double fraction) const;
   void burst(Mode& mode, const Schedule& schedule) const { burst(mode, schedule.steps, schedule.fraction); }
 
@@ -83,14 +83,14 @@ class FrictionProcess {
   Objective objective(const Mode& mode, Observations& observations, const Theta& theta) const;
   double objective_alone(const Mode& mode, Observations& observations, const Theta& theta) const;  // its value
 
-  // Sites that agree with the observations; the merit.
+  // Sites that agree with the observations; the log_posterior.
   void settle(Mode& mode) const;
 
   static constexpr double mean_friction = 0.55;   // expected beforehand, 0.5 its standard deviation
   static constexpr double wave_deviation = 0.08;  // [1] of a wave's cosine and sine beforehand
   // ln p(readings, gaps | θ) of a mode whose sites are settled, without the volume of the readings.
   double evidence(const Mode& mode) const {
-    return mode.merit - mode.at.log_jacobian - prior_of_theta_.log_density(mode.kernel, mode.theta);
+    return mode.log_posterior - mode.at.log_jacobian - prior_of_theta_.log_density(mode.kernel, mode.theta);
   }
 
  private:
@@ -100,10 +100,10 @@ class FrictionProcess {
   };
   std::vector<Node> nodes_of(const Mode& mode) const;
   // That beyond the gap; the last, where none is.
-  std::size_t reading_of(const GapSite& site) const { return std::min(site.reading, passages_.size() - 1); }
+  std::size_t reading_of(const SkippedPoint& site) const { return std::min(site.reading, passages_.size() - 1); }
   double by_error(const RigError& error, std::size_t reading, double wave_slope) const;
   double by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const;
-  double bound_at(const Node& node, const GapSite& site, const Mode& mode) const;
+  double bound_at(const Node& node, const SkippedPoint& site, const Mode& mode) const;
   Observations observations_of(const Mode& mode, const std::vector<Node>& nodes) const;
   void say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const;
   Coefficients columns_beside_waves(double place, std::size_t waves) const;

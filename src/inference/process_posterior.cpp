@@ -13,7 +13,7 @@
 #include "inference/matern.h"
 #include "inference/prior_draws.h"
 #include "inference/profile.h"
-#include "inference/rig_pull.h"
+#include "inference/rig_score_correction.h"
 #include "numerics/dense.h"
 #include "numerics/elementary.h"
 
@@ -112,7 +112,7 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
     }
     process.prior_of_theta().bound(point.mode.theta);
     process.settle(point.mode);
-    point.log_weight = point.mode.merit - component.mode.merit + 0.5 * squares;
+    point.log_weight = point.mode.log_posterior - component.mode.log_posterior + 0.5 * squares;
     // No point is much likelier than the mode: where gaps or EI ran away from it, nothing is known of that point. Nor does one far below tell.
     constexpr double at_most = 12, at_least = -50;
     if (point.log_weight < at_most && point.log_weight > at_least) points.push_back(std::move(point));
@@ -496,7 +496,7 @@ class Posterior {
     for (std::size_t i = 0; i < profile_points; ++i) {
       const double part = static_cast<double>(i) / static_cast<double>(profile_points - 1);
       places.push_back(from_ + part * (to_ - from_));
-      band.S.push_back(process_.passages().drawn_in_at(places.back()));
+      band.S.push_back(process_.passages().sliding_length_at(places.back()));
     }
     band.mean.assign(profile_points, 0);
     band.deviation.assign(profile_points, 0);
@@ -589,8 +589,9 @@ class Posterior {
 ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Component> components) {
   // Where the likeliest is smooth, the others hardly tell of a pull.
   const SearchOptions& o = process.options();
-  if (!o.parts.rig_pull || !is_rough(components.front())) return Posterior(process, process, components).result();
-  const FrictionProcess pulled = process.with_pull(rig_pull(process, components.front().mode));
+  if (!o.parts.rig_score_correction || !is_rough(components.front()))
+    return Posterior(process, process, components).result();
+  const FrictionProcess pulled = process.with_pull(rig_score_correction(process, components.front().mode));
   std::vector<Component> all(components.begin(), components.end());
   for (Component& each : all) {
     if (!is_rough(each) || !(weight_of(each, components.front()) > elementary::exp(-o.weighs_nothing))) continue;
@@ -599,8 +600,8 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
     pulled.burst(moved, o.settle);
     // Where the bending stiffness runs away, or nothing is left that slid, the mode stays, and its means are moved to first order.
     const double away = std::abs(moved.at.eta - each.mode.at.eta);
-    if (away <= o.pull_farthest * process.passages().stiffness_error && moved.merit > each.mode.merit - o.ran_away &&
-        has_slid(moved.at))
+    if (away <= o.pull_farthest * process.passages().stiffness_error &&
+        moved.log_posterior > each.mode.log_posterior - o.ran_away && has_slid(moved.at))
       each.mode = std::move(moved);
   }
   return Posterior(process, pulled, all).result();

@@ -97,7 +97,7 @@ std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& sc
   return peaks;
 }
 
-// Minus the second difference of the merit in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
+// Minus the second difference of the log_posterior in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
 double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Observations& observations,
                          std::size_t hyperparameter) {
   const auto at = [&](double step) {
@@ -115,7 +115,7 @@ double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Obser
   return 2 / (last * last);
 }
 
-// ln p(readings, gaps), θ integrated out by the curvature of the merit at the mode.
+// ln p(readings, gaps), θ integrated out by the curvature of the log_posterior at the mode.
 Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto& o = process.options();
   const auto n = static_cast<Index>(mode.theta.size());
@@ -124,7 +124,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
-    // The merit may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
+    // The log_posterior may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
     const double curvature = i < 4 || !o.parts.fall_curvature
                                  ? 0
                                  : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
@@ -144,7 +144,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
   const auto [curvatures, vectors] = eigen_of(MatrixXd(unit.asDiagonal() * H * unit.asDiagonal()));
   const Eigen::VectorXd values = curvatures.cwiseMax(o.min_eigenvalue);
-  double log_evidence = mode.merit + process.prior_of_theta().log_scale(mode.kernel);
+  double log_evidence = mode.log_posterior + process.prior_of_theta().log_scale(mode.kernel);
   for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
@@ -161,7 +161,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   return component;
 }
 
-bool better(const Mode& a, const Mode& b) { return a.merit > b.merit; }
+bool better(const Mode& a, const Mode& b) { return a.log_posterior > b.log_posterior; }
 
 class Search {
  public:
@@ -177,7 +177,7 @@ class Search {
     Stages stages;
     stages.enter("friction without a wave", 0.08);
     Mode plain = without_wave(first_kernel());
-    if (!std::isfinite(plain.merit)) return result;
+    if (!std::isfinite(plain.log_posterior)) return result;
     result.scan = scan_of(process_, plain);
     const std::size_t asked = asked_.waves.value_or(1);
     stages.enter("friction with a wave", 0.48);
@@ -255,8 +255,8 @@ class Search {
   void converge(Component& component) const {
     Mode mode = component.mode;
     process_.burst(mode, o_.settle);
-    if (!(mode.merit > component.mode.merit - o_.ran_away)) return;
-    component.log_evidence += mode.merit - component.mode.merit;
+    if (!(mode.log_posterior > component.mode.log_posterior - o_.ran_away)) return;
+    component.log_evidence += mode.log_posterior - component.mode.log_posterior;
     component.mode = std::move(mode);
   }
 
@@ -286,9 +286,9 @@ class Search {
     };
     const auto begin = component.wavelength_deviation.begin(), end = begin + static_cast<std::ptrdiff_t>(waves);
     const double linearised = *std::min_element(begin, end), step = o_.valley_step * linearised,
-                 top = component.mode.merit;
+                 top = component.mode.log_posterior;
     const Mode longer = stretched(step), shorter = stretched(-step);
-    const double curvature = (2 * top - longer.merit - shorter.merit) / (step * step);
+    const double curvature = (2 * top - longer.log_posterior - shorter.log_posterior) / (step * step);
     if (!std::isfinite(curvature)) return;
     const auto angles = angles_of(component.mode), of_longer = angles_of(longer), of_shorter = angles_of(shorter);
     std::array<double, max_waves> turn{};
@@ -304,9 +304,10 @@ class Search {
         each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
     }
     if (!o_.parts.valley_move) return;
-    Mode moved = stretched(std::clamp((longer.merit - shorter.merit) / (2 * step * told), -2 * step, 2 * step));
-    if (!(moved.merit > top)) return;
-    component.log_evidence += moved.merit - top;
+    Mode moved =
+        stretched(std::clamp((longer.log_posterior - shorter.log_posterior) / (2 * step * told), -2 * step, 2 * step));
+    if (!(moved.log_posterior > top)) return;
+    component.log_evidence += moved.log_posterior - top;
     component.mode = std::move(moved);
   }
 
@@ -322,7 +323,7 @@ class Search {
     process_.settle(mode);
     Mode moved = mode;
     process_.burst(moved, 2 * schedule.steps, schedule.fraction);
-    return moved.merit > mode.merit + o_.much_better ? moved : mode;
+    return moved.log_posterior > mode.log_posterior + o_.much_better ? moved : mode;
   }
 
   Mode without_wave(Kernel kernel) const {
@@ -431,7 +432,7 @@ class Search {
     };
     const auto try_from = [&](const Mode& from, double wavelength) {
       found.emplace_back(tried(from, from.theta, elementary::log(wavelength)), wavelength);
-      return found.back().first.merit;
+      return found.back().first.log_posterior;
     };
     const std::vector<double> wavelengths = candidates(plain, raw, scan);
     double best = -infinity;
@@ -440,7 +441,7 @@ class Search {
     // peak, and where any wave gains, all.
     const bool blurred = is_blurred(plain);
     for (std::size_t i = 0; o_.parts.trials_from_rises && blurred && i < wavelengths.size(); ++i)
-      if (i == 0 || best > plain.merit) best = std::max(best, try_from(raw, wavelengths[i]));
+      if (i == 0 || best > plain.log_posterior) best = std::max(best, try_from(raw, wavelengths[i]));
     rank();
     // The two best from their own simulated loadings, too. Where none comes up to what friction without it is worth, none nearby does.
     const bool promising = !found.empty() && better(found.front().first, plain);
@@ -458,10 +459,10 @@ class Search {
     }
     rank();
     for (const auto& [trial, wavelength] : found) {
-      if (!std::isfinite(trial.merit)) break;
+      if (!std::isfinite(trial.log_posterior)) break;
       Mode mode = trial;
       process_.polish(mode, o_.wave);
-      if (trial.merit > mode.merit) mode = trial;
+      if (trial.log_posterior > mode.log_posterior) mode = trial;
       if (is_resolved(elementary::exp(mode.theta.log_wavelength(last)), mode.theta, last)) return mode;
     }
     return std::nullopt;
@@ -486,7 +487,7 @@ class Search {
       Mode forward = fitted_forward(process_, run_, other);
       process_.burst(forward, o_.smooth_forward);
       process_.polish(forward, o_.smooth_forward);
-      if (forward.merit > other.merit) other = std::move(forward);
+      if (forward.log_posterior > other.log_posterior) other = std::move(forward);
     }
     return other;
   }

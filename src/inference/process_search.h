@@ -24,8 +24,8 @@ struct Hypotheses {
 struct Component {
   Mode mode;
   double log_evidence;
-  Eigen::MatrixXd spread;  // covariance of θ, by the curvature of the merit as it is linearised
-  // [1] Of ln λ of each wave, by how the merit falls where it is linearised anew: wavelengths and the errors of the rig make up for each other.
+  Eigen::MatrixXd spread;  // covariance of θ, by the curvature of the log_posterior as it is linearised
+  // [1] Of ln λ of each wave, by how the log_posterior falls where it is linearised anew: wavelengths and the errors of the rig make up for each other.
   std::array<double, max_waves> wavelength_deviation{};
   // [rad] By how much the angle of each wave at the middle turns with ln of the lengths, along that valley.
   std::array<double, max_waves> turn{};

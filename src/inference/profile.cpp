@@ -50,7 +50,7 @@ ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const
 
 }  // namespace
 
-double held_friction(const Fibre& fibre, double mu) { return std::clamp(mu, 0.0, fibre.most_friction()); }
+double held_friction(const Fibre& fibre, double mu) { return std::clamp(mu, 0.0, fibre.max_friction()); }
 
 double standard_error(const ProfilePoint& point) {
   return elementary::length(elementary::length(point.from_force, point.from_bending_stiffness), point.from_contact);
@@ -87,7 +87,7 @@ ReadStates read_states(const ReducedRecord& record, const Fibre& fibre, double l
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
                                  double min_deflection) {
   const Fibre& fibre = rig.fibre;
-  const ReadStates read = read_states(record, fibre, friction_told_from(fibre, min_deflection));
+  const ReadStates read = read_states(record, fibre, min_informative_deflection(fibre, min_deflection));
   FrictionProfile profile{.points = {}, .unexplained = read.unexplained};
   const SlopeArrays slopes = fibre.states_slopes({read.S, read.q});
   for (std::size_t i = 0; i < read.rows.size(); ++i) {
@@ -102,7 +102,7 @@ FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, co
   return profile;
 }
 
-double friction_told_from(const Fibre& fibre, double min_deflection) {
+double min_informative_deflection(const Fibre& fibre, double min_deflection) {
   return std::max(min_deflection, least_half_depths * fibre.supports().half_depth);
 }
 
@@ -118,7 +118,7 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
   std::vector<ProfilePoint> points;
   std::vector<double> lengths;
   for (const auto& point : profile.points)
-    if (record.deflection[point.index] > friction_shows_from) {
+    if (record.deflection[point.index] > min_friction_deflection) {
       points.push_back(point);
       lengths.push_back(point.S);
     }
@@ -152,9 +152,10 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
 
 SuspectReport find_suspects(const ReducedRecord& record, const FrictionProfile& profile, double limit) {
   SuspectReport report{.limit = limit};
-  for (const double deflection : record.deflection) report.points_judged += deflection > judged_from;
+  for (const double deflection : record.deflection) report.points_judged += deflection > min_judged_deflection;
   for (const auto& point : profile.points)
-    if (record.deflection[point.index] > judged_from && point.mu > limit) report.points.push_back(point.index);
+    if (record.deflection[point.index] > min_judged_deflection && point.mu > limit)
+      report.points.push_back(point.index);
   report.suspect = 20 * report.points.size() > report.points_judged;
   return report;
 }

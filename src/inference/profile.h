@@ -27,18 +27,18 @@ struct MeasurementErrors {
 };
 
 // Deflections [L] below it are left out unless the caller says otherwise: friction is hardly measurable there.
-inline constexpr double hardly_bent = 0.02;
+inline constexpr double min_profile_deflection = 0.02;
 
 // Past it [L] friction is measurable to a few hundredths.
-inline constexpr double judged_from = 0.1;
+inline constexpr double min_judged_deflection = 0.1;
 
 inline constexpr double min_friction = -0.1;  // [1] that errors may feign
 
 // Deflections below it [L] say hardly anything of friction.
-inline constexpr double friction_shows_from = 0.05;
+inline constexpr double min_friction_deflection = 0.05;
 
 // [L] Where friction is told on a fibre: from there, and from twice its thickness on.
-double friction_told_from(const Fibre& fibre, double min_deflection = friction_shows_from);
+double min_informative_deflection(const Fibre& fibre, double min_deflection = min_friction_deflection);
 
 struct ProfilePoint {
   std::size_t index;  // in the record
@@ -75,7 +75,7 @@ ReadStates read_states(const ReducedRecord& record, const Fibre& fibre, double l
 //             friction is hardly measurable (at 0.05 an error of 1 % in EI is one of 0.1 in μ), and those below twice the thickness.
 // Cost:       1 µs a point.
 FrictionProfile measure_friction(const ReducedRecord& record, const Rig& rig, const MeasurementErrors& errors,
-                                 double min_deflection = hardly_bent);
+                                 double min_deflection = min_profile_deflection);
 
 // The greatest curvature of the fibre at midspan [1/L] in the states of a profile; NaN if it has none.
 double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre = {});
@@ -85,7 +85,7 @@ double held_friction(const Fibre& fibre, double mu);
 
 // The profile as a friction table that, run forward, gives the measured curve back, drops included: a value on the load line
 // of each point, and within each drop a trough below it, the shallowest part of what the curve leaves unseen.
-// Domain:     a profile of this record; at least two points with w > friction_shows_from.
+// Domain:     a profile of this record; at least two points with w > min_friction_deflection.
 // Max error:  in F, 1e-3 where no point of the profile had to be raised to μ = 0 (tested on measured curves: validation.md).
 FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const FrictionProfile& profile,
                            std::span<const Drop> drops);

@@ -34,7 +34,7 @@ struct SearchParts {
   bool valley_move = true;            // move waves along that valley
   bool fall_curvature = true;         // measure the error of a wavelength where the posterior has fallen by a factor e
   bool scatter = true;                // add the spread of a wavelength between modes to its error
-  bool rig_pull = true;               // correct for what readings of rough friction seem to say of the rig
+  bool rig_score_correction = true;   // correct for what readings of rough friction seem to say of the rig
   bool rig_cost = true;               // give the evidence no gain by errors of the rig where they were not linearised
   bool hyperparameter_points = true;  // average over eight points of the hyperparameters; without: their mode alone
   bool hidden_by_rig = true;          // widen the error of friction on soft rigs
@@ -119,7 +119,7 @@ struct SearchOptions {
   // What is reported.
   double weighs_nothing = 4;  // [ln evidence] explanations farther below, of 2 % of the weight, are left out
 
-  // The correction by rig_pull.
+  // The correction by rig_score_correction.
   double pull_farthest = 1.5;    // [prior errors of EI] a mode that moves farther ran away
   double pull_most = 3;          // [prior errors of EI] by which the correction moves it at most
   double pull_most_step = 0.02;  // [ln EI] of the difference: curvature
@@ -132,7 +132,7 @@ struct SearchOptions {
   Schedule wave{4, 8, 0.2};            // of the best wave
   Schedule follow{2, 6, 0.3};          // of a mode after a change of its kernel or of its start
   Schedule smooth_forward{3, 6, 0.3};  // of a wave without roughness, from its own simulated loading
-  Schedule pull{3, 6, 0.5};            // of a mode at another EI, for rig_pull
+  Schedule pull{3, 6, 0.5};            // of a mode at another EI, for rig_score_correction
   Schedule anneal{
       1, 48, 0.3};  // of jerky friction, while the noise falls: in a third of the steps, answers depend on rounding
   Schedule annealed{4, 6, 0.3};  // thereafter

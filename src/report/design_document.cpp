@@ -315,7 +315,7 @@ std::vector<std::string> changes_in_words(const DesignAnswer& answer) {
 std::vector<Chapter> document_of(const DesignAnswer& answer) {
   const InUnits shown(answer);
   const DesignOutcome& outcome = answer.outcome;
-  const double from = friction_told_from(answer.design.rig.fibre);
+  const double from = min_informative_deflection(answer.design.rig.fibre);
   const auto limit = pin_limit_of(answer.input);
   const Rows rows{
       {"first snap", first_snap_in_words(answer, shown)},

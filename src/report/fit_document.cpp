@@ -7,8 +7,8 @@
 #include "answers/fit_fields.h"
 #include "data/names.h"
 #include "finding/answer.h"
-#include "finding/hangs_on.h"
 #include "finding/printed.h"
+#include "finding/sensitivities.h"
 #include "inference/fit.h"
 #include "io/text.h"
 #include "numerics/elementary.h"
@@ -125,7 +125,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
 // ---- What the answer hangs on
 
 Chapter hangs_on_chapter(T test) {
-  if (what_the_answer_hangs_on(test).empty()) return {};
+  if (sensitivities_of(test).empty()) return {};
   std::vector<Shown> columns{{.heading = "Quantity", .field = "title"},
                              {.heading = "Stated", .field = "stated"},
                              {.heading = "May be off by", .field = "may_be_off"},

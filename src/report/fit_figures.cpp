@@ -99,7 +99,7 @@ Plot force_figure(const FittedTest& test) {
   const bool has_beyond =
       std::any_of(measured.rows.begin(), measured.rows.end(), [](const auto& row) { return row[4] > 1; });
   PlotTable sliding = plane.table("sliding"), snaps = plane.table("snaps"), drops = plane.table("drops");
-  const TestPath forward = mean_run_forward(analysis);
+  const TestPath forward = simulated_mean_fit(analysis);
   const auto at = [&](const PathPoint& point) { return std::vector{w(point.w), F(point.F)}; };
   const auto is_snap = [](const PathPoint& point) { return point.motion == Motion::snap; };
   sliding.rows = stretches_of(
@@ -186,7 +186,7 @@ Plot profile_figure(const FittedTest& test) {
       imaged.rows.push_back({slid(1 + seen.imaged), point->mu});
     }
   }
-  for (const auto& point : claimed_waves(analysis)) wave.rows.push_back({slid(point.S), point.mu});
+  for (const auto& point : detected_waves(analysis)) wave.rows.push_back({slid(point.S), point.mu});
 
   std::vector<Mark> marks;
   const auto literature = literature_of(test);

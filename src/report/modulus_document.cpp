@@ -50,7 +50,7 @@ std::string percent_range(const ShareRange& share) {
 }
 
 // Force, deflection, stress and strain of a point of the loading.
-void add_reached(Rows& rows, const Test& test, const LoadReached& at, std::string_view force, std::string_view stress,
+void add_reached(Rows& rows, const Test& test, const LoadPoint& at, std::string_view force, std::string_view stress,
                  std::string_view where) {
   const auto as = [&](const Kind& kind) { return kind_in(test, kind); };
   rows.push_back({std::string(force), readable(at.force, as(kind::force))});
@@ -117,7 +117,7 @@ std::string why_no_numbers(const StandardTest& test) {
   if (numbers.status == SmallDeflectionStatus::too_stiff)
     return fmt::format("The modulus would be {}, and no material exceeds {}{}. {}, span and section{}.",
                        three_digits(*numbers.modulus, kind_in(test.measurement.test, kind::pressure)),
-                       three_digits(stiffest_material, kind_in(test.measurement.test, kind::pressure)),
+                       three_digits(max_material_modulus, kind_in(test.measurement.test, kind::pressure)),
                        load_train ? "; the " + taken : "", check,
                        load_train ? ", and the stiffness of the load train" : "");
   if (!load_train)
@@ -157,7 +157,7 @@ std::string beginning_in_words(const StandardTest& test) {
   if (!(measurement.begins_under > 0)) return "";
   const std::string force = readable(measurement.begins_under, kind_in(measurement.test, kind::force));
   return fmt::format(", under {}: a preload, or, if the load cell was not set to zero, {}", force,
-                     to_say(measurement.test, {{"record", "zero", fmt::format("\"{}\"", force)}}));
+                     instruction_to_set(measurement.test, {{"record", "zero", fmt::format("\"{}\"", force)}}));
 }
 
 // Why a record from which a modulus is read has no chord of ISO 178; "" where it has one, or where it lies in the toe.
@@ -168,7 +168,7 @@ std::string why_no_chord(const StandardTest& test) {
     return percent_to_two_digits(6 * deflection * depth(*test.geometry.section) /
                                  (*test.geometry.span * *test.geometry.span));
   };
-  const double first = test.measurement.record.deflection.front() - numbers.origin + numbers.before_beginning;
+  const double first = test.measurement.record.deflection.front() - numbers.origin + numbers.origin_before_record;
   const bool ends = numbers.greatest.strain < 0.0025;
   return fmt::format(
       "There is no chord of ISO 178, from 0.05 % to 0.25 % strain: {}.",
@@ -198,17 +198,17 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
         "of "
         "the specimen. Measure the deflection itself, or the stiffness of the load train.",
         format_percent(numbers.load_train_share), numbers.load_train_share / (1 - numbers.load_train_share)));
-  if (numbers.modulus && *numbers.modulus > stiff_material && !test.measurement.test.reduced)
+  if (numbers.modulus && *numbers.modulus > high_material_modulus && !test.measurement.test.reduced)
     list.push_back(
         fmt::format("Hardly any material is stiffer than {}: check the units of force, displacement, span and section.",
-                    three_digits(stiff_material, kind_in(test.measurement.test, kind::pressure))));
+                    three_digits(high_material_modulus, kind_in(test.measurement.test, kind::pressure))));
   if (supports_count(test))
     list.push_back(
         fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
                     "stiffness of the {}.",
                     percent_to_two_digits(*test.supports.alone), numbers.chord ? "chord" : "straight part"));
   if (test.supports.friction) list.push_back(friction_in_words(test, *test.supports.friction));
-  if (numbers.before_beginning > beginning_worth_a_word * numbers.greatest.deflection)
+  if (numbers.origin_before_record > beginning_worth_a_word * numbers.greatest.deflection)
     list.push_back(
         fmt::format("The straight part would meet zero force before the record begins, so deflection and strain count "
                     "from its beginning{}.",
@@ -218,7 +218,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
     list.push_back(fmt::format(
         "The chord of ISO 178, from 0.05 % to 0.25 % strain, lies in the toe, where the record still bends up: the "
         "straight part is {} steeper, and supports and friction explain {}. Use the modulus of the straight part.",
-        format_percent(numbers.toe_excess), format_percent(numbers.toe_explained)));
+        format_percent(numbers.toe_excess), format_percent(numbers.toe_excess_explained)));
   if (numbers.chord && numbers.modulus) {
     constexpr double clearly = 2;  // errors
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
@@ -227,11 +227,11 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
       list.push_back(fmt::format(
           "The modulus of the straight part differs by {} from that of the chord, which is more than their errors: {}",
           signed_percent(apart),
-          apart > numbers.toe_explained && apart > 0
+          apart > numbers.toe_excess_explained && apart > 0
               ? fmt::format("friction and large deflection explain {} of it, and a toe, which the noise of the chord "
                             "hides, may explain {}. Use the modulus of the straight part.",
-                            numbers.toe_explained > 0 ? format_percent(numbers.toe_explained) : "none",
-                            numbers.toe_explained > 0 ? "the rest" : "it")
+                            numbers.toe_excess_explained > 0 ? format_percent(numbers.toe_excess_explained) : "none",
+                            numbers.toe_excess_explained > 0 ? "the rest" : "it")
           : apart > 0
               ? "friction and large deflection steepen the straight part more than the chord. Use the chord, or "
                 "the modulus that fit finds."

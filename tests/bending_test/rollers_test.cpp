@@ -199,7 +199,7 @@ TEST_CASE("rollers, oracle: before the surface slides in, the steepest that is f
         q.push_back(most * j / 6);
       }
     double moved = 0;
-    for (const double each : fibre.lengths_by_friction(w, q)) moved = std::max(moved, std::abs(each));
+    for (const double each : fibre.length_friction_derivatives(w, q)) moved = std::max(moved, std::abs(each));
     const double steepest = steepest_followed(fibre, most, 1.1);
     CHECK(steepest <= (1 + 1e-12) / moved);  // on rollers, which roll on as it is drawn in, maybe less
     if (supports.radius == 0) CHECK(steepest == to(1e-12, 1 / moved));
@@ -217,7 +217,8 @@ TEST_CASE("rollers, definition: no friction is exceeded where it changes as fast
   REQUIRE(history.status == HistoryStatus::ok);
   REQUIRE(history.path.size() == stages.size());
   for (const PathPoint& point : history.path)
-    CHECK(std::abs(point.q) < friction.at(fibre.length_between_contacts(fibre.bent(point.w, point.q).state)).mu + 1e-9);
+    CHECK(std::abs(point.q) <
+          friction.at(fibre.length_between_contacts(fibre.at_deflection(point.w, point.q).state)).mu + 1e-9);
 }
 
 TEST_CASE("rollers, identity: the energy account closes through any programme, cracks among it") {

@@ -22,7 +22,10 @@ constexpr double S_to = S_from + 0.75 * 0.04 * std::numbers::pi;
 
 SlidingPiece piece_of(const Friction& along, double from, double to) {
   const Fibre fibre;
-  return {pieces_between(along, stiff, Sliding::in, std::array{fibre.way(from), fibre.way(to)}).front(), stiff};
+  return {pieces_between(along, stiff, Sliding::in,
+                         std::array{fibre.sliding_coordinate(from), fibre.sliding_coordinate(to)})
+              .front(),
+          stiff};
 }
 
 FibreState state_at(double S) { return fibre_state(S, friction.at(S).mu); }
@@ -71,8 +74,9 @@ TEST_CASE("sliding piece, limit: where the branch has ended there is none") {
 
 TEST_CASE("sliding piece, identity: parts of a piece tell what the whole tells, and add up to it") {
   const Fibre fibre;
-  const CurvePiece nodes =
-      pieces_between(friction, stiff, Sliding::in, std::array{fibre.way(S_from), fibre.way(S_to)}).front();
+  const CurvePiece nodes = pieces_between(friction, stiff, Sliding::in,
+                                          std::array{fibre.sliding_coordinate(S_from), fibre.sliding_coordinate(S_to)})
+                               .front();
   const SlidingPiece whole(nodes, stiff);
   const double between = 0.3 * nodes.from + 0.7 * nodes.to;
   const SlidingPiece first(nodes, stiff, nodes.from, between), second(nodes, stiff, between, nodes.to);

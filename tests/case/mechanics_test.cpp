@@ -55,8 +55,8 @@ TEST_CASE("mechanics: the section's uncertainty counts in EI as its second momen
   // D^4 - (D - 2 t)^4 of D = 4 and t = 1: ∂/∂t = 8 (D - 2 t)^3 = 64 of 240.
   CHECK(error_of(modulus + "diameter = '4 um'\nwall = '1 um ± 3 %'") ==
         doctest::Approx(std::hypot(0.02, 0.03 * 64 / 240)).epsilon(small));
-  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um ± 0 %'") == usual_modulus_error);
-  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um'") == usual_stiffness_error);
+  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um ± 0 %'") == default_modulus_error);
+  CHECK(error_of("modulus = '30 GPa'\ndiameter = '1 um'") == default_stiffness_error);
   CHECK(error_of("modulus = '30 GPa ± 0 %'\ndiameter = '1 um ± 0 %'") == 0);
 }
 

@@ -59,12 +59,12 @@ TEST_CASE("pins, identity: the pieces of a trace lie end to end, with their ends
     REQUIRE(curve.pieces.size() > 200);
     const Fibre fibre;
     CHECK(curve.pieces.front().from == 0);
-    CHECK(curve.pieces.back().to == fibre.way(1.3));
+    CHECK(curve.pieces.back().to == fibre.sliding_coordinate(1.3));
     for (std::size_t i = 1; i < curve.pieces.size(); ++i) CHECK(curve.pieces[i].from == curve.pieces[i - 1].to);
     for (const double knot : both.knots()) {
       if (!(knot > 1 && knot < 1.3)) continue;
       CHECK(std::any_of(curve.pieces.begin(), curve.pieces.end(),
-                        [&](const CurvePiece& piece) { return piece.to == fibre.way(knot); }));
+                        [&](const CurvePiece& piece) { return piece.to == fibre.sliding_coordinate(knot); }));
     }
   }
 }

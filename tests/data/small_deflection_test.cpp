@@ -180,7 +180,7 @@ TEST_CASE("small_deflection: teeth are not the straight part, however steep they
     return k * (w < 6e-3 ? w : 6e-3 + 3 * (w - 6e-3) - 0.5e-3 * std::floor((w - 6e-3) / 0.5e-3));
   };
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const auto straight = straight_part(in_steps(0.02e-3, 12e-3, 0.1, seed, sawtooth), {});
+    const auto straight = find_linear_region(in_steps(0.02e-3, 12e-3, 0.1, seed, sawtooth), {});
     REQUIRE(straight);
     CHECK(straight->slope.value == to(0.01, k));
     CHECK(straight->origin < 0.1e-3);
@@ -193,7 +193,7 @@ TEST_CASE("small_deflection: the toe does not lie before the record begins (limi
   const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0.1, 1, preloaded), known());
   CHECK(found.stiffness.value == to(0.01, k));
   CHECK(found.origin == 0);
-  CHECK(found.before_beginning == to(0.02, 1e-3));
+  CHECK(found.origin_before_record == to(0.02, 1e-3));
   CHECK(found.greatest.deflection == to(1e-12, 4e-3));
   const auto bent_down = [](double w) { return k * (w - 100 * w * w); };
   CHECK(small_deflection(in_steps(0.01e-3, 4e-3, 0.1, 1, bent_down), known()).origin >= 0);
@@ -215,7 +215,7 @@ TEST_CASE("small_deflection: a chord in the toe is none; one of a specimen that 
   const auto on_pins = small_deflection(in_steps(0.01e-3, 6e-3, 0.02, 1, pulled_in), known(),
                                         {.steepening = [](DeflectionRange, DeflectionRange) { return 0.01; }});
   CHECK(on_pins.chord_in_toe);
-  CHECK(on_pins.toe_explained == 0.01);
+  CHECK(on_pins.toe_excess_explained == 0.01);
   CHECK(on_pins.toe_excess == to(1e-12, *steepened.modulus / steepened.chord->modulus - 1));
   CHECK(*steepened.modulus > 1.1 * steepened.chord->modulus);
 }
@@ -225,7 +225,7 @@ TEST_CASE("small_deflection: what relaxes while the stage halts ends no straight
   Record record = in_steps(0.01e-3, 4e-3, 0.02, 1, [](double w) { return k * w; });
   for (std::size_t i = halt + 1; i < record.force.size(); ++i) record.force[i] -= 0.05 * record.force[halt];
   const auto ends_at = [&](const SmallDeflectionOptions& options) {
-    return straight_part(record, known(), options)->last;
+    return find_linear_region(record, known(), options)->last;
   };
   CHECK(ends_at({}) <= halt + 1);
   CHECK(ends_at({.halts = {halt}}) > halt + 100);
@@ -310,7 +310,7 @@ TEST_CASE("small_deflection: a force that does not rise, and too few points (lim
 
 TEST_CASE("usual_roller_radius: that of ISO 178 for bars, a twentieth of the span for what is smaller (table)") {
   const auto radius = [](double span, double height) {
-    return usual_roller_radius({span, RectangularSection{.width = 0.01, .height = height}});
+    return standard_roller_radius({span, RectangularSection{.width = 0.01, .height = height}});
   };
   CHECK(radius(0.064, 0.004) == std::optional(0.005));
   CHECK(radius(0.048, 0.003) == std::optional(0.002));
@@ -318,12 +318,12 @@ TEST_CASE("usual_roller_radius: that of ISO 178 for bars, a twentieth of the spa
   CHECK(radius(0.016, 0.001) == std::optional(0.0008));
   CHECK(radius(0.100, 0.001) == std::optional(0.002));
   CHECK(radius(0.030, 0.004) == std::optional(0.0015));  // a span that no bar so thick is tested on
-  CHECK(usual_roller_radius({0.020, RoundSection{0.5e-3}}) == std::optional(0.001));
-  CHECK(*usual_roller_radius({1278e-6, RoundSection{34.8e-6}}) == doctest::Approx(63.9e-6));
-  CHECK(!usual_roller_radius({std::nullopt, RoundSection{0.004}}));
-  CHECK(*usual_roller_radius({0.064, std::nullopt}) == doctest::Approx(0.0032));
-  CHECK(!usual_roller_radius({0.064, RoundSection{0.004}, 0.0}));
-  CHECK(!usual_roller_radius({0.064, RoundSection{0.004}, 0.001}));
+  CHECK(standard_roller_radius({0.020, RoundSection{0.5e-3}}) == std::optional(0.001));
+  CHECK(*standard_roller_radius({1278e-6, RoundSection{34.8e-6}}) == doctest::Approx(63.9e-6));
+  CHECK(!standard_roller_radius({std::nullopt, RoundSection{0.004}}));
+  CHECK(*standard_roller_radius({0.064, std::nullopt}) == doctest::Approx(0.0032));
+  CHECK(!standard_roller_radius({0.064, RoundSection{0.004}, 0.0}));
+  CHECK(!standard_roller_radius({0.064, RoundSection{0.004}, 0.001}));
 }
 
 TEST_CASE("small_deflection: nonsense is refused (contract)") {

@@ -1,5 +1,5 @@
 // How far the fibre layer is from the 40-digit tables in reference/: measured here once, asserted against the headers by
-// the tests of each file, and written to docs/accuracy.md by accuracy_test.cpp.
+// the tests of each file, and written to docs/numerics.md by accuracy_test.cpp.
 #pragma once
 
 #include <cmath>

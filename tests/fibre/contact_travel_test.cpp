@@ -12,7 +12,7 @@ TEST_CASE("contact_travel, definition: it is the length between the contacts, mi
   for (const auto& supports : {Supports{.02, 0}, Supports{.08, 0}, Supports{.08, .027}, Supports{.15, .06}}) {
     const Fibre fibre(supports);
     constexpr double q = .4, least = 1.02, most = 1.5;
-    const ContactTravel along(fibre, q, least, most);
+    const ContactPath along(fibre, q, least, most);
     double before = -INFINITY, shortest = INFINITY;
     for (double S = least; S <= most; S += .001) shortest = std::min(shortest, fibre.contact(S, q).length);
     for (double S = least; S <= most; S += .01) {
@@ -22,24 +22,24 @@ TEST_CASE("contact_travel, definition: it is the length between the contacts, mi
       CHECK(travel > before);
       CHECK(along.length_at(travel) == to(1e-9, contact.length));
       CHECK(std::abs(along.slope(S) - std::abs(contact.length_S)) < 1e-7);
-      CHECK(along.rolls_back_at(travel) == (contact.length_S < 0));
+      CHECK(along.contact_moves_outward_at(travel) == (contact.length_S < 0));
       if (contact.length_S > 0.05) CHECK(travel >= shortest);
-      CHECK(along.drawn_in_at(travel) == to(1e-9, S));
+      CHECK(along.sliding_length_at(travel) == to(1e-9, S));
       before = travel;
     }
-    CHECK(along.drawn_in_at(along.at(most + .01)) == to(1e-9, most + .01));  // linear beyond
+    CHECK(along.sliding_length_at(along.at(most + .01)) == to(1e-9, most + .01));  // linear beyond
     CHECK(along.slope(most + .01) > 0);
   }
 }
 
 TEST_CASE("contact_travel: on edges, of whatever thickness, it is what has been drawn in, bit by bit") {
   for (const Fibre& fibre : {Fibre(), Fibre(Supports{0, .02})}) {
-    const ContactTravel along(fibre, .4, 1.02, 1.5);
+    const ContactPath along(fibre, .4, 1.02, 1.5);
     CHECK(along.at(1.2345) == 1.2345);
-    CHECK(along.drawn_in_at(1.2345) == 1.2345);
+    CHECK(along.sliding_length_at(1.2345) == 1.2345);
     CHECK(along.length_at(1.2345) == 1.2345);
     CHECK(along.slope(1.2345) == 1);
-    CHECK(!along.rolls_back_at(1.01));
+    CHECK(!along.contact_moves_outward_at(1.01));
   }
 }
 

@@ -39,7 +39,7 @@ TEST_CASE("fibre, limit: on edges it is the map of elastica.h, bit by bit") {
     RC_ASSERT(a.state.F == b.state.F);
     RC_ASSERT(a.slopes.F_S == b.slopes.F_S);
     RC_ASSERT(fibre.length_between_contacts(a.state) == S);
-    RC_ASSERT(fibre.lost_bending(a.state) == 0);
+    RC_ASSERT(fibre.bending_energy_lost_at_contact(a.state) == 0);
   }));
 }
 
@@ -55,16 +55,16 @@ TEST_CASE("fibre, oracle: the tables give the states of supported_state.h, by le
     const FibreState state = fibre.state(1 + exact.slid, q);
     RC_ASSERT(state.status == FibreStatus::ok);
     RC_ASSERT(state.w == to(close * (1 + 1e-4 / exact.slid), w));  // a length has an absolute rounding
-    const Fibre::BentState bent = fibre.bent(w, q);
+    const Fibre::DeflectionState bent = fibre.at_deflection(w, q);
     RC_ASSERT(std::abs(bent.state.S - 1 - exact.slid) <= close);
     RC_ASSERT(bent.state.F == to(close * condition, exact.F));
     RC_ASSERT(bent.state.theta0 == to(close, exact.theta0));
     RC_ASSERT(bent.state.Pn == to(close * condition, exact.Pn));
-    RC_ASSERT(fibre.state_bent(w, q).U == to(close, exact.U));
+    RC_ASSERT(fibre.state_at_deflection(w, q).U == to(close, exact.U));
     RC_ASSERT(fibre.length_between_contacts(bent.state) == to(close, exact.length));
     RC_ASSERT(fibre.curvature_at_midspan(bent.state) == to(close, exact.curvature));
     const double by_friction = bent.S_q - 2 * fibre.supports().radius * bent.theta0_q;
-    RC_ASSERT(fibre.lengths_by_friction({&w, 1}, {&q, 1}).front() == to(1e-12, by_friction));
+    RC_ASSERT(fibre.length_friction_derivatives({&w, 1}, {&q, 1}).front() == to(1e-12, by_friction));
     if (const double S = bent.state.S; S >= 1)
       RC_ASSERT(fibre.curvatures_at_midspan({{&S, 1}, {&q, 1}}, {&w, 1}).front() == to(close, exact.curvature));
     if (w < least_half_depths * fibre.supports().half_depth || std::abs(q) > 1.9) return;
@@ -117,7 +117,7 @@ TEST_CASE("fibre, definition: slopes along a length and in friction are those of
     const Fibre& fibre = some_fibre();
     const auto [w, q] = some_bent(fibre);
     if (q < -0.5) return;
-    const double S = fibre.bent(w, q).state.S;
+    const double S = fibre.at_deflection(w, q).state.S;
     if (!(S > 1)) return;
     const double h = 1e-5 * (S - 1 + 0.01);
     const auto at = [&](double dS, double dq) { return fibre.state(S + dS, q + dq); };
@@ -145,7 +145,7 @@ TEST_CASE(
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
     const double w = *between(0.002, 0.3), q = *between(-0.3, 1.5);
-    const Fibre::BentState at = fibre.bent(w, q);
+    const Fibre::DeflectionState at = fibre.at_deflection(w, q);
     RC_ASSERT(at.state.status == FibreStatus::ok);
     constexpr double least = 0.02;  // of slopes that have a sign: what the axis loses that leaves the span is left out
     if (std::abs(at.S_w) > least) RC_ASSERT((at.F_q > 0) == (at.S_w > 0));

@@ -71,7 +71,7 @@ TEST_CASE("tables on supports: those asked for again and again stay, however man
 TEST_CASE("tables on supports: the least length of a friction q lies 6 q τ³ below that of none, to first order") {
   constexpr double tau = 0.002;
   const auto least = [&](double q) {  // of a parabola through three states about it
-    const auto slid = [&](double share) { return state_led_on(share * tau, q, {0, tau}).slid; };
+    const auto slid = [&](double share) { return extrapolated_state(share * tau, q, {0, tau}).slid; };
     const double a = slid(1.15), b = slid(1.25), c = slid(1.35);
     return b - (c - a) * (c - a) / (8 * (a - 2 * b + c));
   };
@@ -142,7 +142,7 @@ TEST_CASE("tables on supports: up to the end of the branch they are what is comp
     RC_ASSERT(std::abs(tabulated[0] - state.slid) < 1e-11);
     RC_ASSERT(std::abs(tabulated[1] - state.F) < 1e-9);
     // Just beyond the end it is led on, with a force that no support bears.
-    const SupportedState led = state_led_on(none + 1e-3, q, supports);
+    const SupportedState led = extrapolated_state(none + 1e-3, q, supports);
     RC_PRE(led.status == FibreStatus::ok);
     const auto beyond = SupportedTables::of(supports)->sliding(none + 1e-3, q);
     RC_ASSERT(beyond[1] < 0);
@@ -158,7 +158,7 @@ TEST_CASE("tables on supports, limit: lengths that no state has, too short and t
       const SupportedTables& tables = *SupportedTables::of(supports);
       double least = 1;  // [L] of all states hardly bent
       for (double w = 1e-3; w < 0.3; w += 1e-3) {
-        const SupportedState at = state_led_on(w, q, supports);
+        const SupportedState at = extrapolated_state(w, q, supports);
         if (at.status == FibreStatus::ok) least = std::min(least, 1 + at.slid);
       }
       CHECK(std::isnan(tables.deflection(least - 1e-3, q)));

@@ -17,7 +17,7 @@
 #include "answers/fit_fields.h"
 #include "bending_test/history.h"
 #include "case/mechanics.h"
-#include "finding/hangs_on.h"
+#include "finding/sensitivities.h"
 #include "tests/finding/situations.h"
 #include "tests/has.h"
 
@@ -80,7 +80,7 @@ TEST_CASE("verdict: each of the six, by what it rests on") {
     CHECK(verdict(test) == expected);
   }
   CHECK(verdict(changed([](FittedTest& test) {  // bent too little to tell friction, without a drop
-          test.analysis.status = AnalysisStatus::bent_too_little;
+          test.analysis.status = AnalysisStatus::deflection_too_small;
           test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
           test.analysis.drops.drops.clear();
           test.judgement.conclusion = Conclusion::no_drops;
@@ -398,11 +398,11 @@ force = "force [N]"
 }
 
 TEST_CASE("hangs on: what moves friction most comes first, and the share of the work moves with it") {
-  const std::vector<HangsOn> all = what_the_answer_hangs_on(slipping());
+  const std::vector<Sensitivity> all = sensitivities_of(slipping());
   REQUIRE(all.size() >= 6);
   std::set<std::string_view> named;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const HangsOn& each = all[i];
+    const Sensitivity& each = all[i];
     CAPTURE(each.quantity);
     named.insert(each.quantity);
     if (i > 0 && each.is_supposed == all[i - 1].is_supposed)
@@ -412,20 +412,20 @@ TEST_CASE("hangs on: what moves friction most comes first, and the share of the 
     CHECK(!each.stated.empty());
   }
   CHECK(named.size() == all.size());
-  const auto of = [](const std::vector<HangsOn>& list, std::string_view quantity) {
+  const auto of = [](const std::vector<Sensitivity>& list, std::string_view quantity) {
     const auto at =
-        std::find_if(list.begin(), list.end(), [&](const HangsOn& each) { return each.quantity == quantity; });
+        std::find_if(list.begin(), list.end(), [&](const Sensitivity& each) { return each.quantity == quantity; });
     return at == list.end() ? std::nullopt : std::optional(*at);
   };
   CHECK(of(all, "span")->stated == "1.278 mm");
   CHECK(!of(all, "preload"));  // the case says that there was none
   CHECK(of(all, "support_radius")->stated == "edges");
   CHECK(of(all, "support_radius")->may_be_off == "say 1.3 µm");
-  const std::vector<HangsOn> open =
-      what_the_answer_hangs_on(changed([](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; }));
+  const std::vector<Sensitivity> open =
+      sensitivities_of(changed([](FittedTest& test) { test.measurement.test.rig->supports = std::nullopt; }));
   CHECK(!of(open, "support_radius"));  // the fit on rollers tells more
-  const std::vector<HangsOn> limit =
-      what_the_answer_hangs_on(changed([](FittedTest& test) { test.analysis.work_by.reset(); }));
+  const std::vector<Sensitivity> limit =
+      sensitivities_of(changed([](FittedTest& test) { test.analysis.work_share_sensitivities.reset(); }));
   CHECK(std::isnan(limit.front().work_moves));
 }
 

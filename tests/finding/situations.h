@@ -68,19 +68,19 @@ inline std::vector<Situation> situations() {
     all.push_back({code, severity, changed(change)});
   };
   add("not_bent", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
+    test.analysis.status = AnalysisStatus::deflection_too_small;
     for (double& force : test.analysis.record.force) force = -1;
   });
   add("not_bent", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
+    test.analysis.status = AnalysisStatus::deflection_too_small;
     for (double& deflection : test.analysis.reduced.deflection) deflection = -0.1;
   });
   add("not_bent", Severity::refusal, [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
+    test.analysis.status = AnalysisStatus::deflection_too_small;
     test.analysis.reduced.deflection.back() = 3.9;
   });
   const auto bar = [](FittedTest& test) {
-    test.analysis.status = AnalysisStatus::bent_too_little;
+    test.analysis.status = AnalysisStatus::deflection_too_small;
     test.analysis.rig.fibre = Fibre({.radius = 0, .half_depth = 0.05});
   };
   add("sinks", Severity::doubt, [&](FittedTest& test) {
@@ -102,11 +102,11 @@ inline std::vector<Situation> situations() {
   add("wrong_load_train", Severity::refusal, [](FittedTest& test) {
     test.analysis.rig.stiffness = std::numeric_limits<double>::infinity();
     test.analysis.stiffness_implausible = true;
-    test.analysis.stiffness_over_slope = 1.5;
+    test.analysis.stiffness_to_slope_ratio = 1.5;
   });
   add("wrong_stiffness", Severity::refusal, [](FittedTest& test) {
     test.analysis.stiffness_implausible = true;
-    test.analysis.stiffness_over_slope = 16;
+    test.analysis.stiffness_to_slope_ratio = 16;
   });
   add("impossible_modulus", Severity::refusal, [](FittedTest& test) {
     test.section_moment = test.analysis.fit.bending_stiffness.value * test.analysis.scales.bending_stiffness() / 1.3e12;
@@ -158,7 +158,8 @@ inline std::vector<Situation> situations() {
     test.judgement.causes = {.slips = 0.4, .cracks = 0.35, .both = 0.25};
   });
   add("few_rows", Severity::doubt, [](FittedTest& test) { test.analysis.statistics.rows_between_drops = 4; });
-  add("implausible_friction", Severity::doubt, [](FittedTest& test) { test.analysis.friction_read.median = -0.3; });
+  add("implausible_friction", Severity::doubt,
+      [](FittedTest& test) { test.analysis.pointwise_friction.median = -0.3; });
   add("sloping_baseline", Severity::doubt,
       [](FittedTest& test) { test.measurement.baseline = {.points = 50, .change = 2e-4, .error = 1e-5}; });
   add("other_contact", Severity::doubt, [](FittedTest& test) {

@@ -4,7 +4,7 @@
 
 #include <doctest/doctest.h>
 
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 
@@ -38,8 +38,8 @@ TEST_CASE("identity: a simulated sawtooth is analysed end to end") {
     CAPTURE(name_of(check.kind));
     CHECK(check.outcome == CheckOutcome::passed);
   }
-  CHECK(analysis.friction_read.low80 < analysis.friction_read.median);
-  CHECK(analysis.friction_read.median < analysis.friction_read.high80);
+  CHECK(analysis.pointwise_friction.low80 < analysis.pointwise_friction.median);
+  CHECK(analysis.pointwise_friction.median < analysis.pointwise_friction.high80);
   for (const auto& snap : exact.snaps) {
     bool found = false;
     for (const auto& drop : analysis.drops.drops)
@@ -82,7 +82,7 @@ TEST_CASE("identity: the share of the work moves with what is stated as its sens
   const Record record = to_physical(simulated_record(truth), scales);
   const TestDescription description = description_of(truth);
   const auto usual = analyse(record, description);
-  REQUIRE(usual.work_by);
+  REQUIRE(usual.work_share_sensitivities);
   constexpr double more = 0.003;
   // The record and what is stated of its rig, as a user would change either.
   const auto share_with = [&](StatedQuantity quantity) {
@@ -125,18 +125,18 @@ TEST_CASE("identity: the share of the work moves with what is stated as its sens
   for (const StatedQuantity quantity : stated_quantities) {
     CAPTURE(static_cast<int>(quantity));
     constexpr double first_order = 0.2, hardly = 2e-4;  // [1] of the share: readings come in or go out
-    const double told = more * (*usual.work_by)[quantity];
+    const double told = more * (*usual.work_share_sensitivities)[quantity];
     CHECK(std::abs(share_with(quantity) - usual.energy.friction_share - told) < first_order * std::abs(told) + hardly);
   }
 }
 
 TEST_CASE("interval: the share of the work has the error of all that is stated, and ends at 0 and 1") {
   const auto told = analyse(to_physical(simulated_record(toothed()), scales), description_of(toothed()));
-  REQUIRE(told.work_by);
-  const PerQuantity<double> deviations = deviations_beforehand(told.errors, told.rig_errors, told.rig.fibre.supports());
+  REQUIRE(told.work_share_sensitivities);
+  const PerQuantity<double> deviations = prior_deviations(told.errors, told.rig_errors, told.rig.fibre.supports());
   double squares = 0;
   for (const StatedQuantity quantity : stated_quantities)
-    squares += std::pow((*told.work_by)[quantity] * deviations[quantity], 2);
+    squares += std::pow((*told.work_share_sensitivities)[quantity] * deviations[quantity], 2);
   const MeasuredEnergy& energy = told.energy;
   CHECK(energy.friction_share_error == doctest::Approx(std::sqrt(squares)));
   CHECK(energy.share().low ==
@@ -154,13 +154,13 @@ TEST_CASE("limit: friction that is only a limit, or cannot be, tells no share of
   const auto limit = analyse(to_physical(simulated_record(slippery), scales), description_of(slippery));
   REQUIRE(limit.fit.mu0_is_bound);
   CHECK(std::isnan(limit.energy.friction_share));
-  CHECK(!limit.work_by);
+  CHECK(!limit.work_share_sensitivities);
   const auto record = to_physical(simulated_record(toothed()), scales);
   const auto told = analyse(record, description_of(toothed()));
   CHECK(!is_friction_implausible(told));
   CHECK(told.energy.friction_share > 0.1);
   AnalysisOptions on_pins;
-  on_pins.most_friction = 0.1;
+  on_pins.max_friction = 0.1;
   const auto turning = analyse(record, description_of(toothed()), on_pins);
   CHECK(is_friction_implausible(turning));
   CHECK(std::isnan(turning.energy.friction_share));
@@ -206,7 +206,7 @@ TEST_CASE("limit: the drops of a bar bent too little to tell friction are judged
   auto description = description_of(truth);
   description.fibre = truth.fibre;
   const auto analysis = analyse(to_physical(reduced, scales), description);
-  REQUIRE(analysis.status == AnalysisStatus::bent_too_little);
+  REQUIRE(analysis.status == AnalysisStatus::deflection_too_small);
   CHECK(analysis.drop_features.drops == 1);
   CHECK(analysis.drop_features.least_after_drop < -4);
   CHECK(analysis.drop_features.loss_needed == doctest::Approx(0.4).epsilon(0.1));
@@ -242,9 +242,10 @@ TEST_CASE(
   CHECK(within.status == AnalysisStatus::ok);
   CHECK(!within.model_implausible);
   CHECK(within.fit.mu0.value < 0.1);
-  CHECK(within.over_frictionless.median == doctest::Approx(1 / 1.05).epsilon(0.02));  // with that little friction
+  CHECK(within.frictionless_force_ratio.median ==
+        doctest::Approx(1 / 1.05).epsilon(0.02));  // with that little friction
   CHECK((beyond.status == AnalysisStatus::not_explained || beyond.model_implausible));
-  CHECK(beyond.over_frictionless.median == doctest::Approx(1 / 1.25).epsilon(0.02));
+  CHECK(beyond.frictionless_force_ratio.median == doctest::Approx(1 / 1.25).epsilon(0.02));
 }
 
 }  // namespace

@@ -185,7 +185,7 @@ TEST_CASE("identity: the summary of a simulated test is that of its fits, in SI"
   CHECK(of_cracked.work_of_fracture == summary.work_of_fracture);
 
   auto without = analysis;
-  without.status = AnalysisStatus::bent_too_little;
+  without.status = AnalysisStatus::deflection_too_small;
   CHECK(message_of([&] { summary_of("simulated", without); }) == "a test without a fit has no summary");
 }
 

@@ -147,7 +147,7 @@ TEST_CASE("table: features of a drop after which friction stays low, as after a 
     const DropFeatures features = record.features();
     CHECK(features.drops == 1);
     for (const double none : {features.greatest_steepness, features.recovery_near, features.recovery_far,
-                              features.given_back, features.roughness})
+                              features.stiffness_recovery, features.roughness})
       CHECK(std::abs(none) < 0.01);
     CHECK(features.drawn_in == doctest::Approx(drawn_in / (1.14 - 1.0208)).epsilon(0.1));
     CHECK(features.least_after_drop ==
@@ -167,7 +167,7 @@ TEST_CASE("table: features of a drop after which the specimen sticks until frict
     const DropFeatures features = record.features();
     CHECK(features.drops == 2);
     for (const double whole :
-         {features.greatest_steepness, features.recovery_near, features.recovery_far, features.given_back})
+         {features.greatest_steepness, features.recovery_near, features.recovery_far, features.stiffness_recovery})
       CHECK(whole == doctest::Approx(1).epsilon(0.06));
     CHECK(features.follows_drops < 0.3);  // two drops hardly move it from its prior of .5
     CHECK(features.needed_at_end > 0.65);
@@ -216,7 +216,7 @@ TEST_CASE("identity: slips give back what they take, and rises are steep; cracks
   const DropFeatures slips = features_of(a_slipping_record(), train), cracks = features_of(a_cracking_record(), train);
   CHECK(slips.drops > 10);
   CHECK(std::abs(slips.follows_drops) < 0.2);
-  CHECK(slips.given_back > 0.8);
+  CHECK(slips.stiffness_recovery > 0.8);
   CHECK(slips.greatest_steepness > 0.5);
   CHECK(slips.least_after_drop > 2);
   CHECK(cracks.drops == six_cracks.size());

@@ -122,7 +122,7 @@ TEST_CASE("identity: at the friction of a level, the stage position is the one a
   const auto G = [&](std::size_t i, double q, double with_eta) { return at_length(S[i], q, with_eta); };
   std::vector<double> stage;
   for (std::size_t i = 0; i < S.size(); ++i) stage.push_back(G(i, mu[i], eta));
-  const auto levels = levels_of(S, stage, near, {}, compliance, eta);
+  const auto levels = friction_at_stage(S, stage, near, {}, compliance, eta);
   for (std::size_t i = 0; i < S.size(); ++i) {
     constexpr double of_the_table = 1e-9;  // its 1e-12 of the stage, over its slope in μ
     CHECK(std::abs(levels[i] - mu[i]) < of_the_table);
@@ -138,7 +138,7 @@ TEST_CASE("oracle: a stage that no force is needed for is passed at the least fr
     const double too_near = 0.5 * fibre_branch_end(end.high).w;
     for (const double near : {-1.0, 0.0, 1.0}) {
       CAPTURE(near);
-      const double level = levels_of({{length}}, {{too_near}}, {{near}}, {}, compliance, 0).front();
+      const double level = friction_at_stage({{length}}, {{too_near}}, {{near}}, {}, compliance, 0).front();
       constexpr double halved = 0.05;
       CHECK(level > end.low);  // a state exists
       CHECK(level < end.high + halved);

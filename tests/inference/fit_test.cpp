@@ -11,7 +11,7 @@
 #include "inference/chain.h"
 #include "inference/prior_draws.h"
 #include "inference/process_forward.h"
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 #include "tests/inference/simulated_test.h"
 #include "tests/refusal.h"
 
@@ -259,7 +259,7 @@ TEST_CASE("oracle: on rollers a wave is that of the specimen, whether these roll
                                .fibre = fibre};
     const auto fit = fit_friction(problem_of(truth));
     REQUIRE(fit.status == FrictionFitStatus::ok);
-    CHECK(fit.along.rolls_back_at(fit.along.at(fit.S_end)) == (row.supports.radius > .2));
+    CHECK(fit.along.contact_moves_outward_at(fit.along.at(fit.S_end)) == (row.supports.radius > .2));
     CHECK(fit.wave_claimed);
     REQUIRE(!fit.waves.empty());
     const auto& wave = fit.waves.front();
@@ -348,7 +348,7 @@ TEST_CASE("limit: a fibre that passes nothing is not explained, with as many rea
 }
 
 TEST_CASE("identity: a record cut at any row gives about the same answer, and noise that is there") {
-  // At some cuts the merit is dented at its top in ln λ: its curvature there says nothing of how far λ is known.
+  // At some cuts the log_posterior is dented at its top in ln λ: its curvature there says nothing of how far λ is known.
   const auto whole =
       problem_of({.friction = Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1.0), .noise = 0.0077, .deflection = 0.32});
   for (std::size_t cut = 0; cut < 16; ++cut) {

@@ -119,14 +119,14 @@ TEST_CASE("identity: with the stiffness that was lost given back, the friction o
   const double lost = 1 - std::pow(0.96, 6);
   const auto sound = analysed(simulated_record({.friction = friction, .stiffness = soft, .noise = 0.01}));
   const auto cracked = analysed(simulated_record({.friction = friction, .stiffness = soft, .noise = 0.01}, six));
-  CHECK(friction_hidden_by(cracked, 0) == 0);
-  CHECK(friction_hidden_by(cracked, 0.1) < friction_hidden_by(cracked, 0.2));
+  CHECK(friction_underestimate(cracked, 0) == 0);
+  CHECK(friction_underestimate(cracked, 0.1) < friction_underestimate(cracked, 0.2));
   CHECK(cracked.fit.mu0.value < 0.42);  // told of it as it is
-  const double hidden = friction_hidden_by(cracked, lost);
+  const double hidden = friction_underestimate(cracked, lost);
   constexpr double at_other_stiffness =
       0.15;  // the fit moves the bending stiffness by some percent, and the losses did not come evenly
   CHECK(std::abs(cracked.fit.mu0.value + hidden - 0.5) < at_other_stiffness);
-  CHECK(message_of([&] { friction_hidden_by(cracked, 1); }).find("loss") != std::string::npos);
+  CHECK(message_of([&] { friction_underestimate(cracked, 1); }).find("loss") != std::string::npos);
 
   const auto alone = judge(sound).if_lost;
   REQUIRE(alone.size() == 2);

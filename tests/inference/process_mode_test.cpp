@@ -147,9 +147,9 @@ TEST_CASE("oracle: EI and its error agree with a grid of fixed EI, of a wave and
           return -0.5 * (value - prior.mean[Theta::log_noise]) * (value - prior.mean[Theta::log_noise]) /
                  (prior.deviation[Theta::log_noise] * prior.deviation[Theta::log_noise]);
         };
-        const double log_weight = other.merit - of_noise(other.theta.values[Theta::log_noise]) - n * at -
+        const double log_weight = other.log_posterior - of_noise(other.theta.values[Theta::log_noise]) - n * at -
                                   0.5 * at * at / (0.03 * 0.03) -
-                                  (mode.merit - of_noise(mode.theta.values[Theta::log_noise]));
+                                  (mode.log_posterior - of_noise(mode.theta.values[Theta::log_noise]));
         const double w = std::exp(log_weight);
         weight += w;
         sum += w * at;

@@ -76,9 +76,10 @@ TEST_CASE("oracle: the evidence of a mode is the sum of its merit over a grid of
       Theta theta = mode.theta;
       theta.values[Theta::log_noise] += step * i;
       theta.values[Theta::logit_correlation] += correlation_step * j;
-      sum += std::exp(process.objective(mode, observations, theta).value - mode.merit) * step * correlation_step;
+      sum +=
+          std::exp(process.objective(mode, observations, theta).value - mode.log_posterior) * step * correlation_step;
     }
-  const double expected = mode.merit + std::log(sum) + process.prior_of_theta().log_scale(Kernel::none);
+  const double expected = mode.log_posterior + std::log(sum) + process.prior_of_theta().log_scale(Kernel::none);
   // Laplace takes ρ, which white noise leaves open on one side, for a bell.
   CHECK(std::abs(found.components[0].log_evidence - expected) < 0.7);
 }

@@ -1,4 +1,4 @@
-#include "inference/rig_pull.h"
+#include "inference/rig_score_correction.h"
 
 #include <cmath>
 #include <cstdint>

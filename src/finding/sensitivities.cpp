@@ -1,4 +1,4 @@
-#include "finding/hangs_on.h"
+#include "finding/sensitivities.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 
 #include "data/names.h"
 #include "finding/printed.h"
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 #include "numerics/elementary.h"
 
 namespace flexslip {
@@ -121,20 +121,21 @@ std::string signed_points(double share) {
 
 std::string signed_number(double value) { return fmt::format("{}{:.2f}", value < 0 ? "\u2212" : "+", std::abs(value)); }
 
-std::vector<HangsOn> what_the_answer_hangs_on(T test) {
+std::vector<Sensitivity> sensitivities_of(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!is_fitted(test) || !analysis.fit.friction_by) return {};
   const PerQuantity<double> deviations =
-      deviations_beforehand(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
+      prior_deviations(analysis.errors, analysis.rig_errors, analysis.rig.fibre.supports());
   const Kind length = Print(test).as(kind::length);
-  std::vector<HangsOn> all;
+  std::vector<Sensitivity> all;
   for (const StatedQuantity quantity : in_order) {
     const Statement statement = statement_of(test, quantity);
     const double deviation = statement.is_there ? deviations[quantity] : unstated_length;
     if (!statement.may_be_there || !(deviation > 0)) continue;
     const double unit = changes_in_spans(quantity) ? analysis.scales.span() : 1;
     const double friction = (*analysis.fit.friction_by)[quantity];
-    const double work = analysis.work_by ? (*analysis.work_by)[quantity] : not_a_number;
+    const double work =
+        analysis.work_share_sensitivities ? (*analysis.work_share_sensitivities)[quantity] : not_a_number;
     const std::string step =
         statement.is_there ? error_in_words(test, quantity, statement.error) : format_roughly(deviation * unit, length);
     all.push_back({.quantity = name_of(quantity),
@@ -149,17 +150,20 @@ std::vector<HangsOn> what_the_answer_hangs_on(T test) {
                    .friction_moves = friction * deviation,
                    .work_moves = work * deviation});
   }
-  const auto weight = [](const HangsOn& each) { return std::pair(!each.is_supposed, std::abs(each.friction_moves)); };
-  std::stable_sort(all.begin(), all.end(), [&](const HangsOn& a, const HangsOn& b) { return weight(a) > weight(b); });
+  const auto weight = [](const Sensitivity& each) {
+    return std::pair(!each.is_supposed, std::abs(each.friction_moves));
+  };
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const Sensitivity& a, const Sensitivity& b) { return weight(a) > weight(b); });
   return all;
 }
 
-std::string hangs_on_in_words(T test, bool tells_work) {
-  const auto all = what_the_answer_hangs_on(test);
+std::string sensitivities_in_words(T test, bool tells_work) {
+  const auto all = sensitivities_of(test);
   std::vector<std::string> words;
   constexpr double worth_saying = 0.005;
-  const HangsOn* most = nullptr;  // of the work
-  for (const HangsOn& each : all) {
+  const Sensitivity* most = nullptr;  // of the work
+  for (const Sensitivity& each : all) {
     const bool is_load_train = each.quantity == name_of(StatedQuantity::load_train);  // few measure it: never left out
     if (std::abs(each.friction_moves) >= worth_saying || is_load_train)
       words.push_back(fmt::format(

@@ -1,4 +1,4 @@
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 
 #include <cmath>
 
@@ -17,7 +17,7 @@ FitProblem on_rollers() {
 
 TEST_CASE("restated: to first order readings move by what RigShifts says, and supports change as stated") {
   const FitProblem problem = on_rollers();
-  const RigShifts shifts(problem, 0.4);
+  const RigErrorEffects shifts(problem, 0.4);
   constexpr double more = 1e-6;
   constexpr double second_order = 10 * more;  // of spans and forces of the order of 10
   for (const StatedQuantity quantity : stated_quantities) {

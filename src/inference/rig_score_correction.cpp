@@ -1,4 +1,4 @@
-#include "inference/rig_pull.h"
+#include "inference/rig_score_correction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ Passages of_known_rig(const FrictionProcess& process, const Mode& mode) {
 
 }  // namespace
 
-Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
+Coefficients rig_score_correction(const FrictionProcess& process, const Mode& mode) {
   const Observations all = process.observations_of(mode);
   const auto& columns = process.columns();
   Coefficients pull = Coefficients::Zero(columns.waves);
@@ -42,7 +42,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
     complete(beside.at, known.passages());
     known.burst(beside, o.settle);  // its readings first, as they are at this bending stiffness
     known.polish(beside, o.pull);
-    return beside.merit;
+    return beside.log_posterior;
   };
   known.settle(middle);
   const Observations seen = known.observations_of(middle);
@@ -62,7 +62,7 @@ Coefficients rig_pull(const FrictionProcess& process, const Mode& mode) {
   const double above = merit_beside(step), below = merit_beside(-step), slope = (above - below) / (2 * step);
   if (!std::isfinite(slope)) return pull;
   // Merits that do not lie on a parabola, or rise more steeply than a pull does, are those of several modes and tell no slope.
-  const double off = above + below - 2 * middle.merit + information * step * step;
+  const double off = above + below - 2 * middle.log_posterior + information * step * step;
   const double most = o.pull_most / process.passages().stiffness_error;  // moves ln EI by three of its errors
   const double more = slope - column.dot(unexplained), over = std::max(std::abs(more) / most, 1.0);
   const double besides = more / (over * over * over * over * (1 + off * off));

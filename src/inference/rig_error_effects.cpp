@@ -1,4 +1,4 @@
-#include "inference/rig_shifts.h"
+#include "inference/rig_error_effects.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,18 +51,18 @@ double at_part(const std::vector<double>& values, double part) {
 
 }  // namespace
 
-RigShifts::RigShifts(const FitProblem& problem, double friction)
+RigErrorEffects::RigErrorEffects(const FitProblem& problem, double friction)
     : compliance_(1 / problem.rig.stiffness),
       deepest_(*std::max_element(problem.record.deflection.begin(), problem.record.deflection.end())),
       greatest_force_(*std::max_element(problem.record.force.begin(), problem.record.force.end())),
       slow_force_(problem.rig_errors.slow_force * greatest_force_),
       supports_(problem.rig.fibre.supports()),
-      deviations_(deviations_beforehand(problem.errors, problem.rig_errors, supports_)) {
+      deviations_(prior_deviations(problem.errors, problem.rig_errors, supports_)) {
   thicker_ = of_supports({.radius = 0, .half_depth = 0.5}, friction);
   rounder_ = of_supports({.radius = 1, .half_depth = 0}, friction);
 }
 
-RigShifts::OfSupports RigShifts::of_supports(const Supports& by, double friction) const {
+RigErrorEffects::OfSupports RigErrorEffects::of_supports(const Supports& by, double friction) const {
   constexpr double step = 0.002;  // [L] forces are nearly linear in either
   OfSupports change{{0}, {0}};
   for (std::size_t i = 1; i < deflections; ++i) {
@@ -77,11 +77,11 @@ RigShifts::OfSupports RigShifts::of_supports(const Supports& by, double friction
   return change;
 }
 
-Shift RigShifts::by(const OfSupports& supports, double w) const {
+Shift RigErrorEffects::by(const OfSupports& supports, double w) const {
   return {0, -at_part(supports.force, w / deepest_), at_part(supports.length, w / deepest_)};
 }
 
-Shift RigShifts::by(StatedQuantity quantity, double w, double F) const {
+Shift RigErrorEffects::by(StatedQuantity quantity, double w, double F) const {
   switch (quantity) {
     case StatedQuantity::bending_stiffness:
       return {0, -F};
@@ -103,7 +103,7 @@ Shift RigShifts::by(StatedQuantity quantity, double w, double F) const {
   return {0, 0};
 }
 
-std::vector<Shift> RigShifts::deviations(double w, double F) const {
+std::vector<Shift> RigErrorEffects::deviations(double w, double F) const {
   static const SlowMatrix whitening = whitening_of_slow();
   std::vector<Shift> shifts;
   for (const StatedQuantity quantity : stated_quantities) {
@@ -123,8 +123,8 @@ std::vector<Shift> RigShifts::deviations(double w, double F) const {
   return shifts;
 }
 
-PerQuantity<double> deviations_beforehand(const MeasurementErrors& errors, const RigErrors& rig_errors,
-                                          const Supports& supports) {
+PerQuantity<double> prior_deviations(const MeasurementErrors& errors, const RigErrors& rig_errors,
+                                     const Supports& supports) {
   PerQuantity<double> deviations;
   deviations[StatedQuantity::bending_stiffness] = errors.bending_stiffness;
   deviations[StatedQuantity::contact] = errors.contact;

@@ -11,7 +11,7 @@
 
 namespace flexslip {
 
-struct HangsOn {
+struct Sensitivity {
   std::string_view quantity, title;   // "load_train", "load train"
   std::string stated;                 // "90.65 N/m"; "edges, not stated"
   std::string step;                   // "1 %"
@@ -24,11 +24,11 @@ struct HangsOn {
 // Those that may be off, what moves friction most first; and last, for a thousandth of the span, a radius of the supports and a thickness that are
 // taken for none.
 // Domain:     any test; empty where the fit tells no sensitivities.
-std::vector<HangsOn> what_the_answer_hangs_on(const FittedTest& test);
+std::vector<Sensitivity> sensitivities_of(const FittedTest& test);
 
 // One line: friction for as much more of each as it may be off; and what moves the share of the work most, if that is told.
 // Domain:     the fit tells sensitivities.
-std::string hangs_on_in_words(const FittedTest& test, bool tells_work);
+std::string sensitivities_in_words(const FittedTest& test, bool tells_work);
 
 // Of quantities that a case can state with an error and does not.
 std::vector<FindingNumber> assumed_errors(const FittedTest& test);

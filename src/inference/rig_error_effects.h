@@ -1,7 +1,7 @@
 // What a rig may be off by, as what it does to the readings of a record.
 //
 // An error of the contact, the load train, the span, the gain of the load cell, the thickness or the supports moves each reading in deflection
-// and force; so does a force that deviates slowly (theory.md, "What the answer hangs on"). Reduced variables of the nominal EI.
+// and force; so does a force that deviates slowly (theory.md, "Sensitivity to the rig"). Reduced variables of the nominal EI.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@
 
 namespace flexslip {
 
-class RigShifts {
+class RigErrorEffects {
  public:
   // Domain:     as fit_friction; the friction [1] at which thickness and supports act, 0 to 2.
-  RigShifts(const FitProblem& problem, double friction);
+  RigErrorEffects(const FitProblem& problem, double friction);
 
   // For a quantity larger than stated, to first order: by the whole of it, or by one span (changes_in_spans).
   // Domain:     a deflection [L] up to the greatest of the record, a force [EI/L^2].
@@ -39,8 +39,8 @@ class RigShifts {
 };
 
 // What each is off by beforehand, as a standard deviation: of its value [1], or in spans [L].
-PerQuantity<double> deviations_beforehand(const MeasurementErrors& errors, const RigErrors& rig_errors,
-                                          const Supports& supports);
+PerQuantity<double> prior_deviations(const MeasurementErrors& errors, const RigErrors& rig_errors,
+                                     const Supports& supports);
 
 // The same readings with a quantity stated larger, by such a part of it [1], or by so many spans [L]. What is stated smaller is negative.
 // Domain:     more > -1; thickness and radius of the supports stay as Fibre has them; std::invalid_argument otherwise.
