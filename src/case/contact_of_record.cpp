@@ -82,7 +82,7 @@ bool begins_with_toe(const Record& record, const LinearRegion& straight, const B
 }
 
 // Whether the record shows a contact of its own that displacements are to be counted from.
-bool shows_contact(const Preparing& at, const Contact& contact, double usual_error) {
+bool shows_contact(const Preparing& at, const Contact& contact) {
   const std::optional<ContactRule>& rule = at.input().record->contact;
   if (rule) return rule == ContactRule{ContactWord::find};
   if (contact.status != ContactStatus::found) return false;
@@ -92,13 +92,9 @@ bool shows_contact(const Preparing& at, const Contact& contact, double usual_err
   const bool begins_elsewhere = std::abs(offset) > far * contact.offset.standard_error &&
                                 std::abs(offset - at.result.record.stage.front()) < near * std::abs(offset);
   // Where EI is not stated the slope tells it, and the slope is that of a line through the contact; of a straight part it is not.
-  constexpr double clearly = 2, likely = 0.5;
-  const double error =
-      contact.seat > likely ? 0 : contact.offset.standard_error;  // however far a likely seat gives way
-  const bool slope_begins_elsewhere = !states_stiffness(at.input()) && !at.result.straight_is_initial &&
-                                      leaves(at.needs.points, at.result.record, offset) &&
-                                      std::abs(offset) > clearly * elementary::length(error, usual_error);
-  return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0 || slope_begins_elsewhere;
+  const bool tells_slope = !states_stiffness(at.input()) && !at.result.straight_is_initial &&
+                           leaves(at.needs.points, at.result.record, offset);
+  return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0 || tells_slope;
 }
 
 // The points of the record that lie before a contact.
@@ -183,7 +179,7 @@ PreparationStep find_contact_of_record(Preparing& at) {
   const double slope = result.straight_is_initial ? result.straight->slope.value : contact.slope;
   if (result.baseline.points == 0)
     result.begins_under = force_at_beginning(record, contact, slope, usual_error, result.force_noise);
-  const bool is_found = shows_contact(at, contact, usual_error);
+  const bool is_found = shows_contact(at, contact);
   if ((is_asked || !rule) && result.straight_is_initial && leaves(at.needs.points, record, result.straight->origin) &&
       begins_with_toe(record, *result.straight, geometry_of(at.input()), is_found ? contact.offset.value : 0,
                       is_found ? contact.offset.standard_error : usual_error))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "bending_test/equilibrium.h"
 #include "bending_test/history.h"
 #include "inference/analysis.h"
 #include "tests/approximately.h"
@@ -41,6 +43,40 @@ TEST_CASE("mechanics: E I of a rod, with the uncertainty stated or assumed (form
   const Test open = rod("", "stiffness = \"90 N/m\"");
   CHECK(!states_stiffness(open));
   CHECK(has(message_of([&] { bending_stiffness_of(open); }), "modulus"));
+}
+
+TEST_CASE(
+    "mechanics: a toe that is within two errors of the zero of its file does not lower EI that is not stated (truth)") {
+  const TemporaryFolder folder;
+  constexpr double span = 20e-3, EI = 1e-4, k = 40, friction = 0.25;
+  constexpr double toe = 0.0035 * span, seat = 0.04, noise = 0.004;  // [m], [greatest force]
+  const auto curve = sliding_up_to(0.2, friction, 300);
+  const Scales scales(span, EI);
+  const double greatest = scales.physical_force(curve.back().F);
+  for (const unsigned seed : {1, 2, 3, 4, 5, 6}) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> error(0, noise * greatest);
+    std::string rows = "stage [m],force [N]\n";
+    for (const auto& point : curve) {
+      const double force = scales.physical_force(point.F);
+      const double stage = scales.physical_length(point.w + point.F / k) - toe * std::expm1(-force / (seat * greatest));
+      rows += fmt::format("{},{}\n", stage, force + error(random));
+    }
+    folder.file("test.csv", rows);
+    const Measurement measurement = read_measurement(
+        read_case(
+            fmt::format("[rig]\nspan = '{} m'\nstiffness = '{} N/m'\nsupports = 'edges'\n[record]\nfile = 'test.csv'\n"
+                        "stage = 'stage'\nforce = 'force'\n",
+                        span, k * EI / (span * span * span)),
+            (folder.path() / "case.toml").string()),
+        {.points = min_fitted_points, .span = true});
+    CAPTURE(seed);
+    CAPTURE(measurement.contact_offset / span);
+    CHECK(measurement.contact == ContactSource::found);
+    const BendingStiffnessUsed told = bending_stiffness_of(measurement.test, measurement);
+    CAPTURE(told.relative_error);
+    CHECK(std::abs(told.value / EI - 1) < 2 * told.relative_error);
+  }
 }
 
 TEST_CASE("mechanics: the section's uncertainty counts in EI as its second moment says (formula)") {
