@@ -30,7 +30,7 @@ double length_at(const Fibre& fibre, double S_max, int i, int n) {
 
 EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, state.w, state.F}; }
 
-// The last state before the branch ends between two lengths.
+// The last state before the end of the branch, between two lengths.
 EquilibriumPoint last_point(const Friction& friction, const Fibre& fibre, double sign, double exists, double ended) {
   const auto state_at = [&](double S) { return fibre.state(S, sign * friction.at(S).mu); };
   const auto is_close = [](const Bracket& bracket) { return !(bracket.width() > 0x1p-52 * bracket.high); };
@@ -42,7 +42,7 @@ template <class States>
 EquilibriumCurve curve_of(const Friction& along, const Fibre& fibre, Sliding sliding, double S_max, int n,
                           const States& states) {
   require_range(S_max, n);
-  constexpr int at_once = 4096;  // in the processor's caches
+  constexpr int at_once = 4096;  // fits the caches of the processor
   const double sign = direction_of(sliding);
   const Friction friction = met(along, fibre, sign, S_max);
   EquilibriumCurve curve{EquilibriumStatus::ok, {}};

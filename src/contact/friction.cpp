@@ -137,8 +137,8 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   constexpr std::size_t per_length = 8;
   // the kernel below is exp(-16) at four correlation lengths
   constexpr std::size_t reach = 4 * per_length;
-  const double step =
-      2 * correlation_length / static_cast<double>(per_length);  // S advances by twice the length along the fibre
+  // S advances by twice the length along the specimen.
+  const double step = 2 * correlation_length / static_cast<double>(per_length);
   constexpr double max_knots = 1e6;
   if (!((S_max - 1) / step < max_knots))
     refuse("a rough profile has at most 1e6 knots: the correlation length is too short", correlation_length);
