@@ -38,7 +38,7 @@ double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Bra
 // The lengths of an unstable part of the curve whose cusp is probably the stiffest.
 Bracket stiffest_pair(const SlidingCurve& curve) {
   Bracket stiffest{};
-  double most = -infinity;
+  double max_stiffness = -infinity;
   double from = curve.begin.S;
   for (std::size_t i = 0; i <= curve.folds.size(); ++i) {
     const bool is_end = i == curve.folds.size();
@@ -48,8 +48,8 @@ Bracket stiffest_pair(const SlidingCurve& curve) {
     from = to;
     if (!runs_back || !(pair.low < pair.high)) continue;
     const double k = stiffness_of_fold(curve.friction, pair.middle(), curve.rig.fibre);
-    if (k > most) stiffest = pair;
-    most = std::max(most, k);
+    if (k > max_stiffness) stiffest = pair;
+    max_stiffness = std::max(max_stiffness, k);
   }
   return stiffest;
 }
@@ -123,10 +123,11 @@ void ForceFalls::end() {
 }
 
 std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step) {
-  constexpr double most = 20000;
+  constexpr double max_readings = 20000;
   constexpr int points_of_stretch = 60;
   const auto path = [&] {
-    if (step == 0 || travel / step > most) return path_continuously(test, std::vector{travel}, points_of_stretch).path;
+    if (step == 0 || travel / step > max_readings)
+      return path_continuously(test, std::vector{travel}, points_of_stretch).path;
     return path_in_steps(test, stage_steps(std::vector{0.0, travel}, step)).path;
   }();
   std::vector<RecordedForce> record;
@@ -160,23 +161,23 @@ Rest rest_at(const Rig& rig, double S, double q, double w) {
 // may be the maximum.
 class GreatestForce {
  public:
-  void see(double F) { most_ = std::max(most_, F); }
+  void see(double F) { max_force_ = std::max(max_force_, F); }
   void see_top(double F, double S) {
     constexpr double error = 1e-6;  // upper bound for a polynomial
-    if (!(F > (1 - error) * most_top_)) return;
-    if (F > (1 + error) * most_top_) S_of_tops_.clear();
-    most_top_ = std::max(most_top_, F);
+    if (!(F > (1 - error) * max_top_)) return;
+    if (F > (1 + error) * max_top_) S_of_tops_.clear();
+    max_top_ = std::max(max_top_, F);
     S_of_tops_.push_back(S);
   }
   template <class ForceAt>
   double value(const ForceAt& force_at) const {
-    double most = most_;
-    for (const double S : S_of_tops_) most = std::max(most, force_at(S));
-    return most;
+    double highest = max_force_;
+    for (const double S : S_of_tops_) highest = std::max(highest, force_at(S));
+    return highest;
   }
 
  private:
-  double most_ = 0, most_top_ = 0;
+  double max_force_ = 0, max_top_ = 0;
   std::vector<double> S_of_tops_;
 };
 
@@ -276,8 +277,8 @@ class Loading {
 
   // The point of a piece at which the specimen breaks, from some of its nodes; otherwise the end.
   double sound_until(const CurvePiece& piece, double from, double to) {
-    constexpr std::size_t most = 4, between = CurvePiece::degree / most;
-    std::array<double, most> way, S, q, w;
+    constexpr std::size_t nodes = 4, between = CurvePiece::degree / nodes;
+    std::array<double, nodes> way, S, q, w;
     std::size_t n = 0;
     for (std::size_t node = between; node <= CurvePiece::degree; node += between) {
       way[n] = piece.way_of(node);
@@ -521,7 +522,7 @@ bool snaps(const Design& design) {
 double critical_stiffness(const Design& design) {
   constexpr double above = 1e-7;
   constexpr double settled = 1e-9;
-  constexpr double least = 1e-6;  // [L] smallest deflection that can be traced
+  constexpr double min_deflection_traced = 1e-6;  // [L] smallest deflection that can be traced
   double stiffness = infinity;
   const double breaks = breaking_deflection(design, {stiffness, design.rig.fibre});
   double deflection = std::min(design.travel, breaks);
@@ -529,7 +530,7 @@ double critical_stiffness(const Design& design) {
     const double critical = (1 + above) * critical_stiffness(design.friction, deflection, design.rig.fibre);
     if (!(critical < (1 - settled) * stiffness)) return critical;
     // A rig this soft bends the specimen too little for sliding.
-    if (!(beam_deflection(design.travel, critical) > least)) return 0;
+    if (!(beam_deflection(design.travel, critical) > min_deflection_traced)) return 0;
     stiffness = critical;
     const Rig rig{stiffness, design.rig.fibre};
     const auto curve =
@@ -538,17 +539,17 @@ double critical_stiffness(const Design& design) {
     if (curve.begin.stage >= design.travel) return 0;
     const StablePart part = stable_part_from(curve, curve.begin);
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
-    deflection = std::max(std::min(reached, breaks), least);
+    deflection = std::max(std::min(reached, breaks), min_deflection_traced);
   }
 }
 
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
-  constexpr double most = 3;
+  constexpr double max_margin = 3;
   constexpr double min_deflection = 1e-6;
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
   const double critical = critical_stiffness(design.friction, std::max(w, min_deflection), design.rig.fibre);
-  if (std::isinf(critical)) return -most;
-  return std::clamp(elementary::log(design.rig.stiffness / critical), -most, most);
+  if (std::isinf(critical)) return -max_margin;
+  return std::clamp(elementary::log(design.rig.stiffness / critical), -max_margin, max_margin);
 }
 
 std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {

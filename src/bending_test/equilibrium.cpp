@@ -76,11 +76,11 @@ EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, do
 std::vector<EquilibriumPoint> sliding_up_to(double deflection, double mu, int n, const Fibre& fibre) {
   if (!(deflection > 0))
     throw std::invalid_argument("a curve needs a deflection > 0, not " + std::to_string(deflection));
-  double drawn_in = 2.6 * deflection * deflection;
+  double slid_in = 2.6 * deflection * deflection;
   while (true) {
-    const EquilibriumCurve curve = equilibrium_curve(Friction::constant(mu), Sliding::in, 1 + drawn_in, n, fibre);
+    const EquilibriumCurve curve = equilibrium_curve(Friction::constant(mu), Sliding::in, 1 + slid_in, n, fibre);
     if (curve.status == EquilibriumStatus::branch_ended || curve.points.back().w >= deflection) return curve.points;
-    drawn_in *= 1.5;
+    slid_in *= 1.5;
   }
 }
 
@@ -106,10 +106,10 @@ std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, doubl
   std::vector<double> S, q;
   for (int i = 0; i < n_S; ++i) {
     const double length = length_at(fibre, S_max, i, n_S);
-    const double most = in.at(length).mu, least = -out.at(length).mu;
+    const double max_q = in.at(length).mu, min_q = -out.at(length).mu;
     for (int j = 0; j < n_q; ++j) {
       S.push_back(length);
-      q.push_back(0.5 * (most + least) + 0.5 * (most - least) * (2.0 * j / (n_q - 1) - 1));
+      q.push_back(0.5 * (max_q + min_q) + 0.5 * (max_q - min_q) * (2.0 * j / (n_q - 1) - 1));
     }
   }
   const StateArrays at = fibre.states({S, q});

@@ -281,9 +281,10 @@ std::vector<double> stage_steps(std::span<const double> turns, double step) {
 namespace {
 
 int points_drawn_for(const Friction& friction, double S_max) {
-  constexpr double most = 20000;
+  constexpr double max_points = 20000;
   const double waves = 16 * (S_max - 1) / friction.smooth_scale();
-  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
+  return static_cast<int>(
+      std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, max_points));
 }
 
 // Adds the straight specimen, which a thick one leaves at once.
@@ -292,7 +293,8 @@ std::vector<EquilibriumPoint> from_straight(std::vector<EquilibriumPoint> curve)
   return curve;
 }
 
-std::vector<EquilibriumPoint> drawn(const Friction& friction, Sliding sliding, double S_max, const Fibre& fibre) {
+std::vector<EquilibriumPoint> sliding_curve(const Friction& friction, Sliding sliding, double S_max,
+                                            const Fibre& fibre) {
   return from_straight(equilibrium_curve(friction, sliding, S_max, points_drawn_for(friction, S_max), fibre).points);
 }
 
@@ -302,13 +304,13 @@ constexpr double shortest = 1.01;  // [L] smallest range of a figure
 
 EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max) {
   EquilibriumPortrait portrait{
-      drawn(friction, Sliding::in, S_max, fibre), drawn(friction, Sliding::out, S_max, fibre), {}, {}};
-  portrait.frictionless = drawn(Friction::constant(0), Sliding::in, S_max, fibre);
+      sliding_curve(friction, Sliding::in, S_max, fibre), sliding_curve(friction, Sliding::out, S_max, fibre), {}, {}};
+  portrait.frictionless = sliding_curve(Friction::constant(0), Sliding::in, S_max, fibre);
   const double S = 1 + 0.7 * (portrait.in.back().S - 1);
-  const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
+  const double max_q = met(friction, fibre, 1, S_max).at(S).mu, min_q = -met(friction, fibre, -1, S_max).at(S).mu;
   constexpr int levels = 60;
   for (int i = 0; i <= levels; ++i) {
-    const double q = least + (most - least) * i / levels;
+    const double q = min_q + (max_q - min_q) * i / levels;
     const FibreState state = fibre.state(S, q);
     if (state.status == FibreStatus::ok) portrait.at_one_length.push_back({S, q, state.w, state.F});
   }
@@ -320,8 +322,9 @@ SlidingLimits limits_of(const BendingTest& test, const History& history) {
   for (const auto& point : history.path) S_max = std::max(S_max, point.S);
   for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
   const Friction& friction = test.friction.kinetic;
-  SlidingLimits limits{drawn(friction, Sliding::in, S_max, test.rig.fibre), {}};
-  if (!friction.depends_on_way()) limits.out = drawn(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
+  SlidingLimits limits{sliding_curve(friction, Sliding::in, S_max, test.rig.fibre), {}};
+  if (!friction.depends_on_way())
+    limits.out = sliding_curve(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
   return limits;
 }
 
@@ -335,7 +338,7 @@ OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::
     for (const auto& equilibrium : portrait.at_stage.back()) S_max = std::max(S_max, equilibrium.point.S);
   }
   S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
-  portrait.in = drawn(friction, Sliding::in, S_max, rig.fibre);
+  portrait.in = sliding_curve(friction, Sliding::in, S_max, rig.fibre);
   return portrait;
 }
 

@@ -296,20 +296,20 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
 }
 
 std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work) {
-  constexpr int max_swings = 1000;  // exceeded only if friction is nearly zero
+  constexpr int max_oscillations = 1000;  // exceeded only if friction is nearly zero
   const Friction& kinetic = test_.friction.kinetic;
   SnapWork work{0, 0};
   double S = state_.S;
   double S_landing = nearest.S;
-  for (int i = 0; i < max_swings; ++i) {
-    const Swing swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
-    if (swung.end == Holding::no_contact) return lose(sliding);
-    if (swung.end == Holding::beyond_friction) break;
+  for (int i = 0; i < max_oscillations; ++i) {
+    const Overshoot oscillation = overshoot_of(kinetic, test_.rig, state_.stage, S, S_landing);
+    if (oscillation.end == Holding::no_contact) return lose(sliding);
+    if (oscillation.end == Holding::beyond_friction) break;
     // The energy decreases as the square of the amplitude, the loss per oscillation in proportion
     // to it. Half of the remaining oscillations would lose as much as the first.
-    if (i == 0 && nearest_work.released > 0.5 * max_swings * swung.friction) break;
-    S = swung.S;
-    work.friction += swung.friction;
+    if (i == 0 && nearest_work.released > 0.5 * max_oscillations * oscillation.friction) break;
+    S = oscillation.S;
+    work.friction += oscillation.friction;
     const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
     if (std::abs(rest.q) <= static_friction(test_.friction, S))
       return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);

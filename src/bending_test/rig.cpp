@@ -126,8 +126,8 @@ const RigPoint& fold_or_end(const SlidingCurve& curve, std::size_t i) {
 }  // namespace
 
 double longest_at_stage(double stage) {
-  constexpr double least = 1e-6;  // below, S - 1 loses its digits
-  if (!(stage >= least && stage < infinity))
+  constexpr double min_stage = 1e-6;  // below, S - 1 loses its digits
+  if (!(stage >= min_stage && stage < infinity))
     throw std::invalid_argument("stage position must be at least 1e-6 spans, not " + std::to_string(stage));
   constexpr double rounding = 0x1p-51;  // of lengths near 1, at small stage positions
   return 1 + 2.4 * stage * stage + rounding;

@@ -125,8 +125,8 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   // Small steps, limited by the smooth scale of friction as the contacts move. While sticking, q
   // may change by at most half of friction in a step, because q may return within the friction
   // limit beyond the smallest length.
-  constexpr double least = 1e-7, of_friction = 0.5, of_half_depth = 0.1;
-  double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
+  constexpr double min_step = 1e-7, of_friction = 0.5, of_half_depth = 0.1;
+  double w = from.w, next = from.w + advance * std::min(min_step * half_depth, std::abs(far - from.w));
   Place there = at(way, next);
   Left left = left_at(there);
   if (leads_on(left) && next != far) {
@@ -138,7 +138,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
                     std::max(std::abs(there.length_w), 0.1);
       if (!slides) {
         const double by_friction = of_friction * friction_at(there.at.state) / std::abs(q_w);
-        step = std::min({step, std::max(by_friction, least * half_depth), of_half_depth * half_depth});
+        step = std::min({step, std::max(by_friction, min_step * half_depth), of_half_depth * half_depth});
       }
       next = advance > 0 ? std::min(next + step, far) : std::max(next - step, far);
       there = at(way, next);
@@ -160,7 +160,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   // If the sliding length hardly depends on friction, neither sticking nor sliding advances the
   // state by more than rounding error. The state then follows q = ±μ for a thousandth of half the
   // depth.
-  if (std::abs(w - from.w) <= 2 * least * half_depth && w > 0 && to_go(at(way, w)) > 0) {
+  if (std::abs(w - from.w) <= 2 * min_step * half_depth && w > 0 && to_go(at(way, w)) > 0) {
     slides = true;
     way.direction = from.q > 0 ? 1 : -1;
     constexpr double follows = 1e-3;
@@ -217,11 +217,11 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   double begin = from.w, length = length_from;
   for (int i = 1; i <= pieces; ++i) {
     const double end = i < pieces ? from.w + (to.w - from.w) * i / pieces : to.w, length_there = length_at(end);
-    const auto [least, most] = std::minmax(length, length_there);
+    const auto [shorter, longer] = std::minmax(length, length_there);
     std::vector<double> corners;
     if (friction_.has_corners())
-      corners.assign(std::upper_bound(knots.begin(), knots.end(), least),
-                     std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
+      corners.assign(std::upper_bound(knots.begin(), knots.end(), shorter),
+                     std::lower_bound(knots.begin(), knots.end(), std::max(shorter, longer)));
     if (length_there < length) std::reverse(corners.begin(), corners.end());
     for (const double knot : corners) {
       const double corner = first_where(

@@ -255,15 +255,15 @@ std::vector<double> measured_curve(std::span<const double> w, std::span<const do
       const bool turns_next = cell + 2 < n && G[cell] < G[cell + 1] && G[cell + 2] < G[cell + 1];
       if (short_of && !turns_here && !turns_next) continue;
       const Cubic cubic = cubic_over(G, cell);
-      const double peak = peak_of(cubic), most = cubic.at(peak).value;
-      if (most < stage || peak < passed) continue;
+      const double peak = peak_of(cubic), maximum = cubic.at(peak).value;
+      if (maximum < stage || peak < passed) continue;
       // G rises from `passed` to the peak.
       constexpr double step = 1e-6;  // of a cell: below the error of interpolation
       const auto miss = [&](double at) {
         const auto [value, slope] = cubic.at(at);
         return ValueAndSlope{value - stage, slope};
       };
-      const double chord = (stage - cubic.value) / (most - cubic.value) * peak;
+      const double chord = (stage - cubic.value) / (maximum - cubic.value) * peak;
       x = zero_between(miss, passed, peak, std::clamp(chord, passed, peak), step);
       passed = x;
       break;

@@ -40,10 +40,10 @@ class Slide {
   // Near the straight specimen q varies as a power of 1/σ, so segments are proportional to σ.
   double next(double S, double S_to) const {
     constexpr double part = 0.15;
-    constexpr double least = 1e-12;  // of S - 1: the rest is below its rounding
+    constexpr double min_distance = 1e-12;  // of S - 1: the rest is below its rounding
     const double end = end_of_stretch(met_ ? *met_ : friction_, rig_.fibre, S, S_to, 1),
                  before = rig_.fibre.least_length();
-    if (S - before <= least) return end;
+    if (S - before <= min_distance) return end;
     const double near = before + (S - before) * (1 + direction_ * part) * (1 + direction_ * part);
     return direction_ > 0 ? std::min(end, near) : std::max(end, near);
   }
@@ -109,7 +109,7 @@ class Slide {
 };
 
 // The length between two others at which the remaining energy is dissipated.
-Swing end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
+Overshoot end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
   const auto energy_left = [&](double end) {
     const double sigma = rig.fibre.sliding_coordinate(end);
     return ValueAndSlope{left.released + slide.work(S, end).released, slide.power_at(sigma).released / (2 * sigma)};
@@ -168,7 +168,7 @@ std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, doub
   return sum;
 }
 
-Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
+Overshoot overshoot_of(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
   constexpr double farthest = 10;  // [L] no specimen returns from beyond
   const double S_end = S_landing > S_from ? farthest : 1;
   Slide slide(friction, rig, stage, S_from, S_landing);

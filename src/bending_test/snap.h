@@ -50,7 +50,7 @@ struct SnapWork {
 // Max error:  1e-12 of the friction heat.
 std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, double stage, double S_from, double S_to);
 
-struct Swing {
+struct Overshoot {
   Holding end;      // the other fields are valid only if held
   double S;         // [L] where the energy is dissipated
   double friction;  // [EI/L] heat up to there: the total decrease of the elastic energy
@@ -58,6 +58,6 @@ struct Swing {
 
 // The overshoot of a snap that only friction damps: the length beyond the stable state S_landing at
 // which friction has dissipated the energy released since S_from. no_contact also beyond S = 10.
-Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing);
+Overshoot overshoot_of(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing);
 
 }  // namespace flexslip

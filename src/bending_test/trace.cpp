@@ -135,11 +135,11 @@ class FoldSearch {
 
  private:
   static constexpr std::size_t cells_at_once = 64;
-  static constexpr std::size_t most_pieces = 1 << 16;  // 20 MB
+  static constexpr std::size_t max_pieces = 1 << 16;  // 20 MB
   // of its slopes: the neglected coefficients are a third of the last ones
   static constexpr double resolved_piece = 1e-5;
-  static constexpr double accuracy = 1e-6;  // of interpolated slopes
-  static constexpr double close = 1e-7;     // of their zeros: below the error of an interpolant
+  static constexpr double accuracy = 1e-6;      // of interpolated slopes
+  static constexpr double close = 1e-7;         // of their zeros: below the error of an interpolant
   static constexpr double value_error = 1e-12;  // of tabulated stage positions
 
   CurveSample sample(double x) const { return sample_at(friction_, rig_, sliding_, x); }
@@ -153,8 +153,8 @@ class FoldSearch {
     constexpr double jump = 1e-6;  // of the slope relative to its scale: less needs no corner
     if (!cell.ends_at_corner) return std::nullopt;
     const double before = cell.b - hair * (cell.b - cell.a), behind = cell.b + hair * (cell.b - cell.a);
-    const auto beside = samples_at(friction_, rig_, sliding_, std::array{before, behind});
-    const auto& [low, high] = std::pair(beside[0], beside[1]);
+    const auto samples_beside = samples_at(friction_, rig_, sliding_, std::array{before, behind});
+    const auto& [low, high] = std::pair(samples_beside[0], samples_beside[1]);
     if (!low.exists || !high.exists || std::abs(high.slope - low.slope) <= jump * std::max(low.scale, high.scale))
       return std::nullopt;
     Corner corner{before, behind, std::nullopt};
@@ -177,7 +177,7 @@ class FoldSearch {
       if (ended) return ended;
       if (corner && corner->fold) brackets_.push_back(*corner->fold);
       x = corner ? corner->behind : cells[i].b;
-      if (pieces_.size() < most_pieces) pieces_.push_back(pieces[i]);
+      if (pieces_.size() < max_pieces) pieces_.push_back(pieces[i]);
     }
     return std::nullopt;
   }
@@ -185,10 +185,10 @@ class FoldSearch {
   // Brackets the folds of a piece, or returns a point beyond the end of the branch. If the
   // polynomial is inconclusive, slopes are computed.
   std::optional<double> isolate(const CurvePiece& piece) {
-    double most = 0;
+    double max_stage = 0;
     for (std::size_t j = 0; j <= piece_degree; ++j) {
       if (std::isnan(piece.F[j])) return piece.way_of(j);
-      most = std::max(most, std::abs(piece.stage[j]));
+      max_stage = std::max(max_stage, std::abs(piece.stage[j]));
     }
     const CurvePiece::Values stage = CurvePiece::Polynomial::bernstein(piece.stage);
     PieceSlope slope{piece, derivative(CurvePiece::Polynomial::chebyshev(piece.stage)), 0};
@@ -201,7 +201,7 @@ class FoldSearch {
     const double tail = std::abs(slope.series[piece_degree - 1]) + std::abs(slope.series[piece_degree - 2]);
     // from the error of values to the error of slopes
     constexpr double amplified = piece_degree * piece_degree;
-    slope.error = std::max(4 * tail, amplified * value_error * most);
+    slope.error = std::max(4 * tail, amplified * value_error * max_stage);
     const bool is_smooth = !friction_.may_be_held() || !may_have_kink({piece.from, piece.to});
     if (!is_smooth || tail > resolved_piece * greatest) return isolate_in({piece.from, piece.to}, 0);
     return isolate(slope, bernstein, -1, 1, 0);
@@ -210,7 +210,7 @@ class FoldSearch {
   // The part of a piece from low to high, by the Bernstein coefficients of its slope.
   std::optional<double> isolate(const PieceSlope& slope, const PieceSlope::Bernstein& bernstein, double low,
                                 double high, int halvings) {
-    constexpr int most_halvings = 6;  // beyond it, sampling is as fast
+    constexpr int max_halvings_of_values = 6;  // beyond it, sampling is as fast
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
     if (*least > slope.error || *greatest < -slope.error) return std::nullopt;
     const Cell cell{slope.piece.way_at(low), slope.piece.way_at(high)};
@@ -223,7 +223,7 @@ class FoldSearch {
       brackets_.push_back({cell.a, cell.b, slope.piece.way_at(t), at(t).slope / (by_t * by_t), rising});
       return std::nullopt;
     }
-    if (halvings == most_halvings) return isolate_in(cell, 0);
+    if (halvings == max_halvings_of_values) return isolate_in(cell, 0);
     const auto [left, right] = bernstein_halves(bernstein);
     const double middle = 0.5 * (low + high);
     if (const auto ended = isolate(slope, left, low, middle, halvings + 1)) return ended;

@@ -89,7 +89,7 @@ TEST_CASE("snap: an overshoot ends where its energy is spent, with static fricti
           const auto landing =
               landing_after(trace_loading_curve(kinetic, test.rig, 1.2), stretch->from.S, stretch->from.stage);
           REQUIRE(landing);
-          const auto end = swing(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
+          const auto end = overshoot_of(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
           REQUIRE(end.end == Holding::held);
           const double fine = fine_step_end(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
           CHECK(std::abs(end.S - fine) <= 1e-3 * (landing->S - stretch->from.S));  // a few of its steps
