@@ -182,8 +182,8 @@ struct EnergyAccount {
 EnergyAccount account_after(const EnergyAccount& account, const StretchWork& work, const PathPoint& end,
                             const Rig& rig);
 
-// ∫ F dw, the work of fracture (area under the curve). It includes friction, snaps, cracks and the
-// bending energy, part of which unloading recovers.
+// ∫ F dw, the work of fracture (area under the curve). It includes friction, snaps, cracks and
+// the bending energy, a part of which unloading recovers.
 double work_of_fracture(const EnergyAccount& account);
 
 }  // namespace flexslip

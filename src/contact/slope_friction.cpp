@@ -59,7 +59,7 @@ std::vector<double> friction_of_heights(std::span<const double> path, double ste
 namespace {
 
 // Of two equal circles, the farther one is higher beyond their intersection. The index of the
-// touched sample therefore never decreases, and bisection finds it between those of the neighbours.
+// touched sample therefore never decreases, and bisection finds it between the neighbours.
 class Dilation {
  public:
   Dilation(std::span<const double> height, double step, double radius)

@@ -123,7 +123,7 @@ class TwoSupportPath::Tracer {
     return next;
   }
 
-  // Slides one side until its friction reaches that of the other; false at the end of the path.
+  // Slides one side until its friction reaches the other friction; false at the end of the path.
   bool slide_alone(std::size_t side) {
     const double level = at(1 - side, y_[1 - side]).mu;
     const double last = max_travel_ - y_[1 - side];

@@ -7,7 +7,7 @@
 // supports, S = 1 + left + right. Each support sticks while the mobilised friction, equal on both,
 // is below the friction of its contact point. So one side slides alone while its friction falls or
 // is the smaller, and both slide together while both frictions rise at one level. Friction for
-// sliding in then depends on S alone, whatever the rig; sliding out has a different one (theory.md,
+// sliding in then depends on S alone, for any rig; sliding out has a different one (theory.md,
 // "Two supports").
 #pragma once
 

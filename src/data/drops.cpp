@@ -23,7 +23,8 @@ void require_faultless(const Record& record) {
     throw std::invalid_argument("no drops of a faulty record: see check_record, index " + std::to_string(check.index));
 }
 
-// Degrees of freedom of StepNoise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110 at 1000.
+// Degrees of freedom of StepNoise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110
+// at 1000.
 double noise_freedom(std::size_t points) { return 5 + static_cast<double>(points) / 10; }
 
 // An interval of successive falling steps, from point `from` to point `to`.

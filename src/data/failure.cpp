@@ -50,7 +50,7 @@ class Loading {
                              force_.begin() + static_cast<std::ptrdiff_t>(points_));
   }
 
-  // [N] noise of one reading, from second differences, of which few are due to the curve.
+  // [N] noise of one reading, from second differences, most of them due to noise.
   double noise() const {
     if (points_ < 3) return 0;
     std::vector<double> bends;

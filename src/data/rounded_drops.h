@@ -25,7 +25,7 @@ struct RoundedDrops {
 //             smooth trend and is deeper than its neighbours.
 //             Low-pass: the force continues to fall after a drop. (Friction makes it fall slowly
 //             before a snap and rise after it.) The statistic is the fall of the two steps after
-//             the drop minus that of the two before, over the fall of the drop, for all drops
+//             the drop minus the fall of the two before, over the drop, for all drops
 //             together. It must exceed a tenth by 1.3 + 1/drops of its error, with three drops or
 //             more. The lag is the one that explains it for a snap at a random time between two
 //             rows.

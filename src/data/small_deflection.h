@@ -70,7 +70,7 @@ double max_steepening(const BeamGeometry& geometry, double deflection);
 // The part of the loading that determines the stiffness of the specimen.
 struct LinearRegion {
   ForceWindow window;
-  double window_force;      // [N] the force of which `window` gives fractions
+  double window_force;      // [N] unit of `window`
   std::size_t first, last;  // the line is fitted to points [first, last)
   Estimate slope;           // [N/m] dF/dw0
   // [m] deflection at which the line reaches zero force, or the start of the record if that is
@@ -131,7 +131,7 @@ struct SmallDeflection {
   double load_train_share;
   std::optional<double> modulus;  // [Pa] E_f = slope L^3/(48 I)
   ForceWindow window;             // of the linear region
-  double window_force;            // [N] the force of which `window` gives fractions
+  double window_force;            // [N] unit of `window`
   std::size_t first, last;        // points [first, last) of the linear region
   Estimate stiffness;             // [N/m] dF/dw0
   // [m] zero of strain: the end of the toe (LinearRegion), or the stated contact point
@@ -158,10 +158,10 @@ struct SmallDeflection {
 // Domain:     a record as for find_linear_region, and its linear region.
 // Max error:  as find_linear_region. Errors of the dimensions are not included.
 // Method:     the chord connects the points, interpolated linearly, at which the record first
-//             reaches the two strains. Its error is that of two readings. The chord lies in the toe
-//             if its lower end is above the line of the linear region by more than the noise, and
-//             if that region is steeper than the chord by more than their errors and `steepening`
-//             explain.
+//             reaches the two strains. Its error is the error of two readings. The chord lies in
+//             the toe if its lower end is above the line of the linear region by more than the
+//             noise, and if that region is steeper than the chord by more than their errors and
+//             `steepening` explain.
 SmallDeflection small_deflection(const Record& record, const std::optional<LinearRegion>& linear,
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options);
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,

@@ -37,8 +37,9 @@ HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   const T t_ns2 = 1.0 + t * ((1.0 / 3.0) * (1.0 + m) + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
   const T sn2 = t * reciprocal(t_ns2);
 
-  // In ψ = β0 - β along the fibre, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, with ψ'' = s0 cos ψ - c0 sin ψ and
-  // s0 = sin β0, c0 = cos β0. Their Taylor coefficients are polynomials in c0 = m1 - m and g = s0^2 = 4 m m1.
+  // With ψ = β0 - β along the specimen, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, where
+  // ψ'' = s0 cos ψ - c0 sin ψ, s0 = sin β0 and c0 = cos β0. Their Taylor coefficients are polynomials
+  // in c0 = m1 - m and g = s0^2 = 4 m m1.
   const T c = m1 - m;
   const T g = 4.0 * m * m1;
   const T p2 = (1.0 / 5040) * (1.0 - 19.0 * g);

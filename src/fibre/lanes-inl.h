@@ -1,7 +1,7 @@
 // Arithmetic for one number and for a vector of numbers. The mathematics of this room is written
 // once for a type T: double, Lanes (a vector of doubles), or Dual of either.
 //
-// Every operation rounds as IEEE requires, in each lane, and none is fused. All types and all
+// Every operation rounds as IEEE requires, in each lane, without fusion. All types and all
 // processors therefore give the same bits.
 //
 // Included once for each instruction set (Highway's foreach_target.h), hence no #pragma once.

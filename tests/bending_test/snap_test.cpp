@@ -37,7 +37,7 @@ double fine_step_end(const Friction& friction, const Rig& rig, double stage, dou
 
 }  // namespace
 
-TEST_CASE("snap: the state held at a length stands at the stage position (identity)") {
+TEST_CASE("snap: the state held at a length has the stage position (identity)") {
   CHECK(rc::check("random lengths", [] {
     const Rig rig{*whole(0, 4) ? *between(5, 500) : infinity};
     const double S = 1 + *between(1e-4, 0.4);
