@@ -24,10 +24,10 @@ namespace flexslip {
 // Fails:      as trace_loading_curve (trace.h).
 // Method:     continuation of the fold. G' = w' + F'/k vanishes at k = -F'/w', so the folds of all
 //             rigs lie on one curve k(S). A pair of folds vanishes in a cusp: a maximum of k(S), or
-//             the end of the range. One pair from the trace on a soft rig is followed to its cusp,
-//             and the curve is traced again just above it, until the trace, which misses no fold,
-//             finds none. At a maximum k(S) is flat, so second derivatives are not needed
-//             (theory.md, "The critical stiffness").
+//             the end of the range. One pair from the trace on a soft rig is followed to its cusp.
+//             Just above the cusp the curve is traced again, until a trace finds no fold. At a
+//             maximum k(S) is flat, so second derivatives are not needed (theory.md, "The critical
+//             stiffness").
 // Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of
 //             k(S).
 double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre = {});

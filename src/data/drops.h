@@ -47,10 +47,11 @@ struct Drops {
 // false_alarms_per_test drops are found on average. The noise may be autocorrelated. The number is
 // close to the limit where the curve falls and smaller where it rises, because noise must first
 // cancel the rise. tests/data/drops_test.cpp asserts this on simulated tests.
-// Real tests are irregular, with heavier tails, partly due to slip. Resampled quiet parts of
-// published tests give, at a stated 0.1, about 0.3 false alarms on a curve like theirs, and 1.6 on
-// one that falls for two thirds of the test. A smooth fall is taken for drops if its slope changes
-// by much more than the noise within 20 points, as just before a specimen slips through.
+// Real tests are irregular, with heavier tails, partly due to slip. At a stated 0.1, resampled
+// quiet parts of published tests give about 0.3 false alarms on a curve like theirs. On a curve
+// that falls for two thirds of the test they give 1.6. A smooth fall is taken for drops if its
+// slope changes by much more than the noise within 20 points, as just before a specimen slips
+// through.
 //
 // Domain:     a record without faults (check_record); false_alarms_per_test > 0;
 //             std::invalid_argument otherwise.

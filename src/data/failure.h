@@ -29,8 +29,8 @@ struct Failure {
 // times the largest earlier loss. If the stage reverses after such a fall, the force must then be
 // below half its maximum within 1.5 % of the travel: a specimen that carries more has not broken.
 // A break can take several steps. A fall that is never recovered belongs to the failure if it lies
-// within 7 % of the travel before the next one and loses a sixth of the maximum; or a twentieth
-// that is four times the largest earlier loss.
+// within 7 % of the travel before the next one. It must lose a sixth of the maximum at once, or a
+// twentieth that is four times the largest earlier loss.
 // Fails:      none, also if the force only declines smoothly, as for a very flexible specimen.
 // Method:     falls are turning points of the force farther apart than the noise. The limits were
 //             chosen on 26 tests of spicules (docs/validation.md). The sampling rate does not

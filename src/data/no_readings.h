@@ -10,8 +10,8 @@
 
 namespace flexslip {
 
-// Points with an invalid force. The force rises by more than the load train allows for the stage
-// travel and returns within three points, or it falls and returns in the same way.
+// Points with an invalid force. The force leaves its course, upwards or downwards, and returns
+// within three points. Its rise exceeds what the load train allows for the stage travel.
 // Domain:     at least 11 points, in loading; stiffness [N/m] > 0 of the load train. If it is
 //             infinite, three times the steepest rise of the smooth curve replaces it.
 // Fails:      empty if more than a twentieth of the points qualify: the force then fluctuates, and

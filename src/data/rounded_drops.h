@@ -23,16 +23,15 @@ struct RoundedDrops {
 //             empirical.
 // Method:     the statistics use every step that falls more than five standard deviations below the
 //             smooth trend and is deeper than its neighbours.
-//             Low-pass: the force continues to fall after a drop. (Friction makes it fall slowly
-//             before a snap and rise after it.) The statistic is the fall of the two steps after
-//             the drop minus the fall of the two before, over the drop, for all drops
-//             together. It must exceed a tenth by 1.3 + 1/drops of its error, with three drops or
-//             more. The lag is the one that explains it for a snap at a random time between two
-//             rows.
-//             Symmetric filter: the force falls both before and after the drop, about equally, by
-//             more than a third of the drop in the adjacent steps, by twice the error. Slowly
-//             decreasing friction can look the same but leaves the noise white. The force must
-//             therefore also vary less from row to row than over three rows.
+//             Low-pass: the force continues to fall after a drop. (With friction alone it falls
+//             slowly before a snap and rises after it.) The statistic is the fall of the two steps
+//             after minus the two before, over the drop, for all drops together. It must exceed a
+//             tenth by 1.3 + 1/drops of its error, with three drops or more. The lag is the one
+//             that explains it for a snap at a random time between two rows.
+//             Symmetric filter: each adjacent step falls by more than a third of the drop, by twice
+//             the error, and both about equally. Slowly decreasing friction can look the same but
+//             leaves the noise white. The force must therefore also vary less from row to row than
+//             over three rows.
 RoundedDrops rounded_drops(const Record& record);
 
 }  // namespace flexslip

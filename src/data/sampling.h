@@ -32,16 +32,16 @@ struct Sampling {
 
 // The rows to evaluate: at most max_rows.
 // Domain:     columns of equal length; max_rows >= 1.
-// Method:     repeated rows never count. Held rows do not count if they are a quarter of the rows
-//             above a twentieth of the maximum force, and if the median change of the force exceeds
-//             four of its steps. (A coarse converter repeats values that are real.)
-//             A record is interpolated if its exactly straight triples of rows outnumber, by a
-//             tenth of the rows, the triples that bend by up to one step of the force, and if the
-//             other triples bend by more than four steps in the median. Then only the rows where it
-//             bends count, if they are at least a hundred. Above max_rows, rows with a stationary
-//             stage are omitted. Of the rows before and after the load only the nearest count, up
-//             to a tenth of max_rows each. Of the rest, every stride-th row counts, and the maximum
-//             force.
+// Method:     repeated rows never count. Held rows do not count if two conditions hold: they are a
+//             quarter of the rows above a twentieth of the maximum force, and the median change of
+//             the force exceeds four steps. (A coarse converter repeats values that are real.)
+//             Interpolated: the exactly straight triples of rows outnumber those that bend by up to
+//             one step by a tenth of the rows. The other triples must bend by more than four steps
+//             in the median. Then only the rows where the record bends count, if they are at least
+//             a hundred.
+//             Above max_rows, rows with a stationary stage are omitted. Of the rows before and
+//             after the load only the nearest count, up to a tenth of max_rows each. Of the rest,
+//             every stride-th row counts, and the maximum force.
 Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t max_rows);
 
 }  // namespace flexslip

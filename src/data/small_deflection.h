@@ -88,10 +88,9 @@ struct LinearRegion {
 // Domain:     a loading without its failure and without faults (check_record); lengths positive; 0
 //             <= from < up_to <= 1; std::invalid_argument otherwise.
 // Fails:      empty if every candidate has fewer than 3 points, or the force does not rise.
-// Max error:  the standard error of the slope includes the scatter about the line with its
-//             autocorrelation (AR(1)), at least the noise of the readings, and the error of the
-//             load train. If all candidates are equally steep, the choice biases the slope by up to
-//             2 errors.
+// Max error:  the standard error of the slope includes the autocorrelated scatter about the line
+//             (AR(1)), at least the noise, and the error of the load train. If all candidates are
+//             equally steep, the choice biases the slope by up to 2 errors.
 // Method:     force and deflection are both regressed on the stage position; the slope is the
 //             ratio. Candidates are all regions of at least three points over at least a quarter of
 //             the maximum force, at deflections below a tenth of the span. The region with the
@@ -159,9 +158,9 @@ struct SmallDeflection {
 // Max error:  as find_linear_region. Errors of the dimensions are not included.
 // Method:     the chord connects the points, interpolated linearly, at which the record first
 //             reaches the two strains. Its error is the error of two readings. The chord lies in
-//             the toe if its lower end is above the line of the linear region by more than the
-//             noise, and if that region is steeper than the chord by more than their errors and
-//             `steepening` explain.
+//             the toe under two conditions. Its lower end is above the line of the linear region by
+//             more than the noise. This region is steeper than the chord by more than the errors
+//             and `steepening` explain.
 SmallDeflection small_deflection(const Record& record, const std::optional<LinearRegion>& linear,
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options);
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,

@@ -152,8 +152,8 @@ HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T
           .half = half};
 }
 
-// True if the state is valid. The guess must be accurate enough for Halley's iteration and the
-// Taylor expansion, the series within its limit, and the end of the branch (F = 0) far away.
+// True if the state is valid: the guess suffices for Halley's iteration and the Taylor expansion,
+// the series is within its limit, and the end of the branch (F = 0) is far away.
 template <class T>
 HWY_INLINE auto is_common(const T& S, const CommonState<T>& state) {
   constexpr double largest_step = 0x1p-18;
