@@ -22,9 +22,9 @@ struct CurvePiece {
   Values stage;     // [L]
   Values F;         // [EI/L^2]
 
-  double way_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
-  double way_of(std::size_t node) const {
-    return node == 0 ? from : node == degree ? to : way_at(Polynomial::node(node));
+  double coordinate_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
+  double coordinate_of(std::size_t node) const {
+    return node == 0 ? from : node == degree ? to : coordinate_at(Polynomial::node(node));
   }
   double place_of(double x) const { return (2 * x - from - to) / (to - from); }  // t
 };

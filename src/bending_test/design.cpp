@@ -276,12 +276,12 @@ class Loading {
   }
 
   // The point of a piece at which the specimen breaks, from some of its nodes; otherwise the end.
-  double sound_until(const CurvePiece& piece, double from, double to) {
+  double unbroken_until(const CurvePiece& piece, double from, double to) {
     constexpr std::size_t nodes = 4, between = CurvePiece::degree / nodes;
     std::array<double, nodes> way, S, q, w;
     std::size_t n = 0;
     for (std::size_t node = between; node <= CurvePiece::degree; node += between) {
-      way[n] = piece.way_of(node);
+      way[n] = piece.coordinate_of(node);
       if (!(from < way[n] && way[n] <= to) || std::isnan(piece.F[node])) continue;
       S[n] = fibre().length_at(way[n]);
       q[n] = piece.q[node];
@@ -309,7 +309,7 @@ class Loading {
     bool is_held = true;
     for (double way = fibre().sliding_coordinate(from.S); is_held && !breaks_ && way < last;) {
       const CurvePiece piece = piece_beyond(way, last);
-      double end = sound_until(piece, way, std::min(piece.to, last));
+      double end = unbroken_until(piece, way, std::min(piece.to, last));
       if (!breaks_ && end == last && sees(rest_to.state)) end = broken_between(way, last);
       is_held = end == way || read_along(piece, way, end, 0);
       way = end;

@@ -323,7 +323,7 @@ SlidingLimits limits_of(const BendingTest& test, const History& history) {
   for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
   const Friction& friction = test.friction.kinetic;
   SlidingLimits limits{sliding_curve(friction, Sliding::in, S_max, test.rig.fibre), {}};
-  if (!friction.depends_on_way())
+  if (!friction.is_path_dependent())
     limits.out = sliding_curve(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
   return limits;
 }

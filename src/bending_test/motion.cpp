@@ -37,7 +37,7 @@ void require_bending(const Rig& rig, double farthest) {
 
 // The length up to which sliding in is traced. On rollers or with a thickness, states far beyond
 // the programme cost more.
-double longest_on_the_way(const BendingTest& test, double farthest) {
+double traced_length(const BendingTest& test, double farthest) {
   return test.rig.fibre.on_edges() ? longest_at_stage(farthest)
                                    : longest_in_loading(test.friction.kinetic, test.rig, farthest);
 }
@@ -78,11 +78,11 @@ std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) 
 MovingFibre::MovingFibre(BendingTest test, double farthest)
     : test_(std::move(test)),
       farthest_(farthest),
-      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_on_the_way(test_, farthest))),
+      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, traced_length(test_, farthest))),
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
-  if (test_.friction.kinetic.depends_on_way() &&
+  if (test_.friction.kinetic.is_path_dependent() &&
       (test_.rest == SnapRest::overshoot || test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0))
     throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
   const Fibre& fibre = test_.rig.fibre;
@@ -156,7 +156,7 @@ void MovingFibre::scale_friction(double factor) {
 }
 
 // Starts a new friction path from here; what lies behind is another path.
-void MovingFibre::lead_on(Sliding sliding) {
+void MovingFibre::start_path(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
   retrace();
@@ -164,7 +164,7 @@ void MovingFibre::lead_on(Sliding sliding) {
 
 void MovingFibre::retrace() {
   const Friction& friction = test_.friction.kinetic;
-  in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
+  in_ = trace_loading_curve(friction, test_.rig, traced_length(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
   table_out_ = SlidingTable(friction, test_.rig, Sliding::out);
@@ -172,14 +172,14 @@ void MovingFibre::retrace() {
 
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   const Friction& friction = test_.friction.kinetic;
-  if (!friction.continues(S, direction_of(sliding))) lead_on(sliding);
+  if (!friction.continues(S, direction_of(sliding))) start_path(sliding);
   if (sliding == Sliding::in) {
     if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only after an overshoot
       in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
     return in_;
   }
   const auto covers = [&] { return out_ && out_->end.S <= S && S <= out_->begin.S; };
-  if (!out_ && !friction.depends_on_way()) {
+  if (!out_ && !friction.is_path_dependent()) {
     // Starting at the last stage position, this segment serves every reversal unless the force
     // reaches zero during unloading.
     const auto last = landing_after(in_, 1, farthest_);
@@ -288,11 +288,11 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
   if (!work) return lose(sliding);
   landing->stage = state_.stage;
   const double next_stop = std::max(S + direction * min_slip, 1.0);
-  const bool runs_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
-  if (runs_on) glide_ = Glide{sliding, next_stop};
-  if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
+  const bool slides_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
+  if (slides_on) glide_ = Glide{sliding, next_stop};
+  if (!slides_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
   here_ = *landing;
-  return jump_to(path_point(*landing, runs_on ? slip(sliding) : Motion::snap), *work);
+  return jump_to(path_point(*landing, slides_on ? slip(sliding) : Motion::snap), *work);
 }
 
 std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work) {

@@ -142,7 +142,7 @@ class MovingFibre {
   Stretch jump_to(const PathPoint& point, const SnapWork& work);
   SlidingTable& table_of(Sliding sliding) { return sliding == Sliding::in ? table_in_ : table_out_; }
   const SlidingCurve& curve_of(Sliding sliding, double S);
-  void lead_on(Sliding sliding);
+  void start_path(Sliding sliding);
   void retrace();
 
   BendingTest test_;

@@ -27,8 +27,8 @@ double advance_of(const SlidingCurve& curve, const RigPoint& point) {
   return direction_of(curve.sliding) * point.stage;
 }
 
-double way_of(const SlidingCurve& curve, const RigPoint& point) {
-  return way_at(curve.rig.fibre, curve.sliding, point.S);
+double coordinate_of(const SlidingCurve& curve, const RigPoint& point) {
+  return coordinate_at(curve.rig.fibre, curve.sliding, point.S);
 }
 
 // The error of G at a point, with its derivative.
@@ -65,7 +65,7 @@ std::optional<double> place_in_pieces(const SlidingCurve& curve, double low, dou
     };
     const double share = (stage - series_at(series, from)) / (series_at(series, to) - series_at(series, from));
     const double guess = std::clamp(std::lerp(from, to, share), from, to);
-    return piece->way_at(zero_between(miss_at, rising ? from : to, rising ? to : from, guess, close));
+    return piece->coordinate_at(zero_between(miss_at, rising ? from : to, rising ? to : from, guess, close));
   }
   return std::nullopt;
 }
@@ -74,8 +74,8 @@ std::optional<double> place_in_pieces(const SlidingCurve& curve, double low, dou
 RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const RigPoint& to, double stage) {
   if (stage == from.stage) return from;
   if (stage == to.stage) return to;
-  double low = way_of(curve, from);
-  double high = way_of(curve, to);
+  double low = coordinate_of(curve, from);
+  double high = coordinate_of(curve, to);
   const bool rising = to.stage > from.stage;
   Miss last{low, from.stage - stage, 2 * low * from.stage_slope};
   const double chord = std::lerp(low, high, share_of(from, to, stage));
@@ -144,7 +144,7 @@ RigPoint point_at_length(const SlidingCurve& curve, double S) {
   const double direction = direction_of(curve.sliding);
   if (direction * (S - curve.begin.S) <= 0) return curve.begin;
   if (direction * (curve.end.S - S) <= 0) return curve.end;
-  return sample_on(curve, way_at(curve.rig.fibre, curve.sliding, S)).point;
+  return sample_on(curve, coordinate_at(curve.rig.fibre, curve.sliding, S)).point;
 }
 
 std::vector<OverallEquilibrium> overall_equilibria(const SlidingCurve& curve, double stage) {

@@ -110,18 +110,19 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
     while (fibre.at_deflection(far, mu).state.S < 1) far *= 1.2;
-  const auto to_go = [&](const Place& there) { return advance * (stage - stage_of(there)); };
+  const auto travel_left = [&](const Place& there) { return advance * (stage - stage_of(there)); };
   const auto leaves = [&] { return advance > 0 && way.direction > 0; };
   // Three distances to the end of the segment, positive until one is exhausted: to the stage
   // position; to the end of sliding or sticking; to the length 1.
   using Left = std::array<double, 3>;
   const auto left_at = [&](const Place& there) -> Left {
     const FibreState& state = there.at.state;
-    if (slides) return {to_go(there), there.slides() * advance * way.direction, leaves() ? -there.at.slid : infinity};
+    if (slides)
+      return {travel_left(there), there.slides() * advance * way.direction, leaves() ? -there.at.slid : infinity};
     const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
-    return {to_go(there), is_held ? friction_at(state) + level - std::abs(state.q) : -infinity, infinity};
+    return {travel_left(there), is_held ? friction_at(state) + level - std::abs(state.q) : -infinity, infinity};
   };
-  const auto leads_on = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
+  const auto continues = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
   // Small steps, limited by the smooth scale of friction as the contacts move. While sticking, q
   // may change by at most half of friction in a step, because q may return within the friction
   // limit beyond the smallest length.
@@ -129,7 +130,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   double w = from.w, next = from.w + advance * std::min(min_step * half_depth, std::abs(far - from.w));
   Place there = at(way, next);
   Left left = left_at(there);
-  if (leads_on(left) && next != far) {
+  if (continues(left) && next != far) {
     Left left_before{};
     do {
       w = next, left_before = left;
@@ -143,24 +144,24 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
       next = advance > 0 ? std::min(next + step, far) : std::max(next - step, far);
       there = at(way, next);
       left = left_at(there);
-      if (!slides && leads_on(left) && there.q_w * q_w <= 0) {
+      if (!slides && continues(left) && there.q_w * q_w <= 0) {
         const auto turns_back = [&](double deflection) { return at(way, deflection).q_w * q_w <= 0; };
         const double turn = first_where(w, next, turns_back);
-        if (const Left at_turn = left_at(at(way, turn)); !leads_on(at_turn)) next = turn, left = at_turn;
+        if (const Left at_turn = left_at(at(way, turn)); !continues(at_turn)) next = turn, left = at_turn;
       }
-    } while (leads_on(left) && next != far);
+    } while (continues(left) && next != far);
     // Each separately: their minimum has corners where two reach zero together.
     for (std::size_t i = 0; i < left.size(); ++i)
       if (!(left[i] > 0))
         next = first_not_positive([&](double x) { return left_at(at(way, x))[i]; }, {w, left_before[i]}, next);
     w = next;
   } else {
-    w = first_where(w, next, [&](double x) { return !leads_on(left_at(at(way, x))); });
+    w = first_where(w, next, [&](double x) { return !continues(left_at(at(way, x))); });
   }
   // If the sliding length hardly depends on friction, neither sticking nor sliding advances the
   // state by more than rounding error. The state then follows q = ±μ for a thousandth of half the
   // depth.
-  if (std::abs(w - from.w) <= 2 * min_step * half_depth && w > 0 && to_go(at(way, w)) > 0) {
+  if (std::abs(w - from.w) <= 2 * min_step * half_depth && w > 0 && travel_left(at(way, w)) > 0) {
     slides = true;
     way.direction = from.q > 0 ? 1 : -1;
     constexpr double follows = 1e-3;
@@ -168,7 +169,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     w = first_where(from.w, follow, [&](double deflection) {
       if (deflection == 0) return true;
       const Place reached = at(way, deflection);
-      return !(to_go(reached) > 0) || (leaves() && reached.at.slid >= 0);
+      return !(travel_left(reached) > 0) || (leaves() && reached.at.slid >= 0);
     });
   }
 
@@ -177,7 +178,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     const Place end = at(way, w);
     const FibreState& state = end.at.state;
     to = {stage_of(end), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
-    if (!(to_go(end) > 0))
+    if (!(travel_left(end) > 0))
       to.stage = stage;
     else if (leaves() && end.at.slid >= 0)
       to.S = 1;

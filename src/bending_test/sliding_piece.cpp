@@ -66,7 +66,7 @@ std::vector<CurvePiece> pieces_between(const Friction& friction, const Rig& rig,
     pieces[i].from = x[i];
     pieces[i].to = x[i + 1];
     S.push_back(rig.fibre.length_at(x[i]));
-    for (std::size_t j = 1; j < degree; ++j) S.push_back(rig.fibre.length_at(pieces[i].way_of(j)));
+    for (std::size_t j = 1; j < degree; ++j) S.push_back(rig.fibre.length_at(pieces[i].coordinate_of(j)));
   }
   S.push_back(rig.fibre.length_at(x.back()));
   std::vector<double> q = friction.at(S).mu;
@@ -135,7 +135,7 @@ SlidingPiece::Turns SlidingPiece::turns() const {
   Turns turns{};
   for (const double t : std::span(zeros.at).first(zeros.count))
     if (begin_ < t && t < end_)
-      turns.at[turns.count++] = {piece_.way_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_),
+      turns.at[turns.count++] = {piece_.coordinate_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_),
                                  series_at(F_, t)};
   return turns;
 }

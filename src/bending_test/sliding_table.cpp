@@ -41,7 +41,7 @@ CurveSample sample_of(double direction, const Rig& rig, double S, const Friction
 
 }  // namespace
 
-double way_at(const Fibre& fibre, Sliding sliding, double S) {
+double coordinate_at(const Fibre& fibre, Sliding sliding, double S) {
   return direction_of(sliding) * fibre.sliding_coordinate(S);
 }
 

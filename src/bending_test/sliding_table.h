@@ -21,7 +21,7 @@ namespace flexslip {
 // and F -> 48 w.
 
 inline double direction_of(Sliding sliding) { return sliding == Sliding::in ? 1 : -1; }
-double way_at(const Fibre& fibre, Sliding sliding, double S);  // [√L]
+double coordinate_at(const Fibre& fibre, Sliding sliding, double S);  // [√L]
 
 struct CurveSample {
   bool exists;     // false beyond the end of the branch; the other fields are then invalid

@@ -93,17 +93,17 @@ class FoldSearch {
       : friction_(friction), rig_(rig), sliding_(sliding) {}
 
   SlidingCurve along(double S_from, double S_to) {
-    const CurveSample first = sample(way_at(rig_.fibre, sliding_, S_from));
+    const CurveSample first = sample(coordinate_at(rig_.fibre, sliding_, S_from));
     if (!first.exists)
       throw std::invalid_argument("no fibre of the length S = " + std::to_string(S_from) + " slides out under a force");
     double S = S_from;
-    double x = way_at(rig_.fibre, sliding_, S_from), edge = x;
+    double x = coordinate_at(rig_.fibre, sliding_, S_from), edge = x;
     std::optional<double> ended;  // a point beyond the end of the branch
     while (S != S_to && !ended) {
       std::vector<Cell> cells;
       while (cells.size() < cells_at_once && S != S_to) {
         S = end_of_stretch(friction_, rig_.fibre, S, S_to, CurvePiece::longest);
-        cells.push_back({edge, way_at(rig_.fibre, sliding_, S), S != S_to && friction_.has_corner_at(S)});
+        cells.push_back({edge, coordinate_at(rig_.fibre, sliding_, S), S != S_to && friction_.has_corner_at(S)});
         edge = cells.back().b;
       }
       ended = search(cells, x);
@@ -125,7 +125,7 @@ class FoldSearch {
         std::find_if(folds.begin(), folds.end(), [](const Fold& fold) { return std::isnan(fold.point.stage); });
     if (lost != folds.end()) {
       x = last_existing(brackets_[static_cast<std::size_t>(lost - folds.begin())].low,
-                        way_at(rig_.fibre, sliding_, lost->point.S));
+                        coordinate_at(rig_.fibre, sliding_, lost->point.S));
       reason = CurveEnd::branch_ended;
       folds.erase(lost, folds.end());
     }
@@ -187,7 +187,7 @@ class FoldSearch {
   std::optional<double> isolate(const CurvePiece& piece) {
     double max_stage = 0;
     for (std::size_t j = 0; j <= piece_degree; ++j) {
-      if (std::isnan(piece.F[j])) return piece.way_of(j);
+      if (std::isnan(piece.F[j])) return piece.coordinate_of(j);
       max_stage = std::max(max_stage, std::abs(piece.stage[j]));
     }
     const CurvePiece::Values stage = CurvePiece::Polynomial::bernstein(piece.stage);
@@ -202,7 +202,7 @@ class FoldSearch {
     // from the error of values to the error of slopes
     constexpr double amplified = piece_degree * piece_degree;
     slope.error = std::max(4 * tail, amplified * value_error * max_stage);
-    const bool is_smooth = !friction_.may_be_held() || !may_have_kink({piece.from, piece.to});
+    const bool is_smooth = !friction_.may_reach_zero() || !may_have_kink({piece.from, piece.to});
     if (!is_smooth || tail > resolved_piece * greatest) return isolate_in({piece.from, piece.to}, 0);
     return isolate(slope, bernstein, -1, 1, 0);
   }
@@ -213,14 +213,14 @@ class FoldSearch {
     constexpr int max_halvings_of_values = 6;  // beyond it, sampling is as fast
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());
     if (*least > slope.error || *greatest < -slope.error) return std::nullopt;
-    const Cell cell{slope.piece.way_at(low), slope.piece.way_at(high)};
+    const Cell cell{slope.piece.coordinate_at(low), slope.piece.coordinate_at(high)};
     const bool rising = bernstein.front() < 0;
     if (sign_changes(bernstein) == 1 &&
         std::min(std::abs(bernstein.front()), std::abs(bernstein.back())) > slope.error) {
       const auto at = [&](double t) { return series_slope_at(slope.series, t); };
       const double t = zero_between(at, rising ? low : high, rising ? high : low, 0.5 * (low + high), close);
       const double by_t = 0.5 * (slope.piece.to - slope.piece.from);
-      brackets_.push_back({cell.a, cell.b, slope.piece.way_at(t), at(t).slope / (by_t * by_t), rising});
+      brackets_.push_back({cell.a, cell.b, slope.piece.coordinate_at(t), at(t).slope / (by_t * by_t), rising});
       return std::nullopt;
     }
     if (halvings == max_halvings_of_values) return isolate_in(cell, 0);
@@ -259,7 +259,7 @@ class FoldSearch {
     const double at_a = values.front();
     const double at_b = values.back();
     const bool changes_sign = (at_a < 0) != (at_b < 0);
-    const bool smooth = !friction_.may_be_held() || !may_have_kink(cell);
+    const bool smooth = !friction_.may_reach_zero() || !may_have_kink(cell);
     const bool resolved =
         // S itself is rounded
         smooth && tail <= (accuracy + exact_error / friction_.smooth_scale()) * scale;
@@ -286,7 +286,7 @@ class FoldSearch {
     CellValues mu;
     for (std::size_t j = 0; j <= cell_degree; ++j) {
       const double x = node_in(cell, j);
-      mu[j] = friction_.unheld(rig_.fibre.length_at(x));
+      mu[j] = friction_.without_limit(rig_.fibre.length_at(x));
     }
     const CellValues bernstein = CellPolynomial::bernstein(mu);
     const auto [least, greatest] = std::minmax_element(bernstein.begin(), bernstein.end());

@@ -274,8 +274,8 @@ FrictionPoint Friction::in_table(double S, std::size_t piece) const {
   return {std::max(mu, 0.0), slope / h};
 }
 
-double Friction::unheld(double S) const {
-  if (!may_be_held()) return at(S).mu;
+double Friction::without_limit(double S) const {
+  if (!may_reach_zero()) return at(S).mu;
   return wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S).mu;
 }
 
@@ -284,7 +284,7 @@ double Friction::drift() const {
   return waves ? waves->drift : 0;
 }
 
-bool Friction::may_be_held() const { return drift() != 0; }
+bool Friction::may_reach_zero() const { return drift() != 0; }
 
 double Friction::max_up_to(double S_max) const {
   if (way()) return way()->max_up_to(S_max);

@@ -79,7 +79,7 @@ class PathDependentFriction {
   virtual std::shared_ptr<const PathDependentFriction> from(double /*S*/, double /*q*/, double /*direction*/) const {
     return nullptr;
   }
-  virtual bool depends_on_way() const { return false; }
+  virtual bool is_path_dependent() const { return false; }
 
   // The same friction multiplied by a factor.
   // Domain:     friction at points of the specimen; std::invalid_argument otherwise.
@@ -117,7 +117,7 @@ class Friction {
   // The friction on the path from S and q, in (1) or out (-1). A single profile is unchanged.
   Friction from(double S, double q, double direction) const;
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
-  bool depends_on_way() const { return way() && way()->depends_on_way(); }
+  bool is_path_dependent() const { return way() && way()->is_path_dependent(); }
   const TwoSupportPath* two_supports() const;  // null except under a free nose
 
   // The friction times a factor along the specimen; the friction of roller pins does not change.
@@ -132,8 +132,8 @@ class Friction {
   FrictionArrays at(std::span<const double> S) const;
 
   // μ without the lower limit zero, which only a drift can reach. Its zeros are the kinks of at().
-  double unheld(double S) const;
-  bool may_be_held() const;
+  double without_limit(double S) const;
+  bool may_reach_zero() const;
   double drift() const;  // [1/L] 0 except for waves
 
   // The maximum of μ for S in [1, S_max]; for waves an upper bound.

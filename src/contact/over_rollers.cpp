@@ -190,7 +190,7 @@ std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fi
 }
 
 OnSlopes::OnSlopes(Friction in, Friction out) : direction_(1) {
-  if (in.depends_on_way() || out.depends_on_way())
+  if (in.is_path_dependent() || out.is_path_dependent())
     throw std::invalid_argument("the friction of a slope has two ways by itself");
   ways_ = std::make_shared<const Ways>(Ways{std::move(in), std::move(out)});
 }
@@ -204,7 +204,7 @@ namespace {
 class Capped final : public PathDependentFriction {
  public:
   Capped(Friction friction, double cap, double S_max) : friction_(std::move(friction)), cap_(cap) {
-    if (friction_.depends_on_way() || friction_.is_met() || !(cap >= 0))
+    if (friction_.is_path_dependent() || friction_.is_met() || !(cap >= 0))
       throw std::invalid_argument("only friction of the points of a specimen can be capped, at 0 or more");
     const auto own = friction_.knots();
     constexpr double least = 0.3;  // shortest length between rollers

@@ -75,7 +75,7 @@ class OnSlopes final : public PathDependentFriction {
   std::span<const double> knots() const override { return way().knots(); }
   bool continues(double /*S*/, double direction) const override { return direction == direction_; }
   std::shared_ptr<const PathDependentFriction> from(double S, double q, double direction) const override;
-  bool depends_on_way() const override { return true; }
+  bool is_path_dependent() const override { return true; }
 
  private:
   struct Ways {

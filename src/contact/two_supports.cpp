@@ -25,8 +25,8 @@ FrictionPoint at_point(const Friction& side, double x) {
 // The lengths between two others at which the friction begins or ceases to be limited at zero.
 std::vector<double> kinks_between(const Friction& side, double from, double to) {
   std::vector<double> kinks;
-  if (!side.may_be_held() || !(to > from)) return kinks;
-  const auto is_held = [&](double S) { return side.unheld(S) < 0; };
+  if (!side.may_reach_zero() || !(to > from)) return kinks;
+  const auto is_held = [&](double S) { return side.without_limit(S) < 0; };
   const double sample = std::min(0.25 * side.smooth_scale(), to - from);
   const auto samples = static_cast<std::size_t>(std::ceil((to - from) / sample));
   for (std::size_t k = 0; k < samples; ++k) {

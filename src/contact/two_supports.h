@@ -74,7 +74,7 @@ class TwoSupportPath final : public PathDependentFriction {
   std::shared_ptr<const PathDependentFriction> from(double S, double /*q*/, double /*direction*/) const override {
     return std::make_shared<const TwoSupportPath>(from(S));
   }
-  bool depends_on_way() const override { return true; }
+  bool is_path_dependent() const override { return true; }
   std::shared_ptr<const PathDependentFriction> scaled(double factor) const override {
     const std::array<Friction, 2> sides{sides_[0].scaled(factor), sides_[1].scaled(factor)};
     return std::shared_ptr<const TwoSupportPath>(new TwoSupportPath(sides, points_at(origin_), origin_, end()));

@@ -110,7 +110,7 @@ class Loading {
   }
 
   // True if the record ends here, or less than half the maximum follows at once.
-  bool bears_nothing_more() const {
+  bool carries_less_than_half() const {
     for (std::size_t i = points_; i < force_.size() && stage_[points_ - 1] - stage_[i] <= window * travel_; ++i)
       if (force_[i] < 0.5 * max_force_) return true;
     return points_ == force_.size();
@@ -129,18 +129,19 @@ class Loading {
       while (before > through->peak && stage_[low] - stage_[before - 1] <= window * travel_) --before;
       const auto fall = static_cast<std::size_t>(through - falls_.begin());
       const double lost = lost_from(before, through->trough);
-      return lost >= a_twentieth * max_force_ && (is_left_bare(fall) || lost >= 1.5 * largest_loss_before(fall))
+      return lost >= a_twentieth * max_force_ &&
+                     (leaves_almost_no_force(fall) || lost >= 1.5 * largest_loss_before(fall))
                  ? fall
                  : falls_.size();
     }
     constexpr std::size_t next_to_the_end = 3;
-    const bool ends_so = !falls_.empty() && bears_nothing_more() && points_ - falls_.back().trough <= next_to_the_end &&
-                         stands_out(falls_.size() - 1, a_tenth);
+    const bool ends_so = !falls_.empty() && carries_less_than_half() &&
+                         points_ - falls_.back().trough <= next_to_the_end && stands_out(falls_.size() - 1, a_tenth);
     return ends_so ? falls_.size() - 1 : falls_.size();
   }
 
   // True if a fall, with those that follow at once, leaves almost no force. A slip leaves more.
-  bool is_left_bare(std::size_t fall) const {
+  bool leaves_almost_no_force(std::size_t fall) const {
     const std::size_t trough = falls_[fall].trough;
     for (std::size_t i = trough; i < points_ && stage_[i] - stage_[trough] <= reach * travel_; ++i)
       if (force_[i] < a_tenth * max_force_) return true;
