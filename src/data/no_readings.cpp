@@ -150,7 +150,7 @@ class StrayPositions {
   }
 
   std::span<const double> stage_, force_;
-  double typical_step_;  // typical step
+  double typical_step_;  // median
 };
 
 }  // namespace

@@ -78,7 +78,7 @@ std::optional<double> bend_of_interpolated(const std::vector<double>& bends, dou
   if (count(-1, exact) - count(exact, by_one) > enough && others_are_fine(exact)) return exact;
   const double straight = count(-1, by_one), by_two = count(by_one, by_one + 2 * step);
   const bool is_rounded = count(0.5 * step, by_one) > share * straight;
-  constexpr double at_most = 4;  // steps: noise as coarse as the step would exceed it often
+  constexpr double at_most = 4;  // [1] ratio of straight triples to triples bent by two steps, for noise
   if (is_rounded && straight - at_most * by_two > enough && others_are_fine(by_one)) return by_one;
   return {};
 }
@@ -163,7 +163,7 @@ struct Loaded {
 
 Loaded loaded_of(std::span<const double> force) {
   constexpr double of_greatest = 0.05;
-  constexpr std::size_t beside = 10;  // fraction of the loaded rows
+  constexpr std::size_t beside = 10;  // a tenth of the loaded rows
   std::vector<double> change = medians_of_five(force);
   const double at_first = force.empty() ? 0 : change[std::min<std::size_t>(2, change.size() - 1)];
   for (double& value : change) value -= at_first;
@@ -184,7 +184,7 @@ void thin(Sampling& sampling, std::span<const double> displacement, std::span<co
   sampling.leave_out_at_rest(find_halts(values_at(sampling.rows, displacement)));
   if (sampling.rows.size() <= max_rows) return;
   const std::vector<double> force = values_at(sampling.rows, all_force);
-  // fraction of the rows that count, before and after the load each
+  // a tenth of the rows that count, before and after the load each
   constexpr std::size_t part_unloaded = 10;
   const auto [first, last] = loaded_of(force);
   const std::size_t few = std::min(max_rows / part_unloaded, force.size() - (last - first));

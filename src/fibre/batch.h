@@ -34,7 +34,7 @@ struct StateArrays {
   explicit StateArrays(std::size_t n) : w(n), F(n) {}
 };
 
-// Deflections and forces with their partial derivatives: S at fixed q, and q at fixed S. The
+// Deflections and forces with their partial derivatives, X_S at fixed q and X_q at fixed S. The
 // derivatives are also NaN at S = 1, where those with respect to S are infinite.
 struct SlopeArrays {
   std::vector<double> w, F;

@@ -28,7 +28,7 @@ struct FibreState {
   double u;       // [1] half the phase of the pendulum, ω/2 of (4.15b); shape() uses it
 };
 
-// Partial derivatives of a state: S at fixed q, and q at fixed S. Units as for the state.
+// Partial derivatives of a state, X_S at fixed q and X_q at fixed S. Units as for the state.
 struct FibreSlopes {
   double w_S, w_q, F_S, F_q, Pn_S, Pn_q, U_S, U_q, theta0_S, theta0_q;
 };

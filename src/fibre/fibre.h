@@ -36,7 +36,7 @@ class Fibre {
   // [1] limit of the friction
   double max_friction() const { return on_edges() ? largest_q : largest_q_on_supports; }
 
-  // The state at S and q; several functions as in elastica.h and batch.h.
+  // The state at S and q, with the functions of elastica.h and batch.h.
   // Domain:     as fibre_state; on rollers or with a thickness also w <= deepest_on_supports.
   // Max error:  on rollers or with a thickness, for w <= 0.35 and q in [-0.8, 2]: relative 1e-12 in
   //             w, F, theta0, Pn and U; of X_S 1e-9 of max(|X_S|, |X|/w), of X_q 1e-9 of max(|X_q|,
@@ -67,7 +67,7 @@ class Fibre {
   InverseArrays tabulated_states_from_forces(std::span<const double> w, std::span<const double> F) const;
 
   // The state at a deflection, on either side of the smallest length. U is NaN; use
-  // state_at_deflection for the energy. Slopes: w at fixed q, and q at fixed w.
+  // state_at_deflection for the energy. X_w is at fixed q, and X_q at fixed w.
   // Domain:     rollers or a thickness; w >= 0; q = 0 at w = 0.
   struct DeflectionState {
     FibreState state;
@@ -76,18 +76,16 @@ class Fibre {
     void move_by(double dq);  // changes q at fixed w, to first order
   };
   DeflectionState at_deflection(double w, double q) const;
-  DeflectionState at_deflection_without_contacts(double w,
-                                                 // half the time: without θ0 and Pn, NaN unless w =
-                                                 // 0
-                                                 double q) const;
+  // Half the time: without θ0 and Pn, which are NaN unless w = 0.
+  DeflectionState at_deflection_without_contacts(double w, double q) const;
   DeflectionState add_contacts(DeflectionState at) const;    // adds θ0 and Pn
   FibreState state_at_deflection(double w, double q) const;  // with the energy
   // [EI/L^2] Forces only, also on knife edges (Domain and Max error as at_deflection); NaN without
   // a state.
   std::vector<double> forces_at_deflections(std::span<const double> w, std::span<const double> q) const;
 
-  // [L] Derivatives of the length between the contacts: q at fixed w. NaN without a state. Not on
-  // knife edges.
+  // [L] Derivatives of the length between the contacts with respect to q at fixed w. NaN without a
+  // state. Not on knife edges.
   std::vector<double> length_friction_derivatives(std::span<const double> w, std::span<const double> q) const;
 
   // [L] The length of the axis between the contacts, which determines the friction coefficient.
