@@ -1,5 +1,5 @@
-// A short stretch of a sliding curve by its values at the nodes of polynomials along the way: those that trace the curve look for folds in it, and
-// those that read forces off it later read the same values.
+// A short segment of a sliding curve, given by values at polynomial nodes. The tracer searches it
+// for folds, and forces are later determined from the same values.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,12 @@
 
 namespace flexslip {
 
-// Values at the Chebyshev-Lobatto points between two points of the way x (sliding_table.h); NaN where there is no state.
+// Values at the Chebyshev-Lobatto points between two values of the sliding coordinate x
+// (sliding_table.h); NaN without a state.
 struct CurvePiece {
   static constexpr std::size_t degree = 12;
-  static constexpr double longest = 2;  // smooth scales of friction (friction.h): half the shortest period
+  // smooth scales of friction (friction.h): half the shortest period
+  static constexpr double longest = 2;
   using Polynomial = Interpolant<degree>;
   using Values = Polynomial::Values;
 
@@ -20,9 +22,9 @@ struct CurvePiece {
   Values stage;     // [L]
   Values F;         // [EI/L^2]
 
-  double way_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
-  double way_of(std::size_t node) const {
-    return node == 0 ? from : node == degree ? to : way_at(Polynomial::node(node));
+  double coordinate_at(double t) const { return 0.5 * (from + to) + 0.5 * (to - from) * t; }  // t in [-1, 1]
+  double coordinate_of(std::size_t node) const {
+    return node == 0 ? from : node == degree ? to : coordinate_at(Polynomial::node(node));
   }
   double place_of(double x) const { return (2 * x - from - to) / (to - from); }  // t
 };

@@ -25,18 +25,20 @@
 namespace flexslip {
 namespace {
 
-// The greatest k(S) over a stretch of lengths.
+// The maximum of k(S) in a range of lengths.
 double stiffness_of_cusp(const Friction& friction, const Fibre& fibre, const Bracket& S) {
-  constexpr double flat = 1e-8;  // of the stretch: k(S) at the maximum is as flat, and known to the square of it
-  const double tolerance = std::max(flat * S.width(), 0x1p-50 * S.high);  // and no finer than lengths are
+  // of the range; near its maximum k(S) is known to the square of this
+  constexpr double flat = 1e-8;
+  // limited by the rounding of lengths
+  const double tolerance = std::max(flat * S.width(), 0x1p-50 * S.high);
   const auto k_at = [&](double length) { return stiffness_of_fold(friction, length, fibre); };
   return std::max({greatest_within(k_at, S.low, S.high, tolerance).value, k_at(S.low), k_at(S.high)});
 }
 
-// The lengths on which the stage would run back, between folds or an end of the curve, whose cusp is likely to be the stiffest.
+// The lengths of an unstable part of the curve whose cusp is probably the stiffest.
 Bracket stiffest_pair(const SlidingCurve& curve) {
   Bracket stiffest{};
-  double most = -infinity;
+  double max_stiffness = -infinity;
   double from = curve.begin.S;
   for (std::size_t i = 0; i <= curve.folds.size(); ++i) {
     const bool is_end = i == curve.folds.size();
@@ -46,8 +48,8 @@ Bracket stiffest_pair(const SlidingCurve& curve) {
     from = to;
     if (!runs_back || !(pair.low < pair.high)) continue;
     const double k = stiffness_of_fold(curve.friction, pair.middle(), curve.rig.fibre);
-    if (k > most) stiffest = pair;
-    most = std::max(most, k);
+    if (k > max_stiffness) stiffest = pair;
+    max_stiffness = std::max(max_stiffness, k);
   }
   return stiffest;
 }
@@ -62,7 +64,8 @@ double stiffness_of_fold(const Friction& friction, double S, const Fibre& fibre)
 
 double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre) {
   constexpr double softest = 1e-6;
-  constexpr double above = 1e-9;  // of k: folds nearer to a cusp than that are one to the tracer
+  // relative to k: closer to a cusp, the tracer cannot separate the two folds
+  constexpr double above = 1e-9;
   const Rig stiff{infinity, fibre};
   const auto controlled = trace_loading_curve(friction, stiff, longest_in_loading(friction, stiff, w_max));
   if (controlled.begin.stage >= w_max) return 0;  // a thick specimen has not begun to slide in
@@ -76,7 +79,7 @@ double critical_stiffness(const Friction& friction, double w_max, const Fibre& f
     const auto curve = trace_loading_curve(friction, {stiffness, fibre}, S_end);
     if (curve.folds.empty()) return critical;
     const double cusp = stiffness_of_cusp(curve.friction, fibre, stiffest_pair(curve));
-    if (!(cusp > stiffness)) return critical;  // what the tracer saw is rounding
+    if (!(cusp > stiffness)) return critical;  // rounding in the trace
     critical = cusp;
     stiffness = (1 + above) * cusp;
   }
@@ -84,8 +87,8 @@ double critical_stiffness(const Friction& friction, double w_max, const Fibre& f
 
 namespace {
 
-constexpr double rounding_of_step = 1e-9;    // a last step as short as that is none
-constexpr double rounding_of_force = 1e-11;  // what is read off a polynomial is rounded
+constexpr double rounding_of_step = 1e-9;    // a shorter last step is ignored
+constexpr double rounding_of_force = 1e-11;  // of forces from polynomials
 
 }  // namespace
 
@@ -120,10 +123,11 @@ void ForceFalls::end() {
 }
 
 std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step) {
-  constexpr double most = 20000;
+  constexpr double max_readings = 20000;
   constexpr int points_of_stretch = 60;
   const auto path = [&] {
-    if (step == 0 || travel / step > most) return path_continuously(test, std::vector{travel}, points_of_stretch).path;
+    if (step == 0 || travel / step > max_readings)
+      return path_continuously(test, std::vector{travel}, points_of_stretch).path;
     return path_in_steps(test, stage_steps(std::vector{0.0, travel}, step)).path;
   }();
   std::vector<RecordedForce> record;
@@ -134,13 +138,14 @@ std::vector<RecordedForce> record_of(const BendingTest& test, double travel, dou
 
 namespace {
 
-// A state with what holds the stage there, and how it changes as the fibre slides at that stage position.
+// A state with the elastic energy, and its derivatives for sliding at constant stage position.
 struct Rest {
   FibreState state;
   double potential = 0;  // [EI/L] U + F^2/2k
   double Pn_slope = 0;   // [EI/L^3] dPn/dS
   double contact = 0,
-         contact_slope = 0;  // [L], [1] length between the contacts, at which friction is looked up; likewise
+         // [L], [1] length between the contacts, the argument of friction, with its derivative
+      contact_slope = 0;
 };
 
 Rest rest_at(const Rig& rig, double S, double q, double w) {
@@ -152,30 +157,31 @@ Rest rest_at(const Rig& rig, double S, double q, double w) {
           rig.fibre.length_between_contacts(state), 1 - rolled * (slopes.theta0_S + slopes.theta0_q * q_slope)};
 }
 
-// The greatest force of a loading: where polynomials have their tops, states are computed, but only of those tops that may be the highest.
+// The maximum force of a loading. At tops of polynomials the state is computed, but only if the top
+// may be the maximum.
 class GreatestForce {
  public:
-  void see(double F) { most_ = std::max(most_, F); }
+  void see(double F) { max_force_ = std::max(max_force_, F); }
   void see_top(double F, double S) {
-    constexpr double error = 1e-6;  // of the polynomial, at most
-    if (!(F > (1 - error) * most_top_)) return;
-    if (F > (1 + error) * most_top_) S_of_tops_.clear();
-    most_top_ = std::max(most_top_, F);
+    constexpr double error = 1e-6;  // upper bound for a polynomial
+    if (!(F > (1 - error) * max_top_)) return;
+    if (F > (1 + error) * max_top_) S_of_tops_.clear();
+    max_top_ = std::max(max_top_, F);
     S_of_tops_.push_back(S);
   }
   template <class ForceAt>
   double value(const ForceAt& force_at) const {
-    double most = most_;
-    for (const double S : S_of_tops_) most = std::max(most, force_at(S));
-    return most;
+    double highest = max_force_;
+    for (const double S : S_of_tops_) highest = std::max(highest, force_at(S));
+    return highest;
   }
 
  private:
-  double most_ = 0, most_top_ = 0;
+  double max_force_ = 0, max_top_ = 0;
   std::vector<double> S_of_tops_;
 };
 
-// Walks along the curve of a loading, from one stable part to the next.
+// Follows the curve of a loading from one stable part to the next.
 class Loading {
  public:
   explicit Loading(const Design& design)
@@ -207,7 +213,7 @@ class Loading {
       if (!slide(part, rest, end)) return breaks_ ? DesignStatus::breaks : DesignStatus::slipped_through;
       if (arrives) {
         outcome_.stage_reached = design_.travel;
-        // The last reading, which may stand beyond the rounded end of its piece.
+        // The last reading, which rounding may place beyond the end of its piece.
         if (readings_ && readings_->first_beyond(design_.travel) > next_) drops_.read(end.state.F);
         return DesignStatus::ok;
       }
@@ -228,7 +234,7 @@ class Loading {
     }
   }
 
-  // Up to where the surface slides in beyond the original contact (bending_test/shallow.h). Does the loading lead on?
+  // Follows the shallow beginning (bending_test/shallow.h); false if the loading ends there.
   bool bend_shallow(const RigPoint& begin) {
     const Friction friction = design_.friction;
     const Shallow shallow(friction, design_.rig);
@@ -253,12 +259,12 @@ class Loading {
 
   const Fibre& fibre() const { return design_.rig.fibre; }
 
-  // Has a state so much curvature that the fibre breaks?
+  // True if the specimen breaks at the curvature of a state.
   bool sees(const FibreState& state) {
     return state.status == FibreStatus::ok && breaks_at(fibre().curvature_at_midspan(state));
   }
   bool breaks_at(double curvature) {
-    if (std::isnan(curvature)) return false;  // there is no state
+    if (std::isnan(curvature)) return false;  // no state
     outcome_.greatest_curvature =
         std::max(outcome_.greatest_curvature, std::min(curvature, design_.breaking_curvature));
     return curvature >= design_.breaking_curvature;
@@ -269,13 +275,13 @@ class Loading {
     return sees(fibre().state(S, curve_.friction.at(S).mu));
   }
 
-  // How far on a part of a piece the fibre gets before it breaks, looked for at some of its nodes.
-  double sound_until(const CurvePiece& piece, double from, double to) {
-    constexpr std::size_t most = 4, between = CurvePiece::degree / most;
-    std::array<double, most> way, S, q, w;
+  // The point of a piece at which the specimen breaks, from some of its nodes; otherwise the end.
+  double unbroken_until(const CurvePiece& piece, double from, double to) {
+    constexpr std::size_t nodes = 4, between = CurvePiece::degree / nodes;
+    std::array<double, nodes> way, S, q, w;
     std::size_t n = 0;
     for (std::size_t node = between; node <= CurvePiece::degree; node += between) {
-      way[n] = piece.way_of(node);
+      way[n] = piece.coordinate_of(node);
       if (!(from < way[n] && way[n] <= to) || std::isnan(piece.F[node])) continue;
       S[n] = fibre().length_at(way[n]);
       q[n] = piece.q[node];
@@ -294,7 +300,8 @@ class Loading {
     return first_where(sound, broken, [&](double way) { return breaks_on(way); });
   }
 
-  // Is there a force all the way, and does it not break? The tracer may have stepped over a stretch without; the outcome is then that up to there.
+  // Follows a stable part; false if the force vanishes or the specimen breaks. The tracer may have
+  // passed an interval without a force; the loading then ends there.
   bool slide(const StablePart& part, const Rest& rest_from, const Rest& rest_to) {
     const auto& [from, to] = part;
     const double work_before = outcome_.work, last = fibre().sliding_coordinate(to.S);
@@ -302,7 +309,7 @@ class Loading {
     bool is_held = true;
     for (double way = fibre().sliding_coordinate(from.S); is_held && !breaks_ && way < last;) {
       const CurvePiece piece = piece_beyond(way, last);
-      double end = sound_until(piece, way, std::min(piece.to, last));
+      double end = unbroken_until(piece, way, std::min(piece.to, last));
       if (!breaks_ && end == last && sees(rest_to.state)) end = broken_between(way, last);
       is_held = end == way || read_along(piece, way, end, 0);
       way = end;
@@ -316,7 +323,7 @@ class Loading {
     return is_held;
   }
 
-  // The piece of the trace that leads on from a place towards the last, or one computed anew where it has kept none.
+  // The stored segment that continues from this position, or a new one if none is stored.
   CurvePiece piece_beyond(double way, double last) {
     while (next_piece_ < curve_.pieces.size() && !(way < curve_.pieces[next_piece_].to)) ++next_piece_;
     if (next_piece_ < curve_.pieces.size()) return curve_.pieces[next_piece_];
@@ -325,16 +332,19 @@ class Loading {
         S < S_last
             ? fibre().sliding_coordinate(end_of_stretch(curve_.friction, fibre(), S, S_last, CurvePiece::longest))
             : last;
-    return piece_between(way, end > way ? end : last);  // what is shorter than a length can tell is one piece
+    // what rounding of lengths cannot separate is one piece
+    return piece_between(way, end > way ? end : last);
   }
   CurvePiece piece_between(double from, double to) const {
     return pieces_between(curve_.friction, design_.rig, Sliding::in, std::array{from, to}).front();
   }
 
-  // Reads the forces along a part of a piece. Are there states all the way?
+  // Reads the forces along a part of a piece; false if a state is missing.
   bool read_along(const CurvePiece& nodes, double from, double to, int halvings) {
-    constexpr double accuracy = 1e-6;  // of the last coefficients: of the polynomial, a hundredth
-    constexpr int max_halvings = 12;   // only a friction that begins or ends to be held at zero needs them
+    // of the last coefficients; the polynomial is a hundred times better
+    constexpr double accuracy = 1e-6;
+    // needed only where friction begins or ceases to be limited at zero
+    constexpr int max_halvings = 12;
     const SlidingPiece piece(nodes, design_.rig, from, to);
     const double middle = 0.5 * (from + to);
     const bool can_halve = halvings < max_halvings && from < middle && middle < to;
@@ -365,7 +375,7 @@ class Loading {
     drops_.read(piece.force_to());
   }
 
-  // Between two turns the forces rise or fall: only the readings beside them tell the falls.
+  // Between two turns the force is monotone, so only the readings next to a turn matter.
   void read_in_steps(const SlidingPiece& piece, const SlidingPiece::Turns& turns) {
     const double last = readings_->first_beyond(piece.stage_to()) - 1;
     const auto read = [&](double i) {
@@ -382,8 +392,9 @@ class Loading {
     read(last);
   }
 
-  // ∫ μ Pn dS of a snap. At a fixed stage position the force at the supports is a smooth function of the length, whatever the
-  // friction, and so is where it touches: cubics between lengths that are near one another for the elastica. None if the fibre is not held all the way.
+  // ∫ μ Pn dS of a snap; empty if some length has no equilibrium. At a fixed stage position the
+  // support force and the contact point are smooth functions of the length for any friction. They
+  // are interpolated by cubics between close lengths.
   std::optional<double> heat_of_snap(double stage, const Rest& from, const Rest& to) const {
     constexpr double near = 0.15;         // of S - 1
     constexpr double longest_part = 0.1;  // [L]
@@ -418,7 +429,7 @@ class Loading {
       const double contact = rolls ? contacts.at(t).value : S;
       return design_.friction.at(contact).mu * held.Pn + fibre().bending_energy_lost_at_contact(held);
     };
-    constexpr double scales = 2;  // half the shortest period
+    constexpr double scales = 2;  // smooth scales of friction: half the shortest period
     double heat = 0;
     for (double S = a.state.S; S < b.state.S;) {
       const double end = end_of_stretch(curve_.friction, fibre(), S, b.state.S, scales);
@@ -439,18 +450,19 @@ class Loading {
   }
 
   const Design& design_;
-  std::optional<ReadingPositions> readings_;  // none if all is recorded
+  std::optional<ReadingPositions> readings_;  // empty for a continuous record
   SlidingCurve curve_;
   DesignOutcome outcome_{};
   ForceFalls drops_;
   GreatestForce greatest_;
-  double next_ = 0;     // reading
+  double next_ = 0;     // index of the next reading
   double slid_to_ = 1;  // [L]
   std::size_t next_piece_ = 0;
   bool breaks_ = false;
 };
 
-// The deflection at which the fibre breaks; infinite if it does not as long as the stage travels, on some rig.
+// The deflection at which the specimen breaks; infinite if it does not break on some rig within the
+// travel.
 double breaking_deflection(const Design& design, const Rig& rig) {
   if (std::isinf(design.breaking_curvature)) return design.breaking_curvature;
   constexpr double scales = 0.75;
@@ -471,12 +483,12 @@ double breaking_deflection(const Design& design, const Rig& rig) {
 }
 
 void require_loading(const Design& design) {
-  constexpr double min_deflection = 1e-6;  // below it S - 1 has lost its digits
+  constexpr double min_deflection = 1e-6;  // below, S - 1 loses its digits
   const double deflection = beam_deflection(design.travel, design.rig.stiffness);
   if (!(deflection >= min_deflection))
     throw std::invalid_argument("a loading must bend the fibre by at least 1e-6 spans, not " +
                                 std::to_string(1e6 * deflection) + "e-6");
-  constexpr double max_readings = 1e9;  // the counts of readings are doubles
+  constexpr double max_readings = 1e9;  // counts of readings are doubles
   if (!(design.step >= 0 && std::isfinite(design.step)))
     throw std::invalid_argument("the step of the stage must be finite and not negative, not " +
                                 std::to_string(design.step));
@@ -510,33 +522,34 @@ bool snaps(const Design& design) {
 double critical_stiffness(const Design& design) {
   constexpr double above = 1e-7;
   constexpr double settled = 1e-9;
-  constexpr double least = 1e-6;  // [L] of a deflection: what a curve can be traced for
+  constexpr double min_deflection_traced = 1e-6;  // [L] smallest deflection that can be traced
   double stiffness = infinity;
   const double breaks = breaking_deflection(design, {stiffness, design.rig.fibre});
   double deflection = std::min(design.travel, breaks);
   while (true) {
     const double critical = (1 + above) * critical_stiffness(design.friction, deflection, design.rig.fibre);
     if (!(critical < (1 - settled) * stiffness)) return critical;
-    // A rig that soft hardly bends the fibre, which has not begun to slide.
-    if (!(beam_deflection(design.travel, critical) > least)) return 0;
+    // A rig this soft bends the specimen too little for sliding.
+    if (!(beam_deflection(design.travel, critical) > min_deflection_traced)) return 0;
     stiffness = critical;
     const Rig rig{stiffness, design.rig.fibre};
     const auto curve =
         trace_loading_curve(design.friction, rig, longest_in_loading(design.friction, rig, design.travel));
-    if (curve.begin.stage >= design.travel) return 0;  // a thick specimen has not begun to slide in
+    // a thick specimen has not begun to slide in
+    if (curve.begin.stage >= design.travel) return 0;
     const StablePart part = stable_part_from(curve, curve.begin);
     const double reached = part.to.stage > design.travel ? point_at_stage(curve, part, design.travel).w : part.to.w;
-    deflection = std::max(std::min(reached, breaks), least);
+    deflection = std::max(std::min(reached, breaks), min_deflection_traced);
   }
 }
 
 double stiffness_margin(const Design& design, const DesignOutcome& outcome) {
-  constexpr double most = 3;
+  constexpr double max_margin = 3;
   constexpr double min_deflection = 1e-6;
   const double w = outcome.status == DesignStatus::slipped_through ? design.travel : outcome.w_reached;
   const double critical = critical_stiffness(design.friction, std::max(w, min_deflection), design.rig.fibre);
-  if (std::isinf(critical)) return -most;
-  return std::clamp(elementary::log(design.rig.stiffness / critical), -most, most);
+  if (std::isinf(critical)) return -max_margin;
+  return std::clamp(elementary::log(design.rig.stiffness / critical), -max_margin, max_margin);
 }
 
 std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre) {

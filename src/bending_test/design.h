@@ -1,5 +1,5 @@
-// What a test will show, before it is run: will the force drop, where first, how often and by how much; how stiff the load
-// train would have to be for it not to; and how much of the work would be friction.
+// Predictions for a planned test: whether the force drops, where first, how often and by how much;
+// the load-train stiffness that prevents drops; and the friction share of the work.
 #pragma once
 
 #include <cstddef>
@@ -14,53 +14,57 @@
 
 namespace flexslip {
 
-// How stiff a load train must be for the fibre not to snap.
+// The load-train stiffness at which snaps begin.
 
-// The least stiffness of the load train [EI/L^3] with which no loading up to the deflection w_max [L] snaps: 0 where none snaps
-// on any rig stiffer than 1e-6, infinite where one does even with the deflection itself controlled.
+// [EI/L^3] The smallest stiffness of the load train at and above which no loading up to the
+// deflection w_max [L] snaps. 0 if there is no snap on any rig stiffer than 1e-6. Infinite if the
+// test snaps even under displacement control.
 // Domain:     w_max >= 1e-6, finite; std::invalid_argument otherwise.
-// Tolerance:  1e-9, relative: a snap at a stiffness above that would be shorter than the tracer tells (trace.h).
+// Tolerance:  1e-9, relative: a snap at a larger stiffness is too short for the tracer (trace.h).
 // Fails:      as trace_loading_curve (trace.h).
-// Method:     continuation of the fold. G' = w' + F'/k vanishes where k = -F'/w', so that the folds of all rigs lie on one
-//             curve k(S), and a pair of them vanishes in a cusp, at a maximum of k(S) or at the end of the range. From the pairs
-//             that the tracer finds on a soft rig one is followed up to its cusp; just above it the curve is traced anew; and so on
-//             until the tracer, which misses none, finds no fold. A maximum of k(S) is flat and needs no second derivatives
-//             (theory.md, "The critical stiffness").
-// Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of k(S).
+// Method:     continuation of the fold. G' = w' + F'/k vanishes at k = -F'/w', so the folds of all
+//             rigs lie on one curve k(S). A pair of folds vanishes in a cusp: a maximum of k(S), or
+//             the end of the range. One pair from the trace on a soft rig is followed to its cusp.
+//             Just above the cusp the curve is traced again, until a trace finds no fold. At a
+//             maximum k(S) is flat, so second derivatives are not needed (theory.md, "The critical
+//             stiffness").
+// Cost:       about three traces, and 20 µs for each cusp; at worst a trace for every maximum of
+//             k(S).
 double critical_stiffness(const Friction& friction, double w_max, const Fibre& fibre = {});
 
-// -F'/w' along q = μ(S) [EI/L^3]: on the rig of that stiffness the fibre is at a fold at this length.
-// Domain:     S > 1, where a state exists.
-// The friction is that met on the way (contact/over_rollers.h).
+// [EI/L^3] -F'/w' along q = μ(S): the stiffness of the rig that has a fold at this length. The
+// friction is a function of the sliding length (contact/over_rollers.h).
+// Domain:     S > 1, with a state.
 double stiffness_of_fold(const Friction& friction, double S, const Fibre& fibre = {});
 
-// The readings of a loading: where they stand, and what a record of them shows.
+// The readings of a loading.
 
-// Which reading stands where: at every whole step of the stage, and at the end of its travel.
+// The stage positions of readings: at every whole step, and at the end of the travel.
 class ReadingPositions {
  public:
   // Domain:     travel > 0, step > 0, both finite.
   ReadingPositions(double travel, double step);
 
-  double count() const { return last_ + 1; }  // with reading 0, of the straight fibre
+  double count() const { return last_ + 1; }  // includes reading 0, straight
   double position(double i) const { return i < last_ ? i * step_ : travel_; }
-  // The first reading beyond a stage position; the one before it is the last that is not.
+  // The index of the first reading beyond a stage position.
   double first_beyond(double stage) const;
 
  private:
   double travel_, step_, last_;
 };
 
-// Counts the falls of a force, a run of them being one, from its values in the order in which they are read: all of them, or those
-// between which it rises or falls.
+// Counts and measures the force drops in a series of readings. Successive falls are one drop.
+// Readings within a monotone part may be omitted.
 class ForceFalls {
  public:
   void read(double F);
-  void end();  // a fall under way is one
+  void end();  // completes a current fall
 
   std::size_t count() const { return count_; }
-  double largest() const { return largest_; }                                          // [EI/L^2] 0 without drops
-  double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }  // likewise
+  double largest() const { return largest_; }  // [EI/L^2] 0 without drops
+  // [EI/L^2] 0 without drops
+  double mean() const { return count_ > 0 ? sum_ / static_cast<double>(count_) : 0; }
 
  private:
   double last_ = 0;
@@ -76,99 +80,109 @@ struct RecordedForce {
   double F;      // [EI/L^2]
 };
 
-// What is recorded in a loading up to a stage position, from the straight fibre on: a reading each step, all of the curve if it is 0
-// or if there are more readings than a figure can tell apart, 20000. It ends where the fibre slips through.
-// Domain:     travel at least 1e-6, step >= 0, both finite; std::invalid_argument otherwise.
+// The record of a loading from the straight specimen to a stage position. It has one reading per
+// step; the whole curve if step is 0, or for more readings than a figure can resolve (20000). It
+// ends if the specimen slips through.
+// Domain:     travel >= 1e-6, step >= 0, both finite; std::invalid_argument otherwise.
 std::vector<RecordedForce> record_of(const BendingTest& test, double travel, double step);
 
-// One loading of a fibre on a rig, from the straight fibre at stage position 0.
+// A planned loading, from the straight specimen at stage position 0.
 struct Design {
   Friction friction;
   Rig rig;
-  double travel;                         // [L] stage position at which the loading ends
-  double step;                           // [L] of the stage between two readings; 0: the curve is recorded continuously
-  double breaking_curvature = infinity;  // [1/L] at midspan, at which the fibre breaks
+  double travel;  // [L] final stage position
+  // [L] stage travel between readings; 0 for a continuous record
+  double step;
+  double breaking_curvature = infinity;  // [1/L] at midspan
 };
 
 enum class DesignStatus {
   ok,
-  breaks,  // the fibre breaks before the stage has travelled so far: the answers are those up to there
-  slipped_through,  // the fibre slips through the supports before the stage has travelled so far: the answers are those up to there
+  breaks,           // the specimen breaks during the loading; the results end there
+  slipped_through,  // the specimen slips through the supports; the results end there
 };
 
 struct FirstSnap {
   double stage;     // [L]
-  double w;         // [L] before it
+  double w;         // [L] before the snap
   double F_before;  // [EI/L^2]
   double F_after;   // [EI/L^2]
 };
 
 struct DesignOutcome {
   DesignStatus status;
-  double stage_reached;  // [L] stage position that the loading gets to
-  double w_reached;      // [L] deflection there
-  std::size_t snaps;     // those of the fibre, however small
+  double stage_reached;  // [L] final stage position
+  double w_reached;      // [L] final deflection
+  std::size_t snaps;     // all, however small
   std::optional<FirstSnap> first_snap;
-  double largest_snap;        // [EI/L^2] the greatest fall of the force in a snap; 0 without one
-  std::size_t drops;          // falls of the force between readings, a run of them counting once: what the record shows
+  double largest_snap;        // [EI/L^2] largest force drop in a snap; 0 without a snap
+  std::size_t drops;          // recorded drops: successive falls between readings count once
   double largest_drop;        // [EI/L^2] 0 without drops
   double mean_drop;           // [EI/L^2] 0 without drops
   double greatest_force;      // [EI/L^2]
   double greatest_curvature;  // [1/L] at midspan
-  double work;                // [EI/L] ∫ F dw, what is measured as work on the specimen
-  double friction_heat;       // [EI/L] of it, heat at the supports while the fibre slides and snaps
-  double released;            // [EI/L] of it, what the snaps set free beyond friction; the rest bends the fibre
+  double work;                // [EI/L] ∫ F dw, the measured work
+  // [EI/L] part of the work: heat at the supports while sliding and in snaps
+  double friction_heat;
+  // [EI/L] part of the work: released in snaps beyond friction; the rest is bending
+  double released;
 };
 
-// [1] Of the work, what went into friction and snaps.
+// [1] The part of the work lost to friction and snaps.
 inline double friction_share(const DesignOutcome& outcome) {
   return (outcome.friction_heat + outcome.released) / outcome.work;
 }
 
-// Domain:     travel/(1 + 48/stiffness), about the deflection, at least 1e-6; step 0 or at least 1e-9 of the travel, finite;
-//             rig.stiffness > 0; std::invalid_argument otherwise.
-// Max error:  of the stage positions and forces of snaps as stable_parts (rig.h); of work and the greatest force 1e-7; of friction_heat
-//             and released 1e-5 of the work (typically 1e-7); of drops 1e-6 of the greatest force. Falls below 1e-11 of the force are
-//             none. Where a drift of friction begins or ends to be held at zero within a snap, friction_heat and released 1e-3 of the
-//             work and drops 1e-4; where the loading ends below a length S, all of them 2^-48/(S - 1) besides.
-//             The greatest curvature, and that at which the fibre breaks, is looked for at four points of each half of the shortest
-//             period, and may be 2 % too small; one exceeded for less than that is not seen.
+// The outcome of a planned loading.
+// Domain:     travel/(1 + 48/stiffness), about the deflection, at least 1e-6; step 0 or at least
+//             1e-9 of the travel, finite; rig.stiffness > 0; std::invalid_argument otherwise.
+// Max error:  as stable_parts (rig.h) for stage positions and forces of snaps; 1e-7 for work and
+//             greatest_force; 1e-5 of the work (typically 1e-7) for friction_heat and released;
+//             1e-6 of greatest_force for drops. Falls below 1e-11 of the force are ignored. If a
+//             drift reaches zero friction within a snap: 1e-3 of the work for friction_heat and
+//             released, 1e-4 for drops. If the loading ends below a length S, all have an
+//             additional 2^-48/(S - 1). The maximum curvature and the breaking point are searched
+//             at four points per half of the shortest period: up to 2 % too small, and shorter
+//             excesses are missed.
 // Fails:      slipped_through, breaks.
-// Method:     the curve is traced; its stable parts are followed as polynomials, whose turning points tell which readings to look at.
-//             In a snap the force at the supports is a smooth function of the length, whatever the friction (theory.md, "Designs").
-// Cost:       the trace, and 6 µs for each period or snap, however many readings.
+// Method:     the stable parts of the traced curve are followed as polynomials. Their turning
+//             points determine which readings matter. In a snap the support force is a smooth
+//             function of the length for any friction (theory.md, "Designs").
+// Cost:       the trace, and 6 µs for each period or snap, for any number of readings.
 DesignOutcome outcome_of(const Design& design);
 
-// Does the fibre snap at all, and come to rest again: outcome_of(design).snaps > 0, but for one that breaks just there.
+// True if the specimen snaps and comes to rest again: outcome_of(design).snaps > 0, unless it
+// breaks exactly then.
 // Domain:     as outcome_of.
-// Cost:       the trace up to four times as far as the first snap, or of all of it.
+// Cost:       the trace up to four times the distance to the first snap, or all of it.
 bool snaps(const Design& design);
 
-// The smallest stiffness of the load train [EI/L^3] from which on this loading, to its travel or until the fibre breaks, meets no fold: at a
-// fold the fibre snaps or, if there is no rest beyond it, slips through. 0 where it meets none on any load train. The stiffness of the design
-// itself does not count.
+// [EI/L^3] The smallest load-train stiffness at and above which this loading, to its travel or to
+// the break, has no fold. At a fold the specimen snaps or slips through. 0 if no load train causes
+// a fold. The stiffness of the design has no effect.
 // Domain:     as outcome_of.
-// Tolerance:  rounded up, by 1e-7, so that on a rig of just this stiffness there is no snap; 1e-8 beside it.
-// Fails:      infinity where the fibre snaps even with the deflection controlled.
-// Method:     on a rig of stiffness k and on all softer ones the loading gets no farther than to a deflection w(k), and up to that the
-//             critical stiffness K(w) is known (the other critical_stiffness): so k = K(travel) at first, and then k = K(w(k)) until it stays.
-//             No stiffer rig snaps at any moment of this. It stays at a cusp, because along a rising k(S) the stage positions of folds
-//             fall, by F k'/k^2.
-// Cost:       a few times that of critical_stiffness.
+// Tolerance:  1e-7, rounded up so that a rig of this stiffness has no snap, plus 1e-8.
+// Fails:      infinity if the specimen snaps even under displacement control.
+// Method:     on rigs of stiffness k and below, the loading reaches at most a deflection w(k), with
+//             the critical stiffness K(w) of the function above. The iteration starts with k =
+//             K(travel) and continues with k = K(w(k)) to convergence; no stiffer rig snaps. It
+//             converges to a cusp, because along a rising k(S) the stage positions of folds
+//             decrease by F k'/k^2.
+// Cost:       a few times the cost of critical_stiffness above.
 double critical_stiffness(const Design& design);
 
-// How far a rig is from where the fibre begins to snap: ln k/k_critical up to the deflection that the loading got to, within [-3, 3].
-// 0 or more where it did not snap, at most 0 where it did: to 1e-8, as critical_stiffness. Of what slips through, up to the travel.
+// ln(k/k_critical) up to the final deflection, limited to [-3, 3]: >= 0 without a snap, <= 0 with
+// one, to 1e-8. If the specimen slips through, up to the travel.
 double stiffness_margin(const Design& design, const DesignOutcome& outcome);
 
-// A point of the curve with the stiffness of the rig on which it is a fold.
+// A point of the curve and the stiffness of the rig that has a fold there.
 struct FoldPoint {
   double w;          // [L]
   double F;          // [EI/L^2]
   double stiffness;  // [EI/L^3]
 };
 
-// Points along the curve up to a deflection, close enough to be drawn as lines.
+// Points along the curve up to a deflection, dense enough to be connected by lines.
 // Domain:     w_max >= 1e-6, finite.
 std::vector<FoldPoint> folds_up_to(const Friction& along, double w_max, const Fibre& fibre = {});
 

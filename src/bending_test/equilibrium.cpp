@@ -30,7 +30,7 @@ double length_at(const Fibre& fibre, double S_max, int i, int n) {
 
 EquilibriumPoint point_of(const FibreState& state) { return {state.S, state.q, state.w, state.F}; }
 
-// The last state before the branch ends between two lengths.
+// The last state before the end of the branch, between two lengths.
 EquilibriumPoint last_point(const Friction& friction, const Fibre& fibre, double sign, double exists, double ended) {
   const auto state_at = [&](double S) { return fibre.state(S, sign * friction.at(S).mu); };
   const auto is_close = [](const Bracket& bracket) { return !(bracket.width() > 0x1p-52 * bracket.high); };
@@ -42,7 +42,7 @@ template <class States>
 EquilibriumCurve curve_of(const Friction& along, const Fibre& fibre, Sliding sliding, double S_max, int n,
                           const States& states) {
   require_range(S_max, n);
-  constexpr int at_once = 4096;  // in the processor's caches
+  constexpr int at_once = 4096;  // fits the caches of the processor
   const double sign = direction_of(sliding);
   const Friction friction = met(along, fibre, sign, S_max);
   EquilibriumCurve curve{EquilibriumStatus::ok, {}};
@@ -76,11 +76,11 @@ EquilibriumCurve equilibrium_curve(const Friction& friction, Sliding sliding, do
 std::vector<EquilibriumPoint> sliding_up_to(double deflection, double mu, int n, const Fibre& fibre) {
   if (!(deflection > 0))
     throw std::invalid_argument("a curve needs a deflection > 0, not " + std::to_string(deflection));
-  double drawn_in = 2.6 * deflection * deflection;
+  double slid_in = 2.6 * deflection * deflection;
   while (true) {
-    const EquilibriumCurve curve = equilibrium_curve(Friction::constant(mu), Sliding::in, 1 + drawn_in, n, fibre);
+    const EquilibriumCurve curve = equilibrium_curve(Friction::constant(mu), Sliding::in, 1 + slid_in, n, fibre);
     if (curve.status == EquilibriumStatus::branch_ended || curve.points.back().w >= deflection) return curve.points;
-    drawn_in *= 1.5;
+    slid_in *= 1.5;
   }
 }
 
@@ -106,10 +106,10 @@ std::vector<EquilibriumPoint> equilibrium_region(const Friction& friction, doubl
   std::vector<double> S, q;
   for (int i = 0; i < n_S; ++i) {
     const double length = length_at(fibre, S_max, i, n_S);
-    const double most = in.at(length).mu, least = -out.at(length).mu;
+    const double max_q = in.at(length).mu, min_q = -out.at(length).mu;
     for (int j = 0; j < n_q; ++j) {
       S.push_back(length);
-      q.push_back(0.5 * (most + least) + 0.5 * (most - least) * (2.0 * j / (n_q - 1) - 1));
+      q.push_back(0.5 * (max_q + min_q) + 0.5 * (max_q - min_q) * (2.0 * j / (n_q - 1) - 1));
     }
   }
   const StateArrays at = fibre.states({S, q});

@@ -66,7 +66,7 @@ void CrackingFibre::wear_at_turn(double stage) {
   has_to_settle_ = true;
 }
 
-// No farther than to the next crack.
+// Stops at the next crack.
 std::optional<Stretch> CrackingFibre::advance_to_next(double stage) {
   const auto here = fibre_.position();
   const auto stretch = fibre_.advance_towards(stage);
@@ -96,7 +96,8 @@ Stretch CrackingFibre::crack() {
 
 StretchWork CrackingFibre::work_of(const Stretch& stretch) {
   if (stretch.is_jump()) return stretch.jump;
-  return in_first_units(fibre_.work_of(stretch));  // of its lengths and frictions, which have no units of stiffness
+  // lengths and frictions have no unit of stiffness
+  return in_first_units(fibre_.work_of(stretch));
 }
 
 std::vector<Stretch> CrackingFibre::parts_of(const Stretch& stretch, int n) {
@@ -110,7 +111,7 @@ std::vector<Stretch> CrackingFibre::parts_of(const Stretch& stretch, int n) {
 
 namespace {
 
-// The greatest stage position of a programme.
+// The maximum stage position of a programme.
 double farthest_of(std::span<const double> stages) {
   double farthest = 0;
   for (std::size_t i = 0; i < stages.size(); ++i) {
@@ -123,7 +124,7 @@ double farthest_of(std::span<const double> stages) {
   return farthest;
 }
 
-// What is noted beside a path: nothing, or where the energy goes.
+// An account of a path that records nothing; the other one records energies.
 class NoBooks {
  public:
   void account_for(CrackingFibre&, const Stretch&) {}
@@ -146,14 +147,14 @@ class Books {
   Rig rig_;
 };
 
-// Moves a fibre and writes down what happens.
+// Moves a specimen and records its path.
 template <class Noted>
 class Recorder {
  public:
   Recorder(const BendingTest& test, const std::vector<Crack>& cracks, double farthest, Noted books)
       : rig_(test.rig), fibre_(test, cracks, farthest), books_(std::move(books)) {}
 
-  // To a stage position; false if the fibre does not get there.
+  // Moves to a stage position; false if the specimen does not reach it.
   bool move_to(double stage) {
     if (stage == fibre_.state().stage) fibre_.halt();
     Motion motion = Motion::stick;
@@ -171,12 +172,12 @@ class Recorder {
     return true;
   }
 
-  // The same with n points on each stretch.
+  // The same with n points on each segment.
   bool move_along(double stage, int n) {
     if (stage == fibre_.state().stage) fibre_.halt();
     while (const auto stretch = fibre_.advance_towards(stage)) {
       const bool is_straight = stretch->from.S == 1 && stretch->to.S == 1 && rig_.fibre.slides_inward_only();
-      if (is_straight) continue;  // without a force
+      if (is_straight) continue;  // no force
       for (const Stretch& part : fibre_.parts_of(*stretch, n)) {
         account_for(part);
         record(part.to);
@@ -260,7 +261,7 @@ History follow_continuously(const BendingTest& test, std::span<const double> tur
 }
 
 std::vector<double> stage_steps(std::span<const double> turns, double step) {
-  constexpr double max_steps = 1e8;  // a gigabyte
+  constexpr double max_steps = 1e8;  // 800 MB
   if (turns.empty()) throw std::invalid_argument("a programme of the stage without positions");
   if (!(step > 0)) throw std::invalid_argument("a step of the stage must be > 0, not " + std::to_string(step));
   std::vector<double> stages{turns.front()};
@@ -280,34 +281,36 @@ std::vector<double> stage_steps(std::span<const double> turns, double step) {
 namespace {
 
 int points_drawn_for(const Friction& friction, double S_max) {
-  constexpr double most = 20000;
+  constexpr double max_points = 20000;
   const double waves = 16 * (S_max - 1) / friction.smooth_scale();
-  return static_cast<int>(std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, most));
+  return static_cast<int>(
+      std::clamp(std::max(waves, 8.0 * static_cast<double>(friction.knots().size())), 300.0, max_points));
 }
 
-// From the straight specimen on, which a thick one leaves at once.
+// Adds the straight specimen, which a thick one leaves at once.
 std::vector<EquilibriumPoint> from_straight(std::vector<EquilibriumPoint> curve) {
   if (curve.front().w > 0) curve.insert(curve.begin(), {1, 0, 0, 0});
   return curve;
 }
 
-std::vector<EquilibriumPoint> drawn(const Friction& friction, Sliding sliding, double S_max, const Fibre& fibre) {
+std::vector<EquilibriumPoint> sliding_curve(const Friction& friction, Sliding sliding, double S_max,
+                                            const Fibre& fibre) {
   return from_straight(equilibrium_curve(friction, sliding, S_max, points_drawn_for(friction, S_max), fibre).points);
 }
 
-constexpr double shortest = 1.01;  // [L] that a picture shows
+constexpr double shortest = 1.01;  // [L] smallest range of a figure
 
 }  // namespace
 
 EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max) {
   EquilibriumPortrait portrait{
-      drawn(friction, Sliding::in, S_max, fibre), drawn(friction, Sliding::out, S_max, fibre), {}, {}};
-  portrait.frictionless = drawn(Friction::constant(0), Sliding::in, S_max, fibre);
+      sliding_curve(friction, Sliding::in, S_max, fibre), sliding_curve(friction, Sliding::out, S_max, fibre), {}, {}};
+  portrait.frictionless = sliding_curve(Friction::constant(0), Sliding::in, S_max, fibre);
   const double S = 1 + 0.7 * (portrait.in.back().S - 1);
-  const double most = met(friction, fibre, 1, S_max).at(S).mu, least = -met(friction, fibre, -1, S_max).at(S).mu;
+  const double max_q = met(friction, fibre, 1, S_max).at(S).mu, min_q = -met(friction, fibre, -1, S_max).at(S).mu;
   constexpr int levels = 60;
   for (int i = 0; i <= levels; ++i) {
-    const double q = least + (most - least) * i / levels;
+    const double q = min_q + (max_q - min_q) * i / levels;
     const FibreState state = fibre.state(S, q);
     if (state.status == FibreStatus::ok) portrait.at_one_length.push_back({S, q, state.w, state.F});
   }
@@ -319,8 +322,9 @@ SlidingLimits limits_of(const BendingTest& test, const History& history) {
   for (const auto& point : history.path) S_max = std::max(S_max, point.S);
   for (const auto& snap : history.snaps) S_max = std::max({S_max, snap.before.S, snap.after.S});
   const Friction& friction = test.friction.kinetic;
-  SlidingLimits limits{drawn(friction, Sliding::in, S_max, test.rig.fibre), {}};
-  if (!friction.depends_on_way()) limits.out = drawn(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
+  SlidingLimits limits{sliding_curve(friction, Sliding::in, S_max, test.rig.fibre), {}};
+  if (!friction.is_path_dependent())
+    limits.out = sliding_curve(friction.scaled(test.wear), Sliding::out, S_max, test.rig.fibre);
   return limits;
 }
 
@@ -334,7 +338,7 @@ OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::
     for (const auto& equilibrium : portrait.at_stage.back()) S_max = std::max(S_max, equilibrium.point.S);
   }
   S_max = std::min(1 + 1.1 * (S_max - 1), traced.end.S);
-  portrait.in = drawn(friction, Sliding::in, S_max, rig.fibre);
+  portrait.in = sliding_curve(friction, Sliding::in, S_max, rig.fibre);
   return portrait;
 }
 

@@ -1,5 +1,5 @@
-// What a test measures: the path of states through a programme of stage positions, with its snaps and its
-// energy account; specimens that crack; stages that move in steps; and the curves that pictures show.
+// Simulated tests: the states along a programme of stage positions, with snaps, cracks and the
+// energy account; stages that move in steps; and curves for figures.
 #pragma once
 
 #include <cstdint>
@@ -15,36 +15,42 @@
 
 namespace flexslip {
 
-// A specimen that cracks while it is bent: where the deflection first reaches some values its bending stiffness falls, at once, all
-// along it and for good.
+// Cracks: where the deflection first reaches a given value, the bending stiffness decreases, at
+// once, everywhere and permanently.
 //
-// A crack is faster than the specimen slides: stage position and length stay, the deflection rises, and the force falls along the load
-// line. So more friction has to hold the specimen, and where there is not so much, it is drawn in, in a snap. Hardly bent, or with little
-// of its stiffness left, it may need any friction: where not even largest_q would hold it, it is drawn in as it cracks, to where that does,
-// and what friction takes on that way counts as set free by the crack. Static friction holds again after a crack. Less EI is the same fibre
-// on a rig that is stiffer in the reduced units (theory.md, "Cracks").
+// A crack is faster than sliding: stage position and length are constant, the deflection increases,
+// and the force falls along the load line. Equilibrium then requires more friction; if friction is
+// too small, the specimen slides in, in a snap. At small deflection, or with little stiffness left,
+// not even largest_q may suffice. The specimen then slides in during the crack until largest_q
+// suffices, and the friction energy of this part counts as released by the crack. Static friction
+// applies again after a crack. A smaller EI is equivalent to a stiffer rig in reduced units
+// (theory.md, "Cracks").
 //
-// A specimen that wears: at each turn of the stage friction falls to a share of what it was, at rest and in sliding, everywhere along the
-// specimen. Where the lower friction does not hold the specimen, it slides at once until it does, in a snap. So on the pass after p turns friction
-// is wear^p of that of the test. A halt is no turn.
+// Wear: at each reversal of the stage, static and kinetic friction decrease by a factor everywhere.
+// If the lower friction cannot hold the specimen, it slides at once, in a snap. After p reversals
+// friction is wear^p of its initial value. A stop is not a reversal.
 
 struct Crack {
-  double w;     // [L] the deflection at which it happens; one that a snap or another crack passes happens at its end
-  double loss;  // [1] of the bending stiffness left, in (0, 1)
+  // [L] deflection at the crack; if a snap or another crack passes it, the crack follows that
+  double w;
+  double loss;  // [1] relative loss of the remaining bending stiffness, in (0, 1)
 };
 
-// Moves as MovingFibre does, with cracks as stretches among the others, and wears. All is in units of the first bending stiffness.
+// Moves as MovingFibre, with cracks as additional segments, and wear. Units refer to the initial
+// bending stiffness.
 class CrackingFibre {
  public:
-  // Domain: as MovingFibre; cracks in any order, w > 0, loss in (0, 1); wear in (0, 1]; std::invalid_argument otherwise.
+  // Domain:     as MovingFibre; cracks in any order, w > 0, loss in (0, 1); wear in (0, 1];
+  //             std::invalid_argument otherwise.
   CrackingFibre(BendingTest test, std::vector<Crack> cracks, double farthest);
 
   PathPoint state() const { return in_first_units(fibre_.state()); }
   HistoryStatus end() const { return fibre_.end(); }
   const FrictionLaw& friction() const { return fibre_.friction(); }
 
-  // As those of MovingFibre. The energy that a crack sets free is that of fibre and rig before it less that after.
-  // Max error:  of the deflection of a crack, its rounding.
+  // As in MovingFibre. The energy released by a crack is the energy of specimen and rig before it
+  // minus that after it.
+  // Max error:  rounding, for the deflection of a crack.
   std::optional<Stretch> advance_towards(double stage);
   StretchWork work_of(const Stretch& stretch);
   std::vector<Stretch> parts_of(const Stretch& stretch, int n);
@@ -61,101 +67,107 @@ class CrackingFibre {
 
   BendingTest test_;
   double farthest_;
-  std::vector<Crack> cracks_;  // to come, the next one last
+  std::vector<Crack> cracks_;  // remaining cracks, the next one last
   double left_ = 1;
-  bool due_ = false;               // the next crack
-  bool has_to_settle_ = false;     // after a crack, or worn
-  Sliding towards_ = Sliding::in;  // where the stage moved last
+  bool due_ = false;               // the next crack is due
+  bool has_to_settle_ = false;     // after a crack or wear
+  Sliding towards_ = Sliding::in;  // direction of the last stage movement
   MovingFibre fibre_;
 };
 
-// A jump at constant stage position: in (w, F) a line of slope -k.
+// A jump at constant stage position: a line of slope -k in (w, F).
 struct Snap {
   double stage;  // [L]
   PathPoint before, after;
   double friction;  // [EI/L] heat
-  double released;  // [EI/L] what it sets free beyond friction
+  double released;  // [EI/L] released beyond friction
 };
 
-// Likewise a jump along a line of slope -k; the specimen may snap from where it ends.
+// A crack: also a jump along a line of slope -k; a snap may follow.
 struct CrackOpened {
   double stage;             // [L]
-  PathPoint before, after;  // at the same length, but for what is said at Crack
+  PathPoint before, after;  // at equal length, except as described at Crack
   double released;          // [EI/L]
 };
 
-// What happened on the way.
+// The simulated path and its events.
 struct TestPath {
-  HistoryStatus status;  // unless ok, the path ends before
+  HistoryStatus status;  // unless ok, the path ends early
   std::vector<PathPoint> path;
-  std::vector<ContactPoints> contacts;  // at each point, on two supports that are not alike; else none
+  // at each point, for two different supports; otherwise empty
+  std::vector<ContactPoints> contacts;
   std::vector<Snap> snaps;
   std::vector<CrackOpened> cracks;
 };
 
-// With where the energy went.
+// A path with its energies.
 struct History : TestPath {
   std::vector<EnergyAccount> energy_at;  // at each point of the path
-  EnergyAccount energy;                  // at the end: all that happened up to there
+  EnergyAccount energy;                  // at the end
 };
 
-// Of the stage positions or turning points of a programme so many are done. Called after each.
+// Called after each stage position or turning point, with the number done and the total.
 using HistoryProgress = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
-// The states at given stage positions: loading, unloading, reloading, in any order; a position repeated is a halt. A test starts
-// with the straight fibre at stage 0. Cracks happen as said at Crack; all is in units of the first bending stiffness.
-// Domain:     cracks as there; stages finite and >= 0, the greatest at least 1e-6; std::invalid_argument, naming the index, otherwise.
-// Max error:  as MovingFibre; the energy account closes to 1e-10 + 2^-48/(S - 1) of the greatest energy in it, S being
-//             the least length at which the stage turned: near the straight fibre S - 1 has few digits.
+// The states at given stage positions, in any order: loading, unloading, reloading; a repeated
+// position is a stop. A test starts with the straight specimen at stage 0. Units refer to the
+// initial bending stiffness.
+// Domain:     cracks as in CrackingFibre; stages finite and >= 0, the maximum at least 1e-6;
+//             std::invalid_argument with the index otherwise.
+// Max error:  as MovingFibre. The energy account closes to 1e-10 + 2^-48/(S - 1) of its largest
+//             energy, with S the smallest length at a reversal; S - 1 loses digits when nearly
+//             straight.
 // Fails:      slipped_through, contact_lost.
 History follow_in_steps(const BendingTest& test, std::span<const double> stages, const std::vector<Crack>& cracks = {},
                         const HistoryProgress& progress = {});
 
-// The whole path through the turning points of a programme: n points on each stretch of sticking or sliding, its ends among
-// them, so that reversals, the ends of sticking, snaps and cracks are exact.
+// The path through the turning points of a programme, with n points on each segment of sticking or
+// sliding. The points include the ends, so events are exact.
 // Domain:     turning points as stages above, n >= 2; std::invalid_argument otherwise.
 History follow_continuously(const BendingTest& test, std::span<const double> turning_points, int n,
                             const std::vector<Crack>& cracks = {}, const HistoryProgress& progress = {});
 
-// The same two of a specimen that does not crack, without the energies, whose integrals cost as much as the rest of the way.
+// The same for a specimen without cracks, without energies, which double the cost.
 TestPath path_in_steps(const BendingTest& test, std::span<const double> stages);
 TestPath path_continuously(const BendingTest& test, std::span<const double> turning_points, int n);
 
 // A stage that moves in steps.
 
-// The stage positions of a programme that is moved through in steps: each turning point, and between two of them every step from the one
-// before; the last may be shorter.
-// Units:      any, of turns and step alike.
-// Domain:     at least one turn; step > 0, and not so small that the positions fill the memory: std::invalid_argument otherwise.
+// The stage positions of a programme in steps: each turning point, and every step in between. The
+// last step before a turning point may be shorter.
+// Units:      any, equal for turns and step.
+// Domain:     at least one turn; step > 0; at most 1e8 positions; std::invalid_argument otherwise.
 std::vector<double> stage_steps(std::span<const double> turns, double step);
 
-// The curves of a specimen and its friction as a picture shows them: fine enough for every wave and every knot of the friction.
+// Curves for figures, fine enough for every wave and knot of the friction.
 
-// The specimen by itself, up to a length (Figs. 7 and 8A).
+// The specimen without a rig, up to a length (Figs. 7 and 8A).
 struct EquilibriumPortrait {
   std::vector<EquilibriumPoint> in, out;        // q = μ and q = -μ
   std::vector<EquilibriumPoint> frictionless;   // q = 0
-  std::vector<EquilibriumPoint> at_one_length;  // with every friction it may have, seven tenths of the way
+  std::vector<EquilibriumPoint> at_one_length;  // all frictions at 0.7 of the length range
 };
 
 // Domain: S_max > 1.
 EquilibriumPortrait portrait_of(const Friction& friction, const Fibre& fibre, double S_max);
 
-// The curves on which the specimen slides in a test, as far as it goes: of the first two passes.
+// The sliding curves of the first two passes of a test, up to its final state.
 struct SlidingLimits {
-  std::vector<EquilibriumPoint> in, out;  // none out of a friction that depends on where the specimen turns back
+  // `out` is empty if friction depends on the reversal point
+  std::vector<EquilibriumPoint> in, out;
 };
 SlidingLimits limits_of(const BendingTest& test, const History& history);
 
-// The overall equilibria at some stage positions [L] on the curve on which the specimen slides in (Fig. 8B).
-// Domain: at least one stage position, each as overall_equilibria.
+// The overall equilibria at given stage positions [L], on the curve for sliding in (Fig. 8B).
+// Domain:     at least one stage position, each as for overall_equilibria.
 struct OverallPortrait {
   std::vector<EquilibriumPoint> in;
   std::vector<std::vector<OverallEquilibrium>> at_stage;
 };
 OverallPortrait overall_portrait(const Friction& friction, const Rig& rig, std::span<const double> stages);
 
-// The curve without friction, from the straight fibre on: (0, 0), and sliding_up_to, whose domain it has.
+// The curve without friction from the straight specimen: (0, 0), then sliding_up_to, with its
+// domain.
 std::vector<EquilibriumPoint> frictionless_up_to(double deflection, int n, const Fibre& fibre = {});
 
 }  // namespace flexslip

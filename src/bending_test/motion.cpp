@@ -25,7 +25,7 @@ PathPoint path_point(const RigPoint& point, Motion motion) {
   return {point.stage, point.w, point.F, point.S, point.q, motion};
 }
 
-// A rig so soft that the fibre bends by less than a millionth of its span loses the digits of S - 1.
+// On a very soft rig the deflection is below a millionth of the span, and S - 1 loses its digits.
 void require_bending(const Rig& rig, double farthest) {
   if (!(beam_deflection(farthest, rig.stiffness) >= 1e-6)) {
     std::ostringstream message;
@@ -35,16 +35,18 @@ void require_bending(const Rig& rig, double farthest) {
   }
 }
 
-// How far the way in is traced: states far beyond the programme cost more on supports that are no edges.
-double longest_on_the_way(const BendingTest& test, double farthest) {
+// The length up to which sliding in is traced. On rollers or with a thickness, states far beyond
+// the programme cost more.
+double traced_length(const BendingTest& test, double farthest) {
   return test.rig.fibre.on_edges() ? longest_at_stage(farthest)
                                    : longest_in_loading(test.friction.kinetic, test.rig, farthest);
 }
 
-// At fixed S: in rolling the axis that leaves the span loses bending, no friction works.
+// At fixed S: rolling changes the bending energy of the axis that leaves the span, friction does no
+// work.
 SlidingWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) {
-  if (S == 1 && rig.fibre.slides_inward_only()) return {};  // no force bends the straight fibre
-  constexpr double smooth = 0.5;                            // of q
+  if (S == 1 && rig.fibre.slides_inward_only()) return {};  // no force bends the straight specimen
+  constexpr double smooth = 0.5;                            // in q
   const double c = 1 / rig.stiffness;
   const double way = q_to - q_from;
   const auto power = [&](double q) {
@@ -63,7 +65,7 @@ SlidingWork work_of_stick(double S, double q_from, double q_to, const Rig& rig) 
 
 bool begins_shallow(const Stretch& stretch) { return std::min(stretch.from.S, stretch.to.S) < 1; }
 
-// From where to where a stretch leads, in what state_within takes.
+// The range of a segment in the variable of state_within.
 std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) {
   const auto& [from, to, jump] = stretch;
   if (begins_shallow(stretch)) return {from.w, to.w};
@@ -76,11 +78,11 @@ std::pair<double, double> extent_of(const Fibre& fibre, const Stretch& stretch) 
 MovingFibre::MovingFibre(BendingTest test, double farthest)
     : test_(std::move(test)),
       farthest_(farthest),
-      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, longest_on_the_way(test_, farthest))),
+      in_(trace_loading_curve(test_.friction.kinetic, test_.rig, traced_length(test_, farthest))),
       table_in_(test_.friction.kinetic, test_.rig, Sliding::in),
       table_out_(test_.friction.kinetic, test_.rig, Sliding::out) {
   require_bending(test_.rig, farthest);
-  if (test_.friction.kinetic.depends_on_way() &&
+  if (test_.friction.kinetic.is_path_dependent() &&
       (test_.rest == SnapRest::overshoot || test_.friction.static_excess.max_up_to(longest_at_stage(farthest)) > 0))
     throw std::invalid_argument("on two supports that are not alike there is neither static excess nor overshoot");
   const Fibre& fibre = test_.rig.fibre;
@@ -137,7 +139,7 @@ std::optional<Stretch> MovingFibre::settle() {
 }
 
 std::optional<Stretch> MovingFibre::settle_shallow(PathPoint rest) {
-  constexpr double level = 1e-11;  // of friction, as in shallow.cpp
+  constexpr double level = 1e-11;  // in friction, as in shallow.cpp
   if (std::abs(rest.q - state_.q) <= level) return std::nullopt;
   rest.motion = Motion::snap;
   const auto stored = [&](const PathPoint& point) {
@@ -153,8 +155,8 @@ void MovingFibre::scale_friction(double factor) {
   retrace();
 }
 
-// The way from here on: what lies behind is another one.
-void MovingFibre::lead_on(Sliding sliding) {
+// Starts a new friction path from here; what lies behind is another path.
+void MovingFibre::start_path(Sliding sliding) {
   Friction& friction = test_.friction.kinetic;
   friction = friction.from(state_.S, state_.q, direction_of(sliding));
   retrace();
@@ -162,7 +164,7 @@ void MovingFibre::lead_on(Sliding sliding) {
 
 void MovingFibre::retrace() {
   const Friction& friction = test_.friction.kinetic;
-  in_ = trace_loading_curve(friction, test_.rig, longest_on_the_way(test_, farthest_));
+  in_ = trace_loading_curve(friction, test_.rig, traced_length(test_, farthest_));
   out_.reset();
   table_in_ = SlidingTable(friction, test_.rig, Sliding::in);
   table_out_ = SlidingTable(friction, test_.rig, Sliding::out);
@@ -170,15 +172,16 @@ void MovingFibre::retrace() {
 
 const SlidingCurve& MovingFibre::curve_of(Sliding sliding, double S) {
   const Friction& friction = test_.friction.kinetic;
-  if (!friction.continues(S, direction_of(sliding))) lead_on(sliding);
+  if (!friction.continues(S, direction_of(sliding))) start_path(sliding);
   if (sliding == Sliding::in) {
-    if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only an overshoot leads there
+    if (S > in_.end.S && in_.end_reason == CurveEnd::reached)  // only after an overshoot
       in_ = trace_loading_curve(friction, test_.rig, 1 + 1.5 * (S - 1));
     return in_;
   }
   const auto covers = [&] { return out_ && out_->end.S <= S && S <= out_->begin.S; };
-  if (!out_ && !friction.depends_on_way()) {
-    // From the end of the programme it serves all reversals, unless the force falls to zero on the way down.
+  if (!out_ && !friction.is_path_dependent()) {
+    // Starting at the last stage position, this segment serves every reversal unless the force
+    // reaches zero during unloading.
     const auto last = landing_after(in_, 1, farthest_);
     if (last && last->S > S && test_.rig.fibre.state(last->S, -last->q).status == FibreStatus::ok)
       out_ = trace_unloading_curve(friction, test_.rig, last->S);
@@ -205,7 +208,7 @@ std::optional<Stretch> MovingFibre::advance_towards(double stage) {
   return test_.friction.static_excess.at(state_.S).mu > 0 ? snap(sliding) : slide(sliding, stage);
 }
 
-// The friction that the fibre has to overcome to slide.
+// The friction that limits sticking.
 double MovingFibre::limit_at(Sliding sliding) const {
   const Friction& kinetic = test_.friction.kinetic;
   if (const auto over = met_without_knots(kinetic, test_.rig.fibre, direction_of(sliding)))
@@ -213,7 +216,7 @@ double MovingFibre::limit_at(Sliding sliding) const {
   return static_friction(test_.friction, state_.S);
 }
 
-// On the first part of the way of a specimen with a thickness.
+// True in the shallow beginning of a specimen with a thickness.
 bool MovingFibre::is_shallow(Sliding sliding) const {
   const Fibre& fibre = test_.rig.fibre;
   if (fibre.slides_inward_only()) return false;
@@ -222,7 +225,7 @@ bool MovingFibre::is_shallow(Sliding sliding) const {
   return slides_out || Shallow::holds(fibre, state_.S, state_.w);
 }
 
-// At fixed S, until friction is exhausted, or the force.
+// At fixed S, until friction or the force is exhausted.
 std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double stage) {
   const double S = state_.S;
   const FibreState last = test_.rig.fibre.state(S, limit);
@@ -234,7 +237,7 @@ std::optional<Stretch> MovingFibre::stick(Sliding sliding, double limit, double 
   return move_to({stage, held.w, held.F, S, held.q, Motion::stick});
 }
 
-// The nose alone, no farther than to the fibre.
+// Moves the nose without contact, at most to the specimen.
 Stretch MovingFibre::move_apart(double stage) {
   PathPoint point = state_;
   point.stage = std::min(stage, state_.w);
@@ -245,7 +248,7 @@ Stretch MovingFibre::move_apart(double stage) {
 std::optional<Stretch> MovingFibre::slide(Sliding sliding, double stage) {
   const SlidingCurve& curve = curve_of(sliding, state_.S);
   const double direction = direction_of(sliding);
-  if (!is_on(curve, state_.S)) return lose(sliding);  // of worn friction it ends earlier
+  if (!is_on(curve, state_.S)) return lose(sliding);  // after wear it ends earlier
   const bool is_known = here_.S == state_.S && here_.q == state_.q;
   StablePart part = stable_part_from(curve, is_known ? here_ : point_at_length(curve, state_.S));
   if (part.to.S > longest_sliding) {
@@ -285,27 +288,28 @@ std::optional<Stretch> MovingFibre::snap(Sliding sliding) {
   if (!work) return lose(sliding);
   landing->stage = state_.stage;
   const double next_stop = std::max(S + direction * min_slip, 1.0);
-  const bool runs_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
-  if (runs_on) glide_ = Glide{sliding, next_stop};
-  if (!runs_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
+  const bool slides_on = test_.friction.static_excess.at(S).mu > 0 && direction * (next_stop - landing->S) > 0;
+  if (slides_on) glide_ = Glide{sliding, next_stop};
+  if (!slides_on && test_.rest == SnapRest::overshoot) return overshoot(sliding, *landing, *work);
   here_ = *landing;
-  return jump_to(path_point(*landing, runs_on ? slip(sliding) : Motion::snap), *work);
+  return jump_to(path_point(*landing, slides_on ? slip(sliding) : Motion::snap), *work);
 }
 
 std::optional<Stretch> MovingFibre::overshoot(Sliding sliding, const RigPoint& nearest, const SnapWork& nearest_work) {
-  constexpr int max_swings = 1000;  // more there are only where friction is all but nothing
+  constexpr int max_oscillations = 1000;  // exceeded only if friction is nearly zero
   const Friction& kinetic = test_.friction.kinetic;
   SnapWork work{0, 0};
   double S = state_.S;
   double S_landing = nearest.S;
-  for (int i = 0; i < max_swings; ++i) {
-    const Swing swung = swing(kinetic, test_.rig, state_.stage, S, S_landing);
-    if (swung.end == Holding::no_contact) return lose(sliding);
-    if (swung.end == Holding::beyond_friction) break;
-    // The energy falls as the square of a swing, what a swing costs as the swing: half of its swings would cost as much as the first.
-    if (i == 0 && nearest_work.released > 0.5 * max_swings * swung.friction) break;
-    S = swung.S;
-    work.friction += swung.friction;
+  for (int i = 0; i < max_oscillations; ++i) {
+    const Overshoot oscillation = overshoot_of(kinetic, test_.rig, state_.stage, S, S_landing);
+    if (oscillation.end == Holding::no_contact) return lose(sliding);
+    if (oscillation.end == Holding::beyond_friction) break;
+    // The energy decreases as the square of the amplitude, the loss per oscillation in proportion
+    // to it. Half of the remaining oscillations would lose as much as the first.
+    if (i == 0 && nearest_work.released > 0.5 * max_oscillations * oscillation.friction) break;
+    S = oscillation.S;
+    work.friction += oscillation.friction;
     const FibreState rest = held_at(S, state_.stage, test_.rig, direction_of(sliding) * kinetic.at(S).mu).state;
     if (std::abs(rest.q) <= static_friction(test_.friction, S))
       return jump_to({state_.stage, rest.w, rest.F, S, rest.q, Motion::snap}, work);
@@ -349,7 +353,7 @@ Stretch MovingFibre::jump_to(const PathPoint& point, const SnapWork& work) {
   return stretch;
 }
 
-// At rest `along` is q, in sliding √(S - 1), and w where it is shallow.
+// `along` is q for sticking, √(S - 1) for sliding, and w if shallow.
 PathPoint MovingFibre::point_within(const Stretch& stretch, double along) const {
   const auto& [from, to, jump] = stretch;
   if (begins_shallow(stretch)) return shallow().point_at(from, to, along);

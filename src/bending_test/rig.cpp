@@ -22,38 +22,41 @@ CurveSample sample_on(const SlidingCurve& curve, double x) {
   return tabulated_sample_at(curve.friction, curve.rig, curve.sliding, x);
 }
 
-// Stage positions in the sense of the way: a fibre let out meets falling ones.
+// The stage position, with a sign that makes it increase in the sliding direction.
 double advance_of(const SlidingCurve& curve, const RigPoint& point) {
   return direction_of(curve.sliding) * point.stage;
 }
 
-double way_of(const SlidingCurve& curve, const RigPoint& point) {
-  return way_at(curve.rig.fibre, curve.sliding, point.S);
+double coordinate_of(const SlidingCurve& curve, const RigPoint& point) {
+  return coordinate_at(curve.rig.fibre, curve.sliding, point.S);
 }
 
-// What G lacks at a point of the way, and its slope there.
+// The error of G at a point, with its derivative.
 struct Miss {
   double x, error, slope;
 };
 
-// Where the error vanishes, by the cubic through two points with their slopes that gives x for an error.
+// The zero of the error, by the cubic for x as a function of the error through two points with
+// their slopes.
 double crossing(const Miss& a, const Miss& b) {
   const double h = b.error - a.error;
   return Cubic(a.x, b.x, h / a.slope, h / b.slope).at(-a.error / h).value;
 }
 
-// How much of the rise from one point to another a stage position has seen.
+// [1] The fraction of the rise between two points that lies below a stage position.
 double share_of(const RigPoint& from, const RigPoint& to, double stage) {
   return std::clamp((stage - from.stage) / (to.stage - from.stage), 0.0, 1.0);
 }
 
-// Where G = stage between two points of the way between which it is monotone, to the accuracy of the pieces of the trace; none beyond those.
+// The place of G = stage between two points, with G monotone between them, to the accuracy of the
+// stored pieces; empty beyond the pieces.
 std::optional<double> place_in_pieces(const SlidingCurve& curve, double low, double high, bool rising, double stage) {
-  constexpr double close = 1e-5;  // of a piece: Newton's steps leave the square of it
+  constexpr double close = 1e-5;  // of a piece; the error after a Newton step is its square
   auto piece = std::partition_point(curve.pieces.begin(), curve.pieces.end(),
                                     [&](const CurvePiece& each) { return each.to <= low; });
   for (; piece != curve.pieces.end() && piece->from < high; ++piece) {
-    if (piece->to < high && (piece->stage.back() < stage) == rising) continue;  // not yet
+    // not in this piece
+    if (piece->to < high && (piece->stage.back() < stage) == rising) continue;
     const double from = piece->place_of(std::max(low, piece->from)), to = piece->place_of(std::min(high, piece->to));
     const auto series = CurvePiece::Polynomial::chebyshev(piece->stage);
     const auto miss_at = [&](double t) {
@@ -62,23 +65,23 @@ std::optional<double> place_in_pieces(const SlidingCurve& curve, double low, dou
     };
     const double share = (stage - series_at(series, from)) / (series_at(series, to) - series_at(series, from));
     const double guess = std::clamp(std::lerp(from, to, share), from, to);
-    return piece->way_at(zero_between(miss_at, rising ? from : to, rising ? to : from, guess, close));
+    return piece->coordinate_at(zero_between(miss_at, rising ? from : to, rising ? to : from, guess, close));
   }
   return std::nullopt;
 }
 
-// The point between two lengths, G being monotone there, at which G = stage.
+// The point with G = stage between two lengths, with G monotone between them.
 RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const RigPoint& to, double stage) {
   if (stage == from.stage) return from;
   if (stage == to.stage) return to;
-  double low = way_of(curve, from);
-  double high = way_of(curve, to);
+  double low = coordinate_of(curve, from);
+  double high = coordinate_of(curve, to);
   const bool rising = to.stage > from.stage;
   Miss last{low, from.stage - stage, 2 * low * from.stage_slope};
   const double chord = std::lerp(low, high, share_of(from, to, stage));
   double x = place_in_pieces(curve, low, high, rising, stage).value_or(chord);
   if (!(x > low && x < high)) x = chord;
-  const double rounding = 0x1p-50 * stage;  // of w and F, elastica.h
+  const double rounding = 0x1p-50 * stage;  // in w and F, elastica.h
   RigPoint nearest = from;
   double min_error = infinity;
   for (int iteration = 0; iteration < 100; ++iteration) {
@@ -89,7 +92,8 @@ RigPoint point_between(const SlidingCurve& curve, const RigPoint& from, const Ri
       min_error = std::abs(miss.error);
     }
     const double newton = x - miss.error / miss.slope;
-    if (min_error <= rounding || std::abs(x * (newton - x)) <= 0x1p-54) break;  // or less than S = 1 + x^2 can tell
+    // or below the resolution of S = 1 + x^2
+    if (min_error <= rounding || std::abs(x * (newton - x)) <= 0x1p-54) break;
     ((miss.error < 0) == rising ? low : high) = x;
     double next = crossing(last, miss);
     if (!(next > low && next < high)) next = newton;
@@ -107,7 +111,7 @@ void require_on(const SlidingCurve& curve, double S) {
                                 std::to_string(curve.begin.S) + " to " + std::to_string(curve.end.S));
 }
 
-// The first fold beyond a length, on the way; the number of folds if there is none.
+// The index of the first fold beyond a length; the number of folds if there is none.
 std::size_t first_fold_beyond(const SlidingCurve& curve, double S) {
   const double direction = direction_of(curve.sliding);
   const auto fold = std::partition_point(curve.folds.begin(), curve.folds.end(),
@@ -122,16 +126,16 @@ const RigPoint& fold_or_end(const SlidingCurve& curve, std::size_t i) {
 }  // namespace
 
 double longest_at_stage(double stage) {
-  constexpr double least = 1e-6;  // below it S - 1 has lost its digits
-  if (!(stage >= least && stage < infinity))
+  constexpr double min_stage = 1e-6;  // below, S - 1 loses its digits
+  if (!(stage >= min_stage && stage < infinity))
     throw std::invalid_argument("stage position must be at least 1e-6 spans, not " + std::to_string(stage));
-  constexpr double rounding = 0x1p-51;  // of the lengths near 1 that belong to small stage positions
+  constexpr double rounding = 0x1p-51;  // of lengths near 1, at small stage positions
   return 1 + 2.4 * stage * stage + rounding;
 }
 
 bool is_on(const SlidingCurve& curve, double S) {
   const double direction = direction_of(curve.sliding);
-  const double rounding = 0x1p-51 * S;  // of a length: that of σ², of which it is made
+  const double rounding = 0x1p-51 * S;  // of a length computed from σ²
   return direction * (S - curve.begin.S) >= -rounding && direction * (curve.end.S - S) >= -rounding;
 }
 
@@ -140,7 +144,7 @@ RigPoint point_at_length(const SlidingCurve& curve, double S) {
   const double direction = direction_of(curve.sliding);
   if (direction * (S - curve.begin.S) <= 0) return curve.begin;
   if (direction * (curve.end.S - S) <= 0) return curve.end;
-  return sample_on(curve, way_at(curve.rig.fibre, curve.sliding, S)).point;
+  return sample_on(curve, coordinate_at(curve.rig.fibre, curve.sliding, S)).point;
 }
 
 std::vector<OverallEquilibrium> overall_equilibria(const SlidingCurve& curve, double stage) {
@@ -195,7 +199,7 @@ RigPoint point_at_stage(const SlidingCurve& curve, const StablePart& part, doubl
 }
 
 double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, double S_to, double scales) {
-  constexpr double smooth_step = 0.125;  // in σ, over which the elastica itself varies little
+  constexpr double smooth_step = 0.125;  // in σ, over which the elastica varies little
   const double sigma = fibre.sliding_coordinate(S);
   const auto knots = friction.knots();
   if (S_to > S) {
@@ -212,7 +216,7 @@ double end_of_stretch(const Friction& friction, const Fibre& fibre, double S, do
 double longest_in_loading(const Friction& along, const Rig& rig, double stage) {
   if (!(rig.stiffness > 0))
     throw std::invalid_argument("rig stiffness must be positive, not " + std::to_string(rig.stiffness));
-  constexpr double close = 0.99;  // more halvings would cost what the shorter trace saves
+  constexpr double close = 0.99;  // further halving costs more than the shorter trace saves
   const double S_most = longest_at_stage(stage);
   const Friction friction = met(along, rig.fibre, 1, S_most);
   const auto is_beyond = [&](double way) {

@@ -13,7 +13,7 @@
 namespace flexslip {
 namespace {
 
-// Wherever it is, what is sought has a bracket. What a fit tells may be somewhat more than friction may be.
+// Bounds the search everywhere. The friction of a fit may exceed the limit slightly.
 constexpr double max_friction_sought = 2 * largest_q_on_supports;
 
 double direction_of(Motion motion) { return motion == Motion::slip_in ? 1 : motion == Motion::slip_out ? -1 : 0; }
@@ -60,12 +60,12 @@ Shallow::Place Shallow::place(const Way& way, double w, double q) const {
       const double slope = friction_.is_met() ? 0 : way.direction * there.slope, in_q = 1 - slope * length_q;
       step = (way.direction * there.mu - q) / in_q;
       found.q_w = slope * length_w / in_q;
-      (step > 0 ? low : high) = q;  // the one friction that is met there: steepest_followed
+      (step > 0 ? low : high) = q;  // the solution is unique: see steepest_followed
     }
     found.length_w = length_w + length_q * found.q_w;
-    // At rest the least deflections have no friction that could be told.
+    // While sticking, friction is undetermined at the smallest deflections.
     if (!std::isfinite(step)) break;
-    // The square of the last step is rounding: what is left of the way to the state is its tangent.
+    // The square of the last step is below rounding, so the tangent gives the state.
     constexpr double last = 1e-8;
     if (std::abs(step) <= last * (1 + std::abs(q))) {
       found.at.move_by(step);
@@ -94,13 +94,14 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   const Fibre::DeflectionState here = fibre.at_deflection(from.w, from.q);
   const double mu = from.w == 0 ? friction_.at(1).mu : friction_at(here.state);
   constexpr double level = 1e-11;
-  Guess guess{from.w, from.q, 0};  // from what was found last
+  Guess guess{from.w, from.q, 0};  // from the last result
   const auto at = [&](const Way& way, double w) {
     const Place there = place(way, w, guess.at(w));
     guess.follow(there);
     return there;
   };
-  // A fibre slides where friction is exhausted, and rises along the specimen by less than it would have to for the fibre to stay at rest.
+  // A specimen slides if friction is exhausted and increases along the specimen by less than
+  // sticking requires.
   Way way{from.w == 0 || mu < level ? (here.S_w * advance >= 0 ? 1.0 : -1.0) : from.q > 0 ? 1.0 : -1.0, from.S};
   bool slides =
       from.w == 0 || (std::abs(from.q) >= mu - level && at(way, from.w).slides() * advance * way.direction > 0);
@@ -109,24 +110,27 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
   double far = advance > 0 ? 3 * half_depth : 0;
   if (advance > 0)
     while (fibre.at_deflection(far, mu).state.S < 1) far *= 1.2;
-  const auto to_go = [&](const Place& there) { return advance * (stage - stage_of(there)); };
+  const auto travel_left = [&](const Place& there) { return advance * (stage - stage_of(there)); };
   const auto leaves = [&] { return advance > 0 && way.direction > 0; };
-  // What is left until the stretch ends, all of it positive until then: to the stage position; of sliding, or of what friction can hold; to the length 1.
+  // Three distances to the end of the segment, positive until one is exhausted: to the stage
+  // position; to the end of sliding or sticking; to the length 1.
   using Left = std::array<double, 3>;
   const auto left_at = [&](const Place& there) -> Left {
     const FibreState& state = there.at.state;
-    if (slides) return {to_go(there), there.slides() * advance * way.direction, leaves() ? -there.at.slid : infinity};
+    if (slides)
+      return {travel_left(there), there.slides() * advance * way.direction, leaves() ? -there.at.slid : infinity};
     const bool is_held = state.status == FibreStatus::ok && std::abs(state.S - way.S) <= 1e-11;
-    return {to_go(there), is_held ? friction_at(state) + level - std::abs(state.q) : -infinity, infinity};
+    return {travel_left(there), is_held ? friction_at(state) + level - std::abs(state.q) : -infinity, infinity};
   };
-  const auto leads_on = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
-  // Step by step, none longer than friction is smooth for, on the contacts as they move; at rest besides none on which what holds the fibre changes
-  // by more than half of friction, as it may come back to what friction can do on the other side of the least length.
-  constexpr double least = 1e-7, of_friction = 0.5, of_half_depth = 0.1;
-  double w = from.w, next = from.w + advance * std::min(least * half_depth, std::abs(far - from.w));
+  const auto continues = [](const Left& left) { return left[0] > 0 && left[1] > 0 && left[2] > 0; };
+  // Small steps, limited by the smooth scale of friction as the contacts move. While sticking, q
+  // may change by at most half of friction in a step, because q may return within the friction
+  // limit beyond the smallest length.
+  constexpr double min_step = 1e-7, of_friction = 0.5, of_half_depth = 0.1;
+  double w = from.w, next = from.w + advance * std::min(min_step * half_depth, std::abs(far - from.w));
   Place there = at(way, next);
   Left left = left_at(there);
-  if (leads_on(left) && next != far) {
+  if (continues(left) && next != far) {
     Left left_before{};
     do {
       w = next, left_before = left;
@@ -135,28 +139,29 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
                     std::max(std::abs(there.length_w), 0.1);
       if (!slides) {
         const double by_friction = of_friction * friction_at(there.at.state) / std::abs(q_w);
-        step = std::min({step, std::max(by_friction, least * half_depth), of_half_depth * half_depth});
+        step = std::min({step, std::max(by_friction, min_step * half_depth), of_half_depth * half_depth});
       }
       next = advance > 0 ? std::min(next + step, far) : std::max(next - step, far);
       there = at(way, next);
       left = left_at(there);
-      if (!slides && leads_on(left) && there.q_w * q_w <= 0) {
+      if (!slides && continues(left) && there.q_w * q_w <= 0) {
         const auto turns_back = [&](double deflection) { return at(way, deflection).q_w * q_w <= 0; };
         const double turn = first_where(w, next, turns_back);
-        if (const Left at_turn = left_at(at(way, turn)); !leads_on(at_turn)) next = turn, left = at_turn;
+        if (const Left at_turn = left_at(at(way, turn)); !continues(at_turn)) next = turn, left = at_turn;
       }
-    } while (leads_on(left) && next != far);
-    // Each by itself: the least of them has corners, where they end together.
+    } while (continues(left) && next != far);
+    // Each separately: their minimum has corners where two reach zero together.
     for (std::size_t i = 0; i < left.size(); ++i)
       if (!(left[i] > 0))
         next = first_not_positive([&](double x) { return left_at(at(way, x))[i]; }, {w, left_before[i]}, next);
     w = next;
   } else {
-    w = first_where(w, next, [&](double x) { return !leads_on(left_at(at(way, x))); });
+    w = first_where(w, next, [&](double x) { return !continues(left_at(at(way, x))); });
   }
-  // Where at some deflection friction hardly moves what is drawn in, neither rest nor sliding leads on by more than rounding: there the
-  // fibre follows friction for a thousandth of half its depth.
-  if (std::abs(w - from.w) <= 2 * least * half_depth && w > 0 && to_go(at(way, w)) > 0) {
+  // If the sliding length hardly depends on friction, neither sticking nor sliding advances the
+  // state by more than rounding error. The state then follows q = ±μ for a thousandth of half the
+  // depth.
+  if (std::abs(w - from.w) <= 2 * min_step * half_depth && w > 0 && travel_left(at(way, w)) > 0) {
     slides = true;
     way.direction = from.q > 0 ? 1 : -1;
     constexpr double follows = 1e-3;
@@ -164,7 +169,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     w = first_where(from.w, follow, [&](double deflection) {
       if (deflection == 0) return true;
       const Place reached = at(way, deflection);
-      return !(to_go(reached) > 0) || (leaves() && reached.at.slid >= 0);
+      return !(travel_left(reached) > 0) || (leaves() && reached.at.slid >= 0);
     });
   }
 
@@ -173,7 +178,7 @@ PathPoint Shallow::next(const PathPoint& from, double stage) const {
     const Place end = at(way, w);
     const FibreState& state = end.at.state;
     to = {stage_of(end), w, state.F, slides ? state.S : from.S, state.q, Motion::stick};
-    if (!(to_go(end) > 0))
+    if (!(travel_left(end) > 0))
       to.stage = stage;
     else if (leaves() && end.at.slid >= 0)
       to.S = 1;
@@ -213,11 +218,11 @@ StretchWork Shallow::work(const PathPoint& from, const PathPoint& to) const {
   double begin = from.w, length = length_from;
   for (int i = 1; i <= pieces; ++i) {
     const double end = i < pieces ? from.w + (to.w - from.w) * i / pieces : to.w, length_there = length_at(end);
-    const auto [least, most] = std::minmax(length, length_there);
+    const auto [shorter, longer] = std::minmax(length, length_there);
     std::vector<double> corners;
     if (friction_.has_corners())
-      corners.assign(std::upper_bound(knots.begin(), knots.end(), least),
-                     std::lower_bound(knots.begin(), knots.end(), std::max(least, most)));
+      corners.assign(std::upper_bound(knots.begin(), knots.end(), shorter),
+                     std::lower_bound(knots.begin(), knots.end(), std::max(shorter, longer)));
     if (length_there < length) std::reverse(corners.begin(), corners.end());
     for (const double knot : corners) {
       const double corner = first_where(

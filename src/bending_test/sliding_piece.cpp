@@ -16,10 +16,12 @@ namespace {
 
 constexpr std::size_t degree = CurvePiece::degree;
 using Polynomial = CurvePiece::Polynomial;
-constexpr double close = 1e-7;  // to a zero in [-1, 1]: Newton's last step leaves the square of it
+// of a zero in [-1, 1]; the error after a Newton step is its square
+constexpr double close = 1e-7;
 
-// Where the slope of a polynomial vanishes: as often as the signs of its Bernstein coefficients change, or less often (Descartes); halved until they
-// change at most once. The zeros themselves by its Chebyshev series, which takes fewer products.
+// The zeros of the slope of a polynomial. Their number is at most the number of sign changes of its
+// Bernstein coefficients (Descartes). Intervals are halved until there is at most one change. The
+// Chebyshev series then gives the zeros with fewer products.
 struct SlopeOf {
   using Bernstein = std::array<double, degree>;
   std::array<double, degree> series;
@@ -32,7 +34,7 @@ struct SlopeOf {
     }
   };
   void add_zeros(const Bernstein& b, double low, double high, int halvings, Zeros& zeros) const {
-    constexpr int max_halvings = 24;  // beyond it two zeros are one point
+    constexpr int max_halvings = 24;  // closer zeros count as one
     const int changes = sign_changes(b);
     if (changes == 0) return;
     if (halvings == max_halvings) {
@@ -64,7 +66,7 @@ std::vector<CurvePiece> pieces_between(const Friction& friction, const Rig& rig,
     pieces[i].from = x[i];
     pieces[i].to = x[i + 1];
     S.push_back(rig.fibre.length_at(x[i]));
-    for (std::size_t j = 1; j < degree; ++j) S.push_back(rig.fibre.length_at(pieces[i].way_of(j)));
+    for (std::size_t j = 1; j < degree; ++j) S.push_back(rig.fibre.length_at(pieces[i].coordinate_of(j)));
   }
   S.push_back(rig.fibre.length_at(x.back()));
   std::vector<double> q = friction.at(S).mu;
@@ -133,7 +135,7 @@ SlidingPiece::Turns SlidingPiece::turns() const {
   Turns turns{};
   for (const double t : std::span(zeros.at).first(zeros.count))
     if (begin_ < t && t < end_)
-      turns.at[turns.count++] = {piece_.way_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_),
+      turns.at[turns.count++] = {piece_.coordinate_at(t), std::clamp(series_at(stage_, t), stage_from_, stage_to_),
                                  series_at(F_, t)};
   return turns;
 }

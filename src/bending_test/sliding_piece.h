@@ -1,4 +1,5 @@
-// A short stretch of sliding as polynomials: force and stage position at any of its points for the price of a few products.
+// A short sliding segment, approximated by polynomials that give force and stage position at any
+// point in a few multiplications.
 #pragma once
 
 #include <array>
@@ -12,24 +13,27 @@
 
 namespace flexslip {
 
-// The pieces between points of the way x, each from one point to the next. The friction is that met on the way.
+// The pieces between successive values of the sliding coordinate x. The friction is a function of
+// the sliding length.
 // Domain:     at least two points, rising.
-// Max error:  of the values as the table (fibre/state_table.h).
+// Max error:  the error of the tables (fibre/state_table.h).
 // Cost:       about 0.4 µs each.
 std::vector<CurvePiece> pieces_between(const Friction& friction, const Rig& rig, Sliding sliding,
                                        std::span<const double> x);
 
-// A piece, or a part of one, on which the stage rises.
+// A piece, or a part of one, with a rising stage.
 class SlidingPiece {
  public:
   // Domain:     piece.from <= from < to <= piece.to; std::invalid_argument otherwise.
   SlidingPiece(const CurvePiece& piece, const Rig& rig, double from, double to);
   SlidingPiece(const CurvePiece& piece, const Rig& rig) : SlidingPiece(piece, rig, piece.from, piece.to) {}
 
-  // Are there states all along the piece? If not, the force has fallen to zero, and nothing else is valid.
+  // True if every point of the segment has an equilibrium state. If false, the force reaches zero
+  // within it and the other members are invalid.
   bool exists() const { return exists_; }
 
-  // An estimate of the error of the force, relative to the greatest: the last two coefficients of its polynomial.
+  // The estimated error of the force relative to its maximum: the last two coefficients of its
+  // polynomial.
   double error() const { return error_; }
 
   double force_from() const { return force_from_; }  // [EI/L^2]
@@ -39,10 +43,10 @@ class SlidingPiece {
   // ∫ F dw [EI/L]
   double work() const;
 
-  // The force at a stage position; that at an end for one beyond.
+  // The force at a stage position; beyond an end, the force there.
   double force_at(double stage) const;
 
-  // Where the force turns from rising to falling or back, in the order of the way.
+  // A maximum or minimum of the force, in the sliding direction.
   struct Turn {
     double way;    // [√L] x
     double stage;  // [L]

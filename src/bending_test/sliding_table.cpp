@@ -18,18 +18,19 @@
 namespace flexslip {
 namespace {
 
-// The straight fibre, where derivatives in S are infinite, but not those in x.
+// The straight specimen, with infinite derivatives in S but finite ones in x.
 CurveSample straight(double direction, double compliance, double q) {
   const double slope = std::sqrt(15.0) / 6 * (1 + beam_stiffness * compliance);
   return {true, {1, q, 0, 0, 0, infinity}, direction * slope, slope};
 }
 
-// The fibre is NaN beyond the end of the branch.
+// NaN beyond the end of the branch.
 CurveSample sample_of(double direction, const Rig& rig, double S, const FrictionPoint& mu,
                       const Fibre::TabulatedSlopes& fibre) {
   const double q = direction * mu.mu, compliance = 1 / rig.stiffness;
   if (S == 1 && rig.fibre.slides_inward_only()) return straight(direction, compliance, q);
-  const double sigma = rig.fibre.sliding_coordinate(S);  // that of the rounded S, at which everything is evaluated
+  // of the rounded S, which all functions use
+  const double sigma = rig.fibre.sliding_coordinate(S);
   const double smooth = fibre.w_S + compliance * fibre.F_S;
   const double rough = direction * (fibre.w_q + compliance * fibre.F_q) * mu.slope;
   return {.exists = !std::isnan(fibre.w),
@@ -40,7 +41,7 @@ CurveSample sample_of(double direction, const Rig& rig, double S, const Friction
 
 }  // namespace
 
-double way_at(const Fibre& fibre, Sliding sliding, double S) {
+double coordinate_at(const Fibre& fibre, Sliding sliding, double S) {
   return direction_of(sliding) * fibre.sliding_coordinate(S);
 }
 
@@ -83,7 +84,7 @@ SlidingTable::SlidingTable(const Friction& friction, const Rig& rig, Sliding sli
       direction_(direction_of(sliding)) {}
 
 SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
-  constexpr double supported_error = 1e-11;  // of a state by the tables of its supports
+  constexpr double supported_error = 1e-11;  // of a state from tables of supports
   const Fibre& fibre = rig_.fibre;
   const double S = fibre.length_at(sigma);
   if (S == 1 && fibre.slides_inward_only()) return {.exists = true};
@@ -92,7 +93,8 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
   const auto [state, slopes] = fibre.on_edges() ? FibreStateSlopes{fibre.state(S, q), {}} : fibre.state_slopes(S, q);
   if (state.status != FibreStatus::ok) return {};
   const double corrected =
-      sigma / fibre.sliding_coordinate(S);  // all belongs to the rounded length, and starts in proportion to σ
+      // refers all to the rounded length; proportional to σ at first
+      sigma / fibre.sliding_coordinate(S);
   const double leaves = 1 - 2 * fibre.supports().radius * (slopes.theta0_S + direction_ * slopes.theta0_q * mu.slope);
   const double power = 2 * sigma * corrected;
   return {.exists = true,
@@ -104,8 +106,9 @@ SlidingTable::Sample SlidingTable::sample_at(double sigma) const {
 }
 
 void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int halvings) const {
-  constexpr double accuracy = 1e-12;  // of the last coefficients: what the integral loses is a tenth of that, and less
-  constexpr int max_halvings = 30;    // at a kink: a piece 1e-9 of the whole
+  // of the last coefficients; the integral is at least ten times better
+  constexpr double accuracy = 1e-12;
+  constexpr int max_halvings = 30;         // at a kink: to 1e-9 of the cell
   constexpr std::size_t max_pieces = 200;  // enough for a few kinks
   Series stage{}, F{}, friction{};
   std::size_t missing = 0;
@@ -121,8 +124,9 @@ void SlidingTable::fill(Cell& cell, double from, double to, Sample greatest, int
   const auto is_resolved = [&](const Series& c, double scale) {
     return std::abs(c[degree]) + std::abs(c[degree - 1]) <= (accuracy + greatest.error) * scale;
   };
-  const bool ends = missing > 0 && missing <= degree;  // the branch, within
-  if (ends) F = {};                                    // a piece that is halved no further has no force left
+  const bool ends = missing > 0 && missing <= degree;  // the branch ends within
+  // the last piece, halved no further, has no force left
+  if (ends) F = {};
   stage = Interpolant<degree>::chebyshev(stage);
   F = Interpolant<degree>::chebyshev(F);
   friction = Interpolant<degree>::chebyshev(friction);
@@ -184,7 +188,8 @@ SlidingLadder::SlidingLadder(double S_max, double S_step, const Fibre& fibre) : 
     throw std::invalid_argument("S_max must lie in (1, 2.1], not " + std::to_string(S_max));
   if (!(S_step > 0)) throw std::invalid_argument("S_step must be positive, not " + std::to_string(S_step));
   const double sigma_max = fibre.sliding_coordinate(S_max),
-               from = fibre.sliding_coordinate(1);  // bent as if that much were before it
+               // treats the specimen as slid by this much before
+      from = fibre.sliding_coordinate(1);
   const auto n = static_cast<std::size_t>(std::ceil(2 * sigma_max * sigma_max / S_step)) + 2;
   const double sigma_step = (sigma_max + from) / static_cast<double>(n - 1);
   const double straight = fibre.slides_inward_only() ? 0 : fibre.state(1, 0).w;
@@ -200,7 +205,8 @@ StateArrays SlidingLadder::curve(std::span<const double> mu) const {
   std::vector<double> q(mu.begin(), mu.end());
   for (double& value : q) value = std::clamp(value, 0.0, table_q.greatest);
   StateArrays states = fibre_.tabulated_states({S_, q});
-  // The surface slides out up to 1.2 half depths of deflection, holds, and slides in from 1.35 on: some hundredths of the friction between.
+  // The surface slides out up to 1.2 half depths of deflection, sticks, and slides in from 1.35.
+  // q/μ varies linearly in between, with an error of some hundredths.
   std::vector<double> held;
   for (std::size_t i = 0; i < shallow_.size(); ++i)
     held.push_back(mu[i] * std::clamp((shallow_[i] / fibre_.supports().half_depth - 1.27) / 0.08, -1.0, 1.0));
@@ -212,14 +218,14 @@ StateArrays SlidingLadder::curve(std::span<const double> mu) const {
 
 namespace {
 
-// Over one cell, with slopes from the values around (central differences).
+// The cubic over one cell, with slopes from central differences.
 Cubic cubic_over(std::span<const double> y, std::size_t i) {
   const double rise = y[i + 1] - y[i];
   return {y[i], y[i + 1], i > 0 ? 0.5 * (y[i + 1] - y[i - 1]) : rise,
           i + 2 < y.size() ? 0.5 * (y[i + 2] - y[i]) : rise};
 }
 
-// Where it is greatest in [0, 1].
+// The maximum in [0, 1].
 double peak_of(const Cubic& cubic) {
   if (cubic.slope <= 0) return 0;
   if (cubic.at(1).slope >= 0) return 1;
@@ -238,25 +244,26 @@ std::vector<double> measured_curve(std::span<const double> w, std::span<const do
   std::vector<double> result;
   result.reserve(stages.size());
   std::size_t cell = 0;
-  double passed = 0;  // fraction of the cell that the running maximum has passed
+  double passed = 0;  // fraction of the cell below the running maximum
   for (const double stage : stages) {
     double x = 1;
     for (; cell + 1 < n; ++cell, passed = 0) {
-      // Where both ends of a cell fall short of the stage position, G can reach it between them only if it turns over there.
+      // If both ends of a cell are below the stage position, G reaches it only at a maximum between
+      // them.
       const bool short_of = G[cell + 1] < stage && G[cell] < stage;
       const bool turns_here = G[cell + 1] < G[cell] && (cell == 0 || G[cell - 1] < G[cell]);
       const bool turns_next = cell + 2 < n && G[cell] < G[cell + 1] && G[cell + 2] < G[cell + 1];
       if (short_of && !turns_here && !turns_next) continue;
       const Cubic cubic = cubic_over(G, cell);
-      const double peak = peak_of(cubic), most = cubic.at(peak).value;
-      if (most < stage || peak < passed) continue;
+      const double peak = peak_of(cubic), maximum = cubic.at(peak).value;
+      if (maximum < stage || peak < passed) continue;
       // G rises from `passed` to the peak.
-      constexpr double step = 1e-6;  // of a cell: less than the error of the interpolation
+      constexpr double step = 1e-6;  // of a cell: below the error of interpolation
       const auto miss = [&](double at) {
         const auto [value, slope] = cubic.at(at);
         return ValueAndSlope{value - stage, slope};
       };
-      const double chord = (stage - cubic.value) / (most - cubic.value) * peak;
+      const double chord = (stage - cubic.value) / (maximum - cubic.value) * peak;
       x = zero_between(miss, passed, peak, std::clamp(chord, passed, peak), step);
       passed = x;
       break;

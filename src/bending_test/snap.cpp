@@ -13,7 +13,7 @@
 namespace flexslip {
 namespace {
 
-// A fibre that slides at a fixed stage position, from S towards some other length.
+// A specimen that slides at a fixed stage position, from S towards another length.
 class Slide {
  public:
   Slide(const Friction& friction, const Rig& rig, double stage, double S, double S_to)
@@ -24,7 +24,7 @@ class Slide {
         direction_(S_to >= S ? 1 : -1),
         q_(direction_ * friction.at(S).mu) {}
 
-  // With respect to σ (Fibre::way), in which Π is smooth at S = 1.
+  // With respect to σ, in which Π is smooth at S = 1.
   SnapWork power_at(double sigma) {
     const double S = rig_.fibre.length_at(sigma);
     const auto [q, Pn, at_contacts, lost] = held_friction(S);
@@ -37,18 +37,18 @@ class Slide {
                     [this](double x) { return power_at(x); });
   }
 
-  // Near the straight fibre q varies like a power of 1/σ: there stretches are a part of σ.
+  // Near the straight specimen q varies as a power of 1/σ, so segments are proportional to σ.
   double next(double S, double S_to) const {
     constexpr double part = 0.15;
-    constexpr double least = 1e-12;  // of S - 1: what is left is less than its rounding
+    constexpr double min_distance = 1e-12;  // of S - 1: the rest is below its rounding
     const double end = end_of_stretch(met_ ? *met_ : friction_, rig_.fibre, S, S_to, 1),
                  before = rig_.fibre.least_length();
-    if (S - before <= least) return end;
+    if (S - before <= min_distance) return end;
     const double near = before + (S - before) * (1 + direction_ * part) * (1 + direction_ * part);
     return direction_ > 0 ? std::min(end, near) : std::max(end, near);
   }
 
-  // None if the fibre is not held all the way: holding() tells why.
+  // Empty if some length has no equilibrium; see holding().
   std::optional<SnapWork> work_if_held(double S_from, double S_to) {
     holding_ = Holding::held;
     const SnapWork done = work(S_from, S_to);
@@ -62,8 +62,9 @@ class Slide {
  private:
   struct Held {
     double q, Pn;
-    double at_contacts;  // [L] where friction is looked up
-    double lost;         // [EI/L^2] of the bending of axis that leaves the span, per length slid
+    double at_contacts;  // [L] argument of friction
+    // [EI/L^2] bending energy of the axis that leaves the span, per sliding length
+    double lost;
   };
 
   Held held(const FibreState& state, const FibreSlopes& slopes) const {
@@ -76,7 +77,7 @@ class Slide {
     return {state.q, state.Pn, fibre.length_between_contacts(state), lost * leaves};
   }
 
-  // As held_at, from the q of the length before.
+  // As held_at, starting from the q of the previous length.
   Held held_friction(double S) {
     const double c = 1 / rig_.stiffness;
     for (int iteration = 0; iteration < 10; ++iteration) {
@@ -85,7 +86,7 @@ class Slide {
       const double step = (stage_ - state.w - c * state.F) / (slopes.w_q + c * slopes.F_q);
       if (!(std::abs(q_ + step) < largest_q)) break;
       q_ += step;
-      if (std::abs(step) <= 1e-6) {  // to the square of the step
+      if (std::abs(step) <= 1e-6) {  // accurate to the square of the step
         state.q = q_;
         state.Pn += slopes.Pn_q * step;
         state.theta0 += slopes.theta0_q * step;
@@ -107,8 +108,8 @@ class Slide {
   Holding holding_ = Holding::held;
 };
 
-// Where, between two lengths, the energy left is spent.
-Swing end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
+// The length between two others at which the remaining energy is dissipated.
+Overshoot end_between(Slide& slide, const Rig& rig, const SnapWork& left, double S, double next) {
   const auto energy_left = [&](double end) {
     const double sigma = rig.fibre.sliding_coordinate(end);
     return ValueAndSlope{left.released + slide.work(S, end).released, slide.power_at(sigma).released / (2 * sigma)};
@@ -129,8 +130,8 @@ HeldState held_at(double S, double stage, const Rig& rig, double q) {
   double low = -rig.fibre.max_friction();
   double high = rig.fibre.on_edges() ? largest_q : 2 * largest_q_on_supports;
   FibreState held{};
-  bool is_below = false;   // the stage stands beyond a state met,
-  bool is_beyond = false;  // or before it
+  bool is_below = false;   // a state below the stage was found
+  bool is_beyond = false;  // a state above the stage was found
   for (int iteration = 0; iteration < 100; ++iteration) {
     const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     double next = low;
@@ -167,8 +168,8 @@ std::optional<SnapWork> snap_work(const Friction& friction, const Rig& rig, doub
   return sum;
 }
 
-Swing swing(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
-  constexpr double farthest = 10;  // beyond it no fibre comes back
+Overshoot overshoot_of(const Friction& friction, const Rig& rig, double stage, double S_from, double S_landing) {
+  constexpr double farthest = 10;  // [L] no specimen returns from beyond
   const double S_end = S_landing > S_from ? farthest : 1;
   Slide slide(friction, rig, stage, S_from, S_landing);
   const auto first = snap_work(friction, rig, stage, S_from, S_landing);
@@ -176,7 +177,8 @@ Swing swing(const Friction& friction, const Rig& rig, double stage, double S_fro
   SnapWork sum = *first;
   double S = S_landing;
   double reach =
-      0.25 * std::abs(S_landing - S_from);  // of the next stretch: the energy may be spent long before its end
+      // of the next segment, because the energy may be dissipated long before its end
+      0.25 * std::abs(S_landing - S_from);
   while (sum.released > 0) {
     if (S == S_end) return {Holding::no_contact, S, 0};
     const double smooth = slide.next(S, S_end);

@@ -48,8 +48,8 @@ HWY_EXPORT(sum_waves);
   throw std::invalid_argument(what + ", not " + std::to_string(value));
 }
 
-// Slopes at the knots that keep a cubic interpolant monotone between them: Fritsch & Butland (1984), in the weighted
-// harmonic form of Fritsch & Carlson's PCHIP; one-sided three-point slopes, limited likewise, at the ends.
+// Slopes at the knots for a monotone cubic interpolant: Fritsch & Butland (1984) in the weighted
+// harmonic form of Fritsch & Carlson's PCHIP; limited three-point slopes at the ends.
 std::vector<double> monotone_slopes(const std::vector<double>& x, const std::vector<double>& y) {
   const std::size_t n = x.size();
   std::vector<double> slope(n, 0.0);
@@ -135,21 +135,24 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
     refuse("the correlation length of friction must be finite and > 0", correlation_length);
   if (!(S_max > 1 && S_max < infinity)) refuse("the end of a rough profile must be > 1", S_max);
   constexpr std::size_t per_length = 8;
-  constexpr std::size_t reach = 4 * per_length;  // the kernel below is exp(-16) at four correlation lengths
-  const double step =
-      2 * correlation_length / static_cast<double>(per_length);  // S advances by twice the length along the fibre
+  // the kernel below is exp(-16) at four correlation lengths
+  constexpr std::size_t reach = 4 * per_length;
+  // S advances by twice the length along the specimen.
+  const double step = 2 * correlation_length / static_cast<double>(per_length);
   constexpr double max_knots = 1e6;
   if (!((S_max - 1) / step < max_knots))
     refuse("a rough profile has at most 1e6 knots: the correlation length is too short", correlation_length);
   const auto n = static_cast<std::size_t>(std::ceil((S_max - 1) / step)) + 1;
 
-  // White noise through a Gaussian kernel of width correlation_length/√2 has the stated correlation. Uniform numbers are
-  // turned to normal ones here (Box & Muller) because std::normal_distribution differs between libraries.
+  // White noise filtered by a Gaussian kernel of width correlation_length/√2 has the stated
+  // correlation. Normal numbers are computed here (Box & Muller) because std::normal_distribution
+  // differs between libraries.
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
   std::vector<double> noise(n + 2 * reach);
   for (auto& value : noise) {
-    const double radius = std::sqrt(-2 * elementary::log(uniform()));  // the first of two random numbers
+    // the first of two random numbers
+    const double radius = std::sqrt(-2 * elementary::log(uniform()));
     value = radius * elementary::sine_and_cosine(2 * std::numbers::pi * uniform()).cosine;
   }
   std::vector<double> kernel(2 * reach + 1);
@@ -170,13 +173,13 @@ Friction Friction::rough(double mu0, double rms, double correlation_length, std:
   return Friction(std::move(table));
 }
 
-Friction Friction::mean_of(Friction left, Friction right, double S_most) {
-  return Friction(std::make_shared<const MeanOfSides>(std::move(left), std::move(right), S_most));
+Friction Friction::mean_of(Friction left, Friction right, double S_max) {
+  return Friction(std::make_shared<const MeanOfSides>(std::move(left), std::move(right), S_max));
 }
 
-Friction Friction::on_two_supports(Friction left, Friction right, double S_most) {
+Friction Friction::on_two_supports(Friction left, Friction right, double S_max) {
   return Friction(
-      std::make_shared<const TwoSupportPath>(std::move(left), std::move(right), ContactPoints{0, 0}, S_most));
+      std::make_shared<const TwoSupportPath>(std::move(left), std::move(right), ContactPoints{0, 0}, S_max));
 }
 
 Friction Friction::as_met(FrictionTable table) {
@@ -251,7 +254,7 @@ FrictionArrays PathDependentFriction::at(std::span<const double> S) const {
   return result;
 }
 
-// The piece of a table in which a length lies, looked for first in one and the next; 0 beside the table.
+// The piece of a table that contains S, searched first at `near` and the next; 0 outside the table.
 std::size_t Friction::piece_of(double S, std::size_t near) const {
   const std::vector<double>& x = std::get<FrictionTable>(form_).S;
   if (!(S > x.front() && S < x.back())) return 0;
@@ -271,8 +274,8 @@ FrictionPoint Friction::in_table(double S, std::size_t piece) const {
   return {std::max(mu, 0.0), slope / h};
 }
 
-double Friction::unheld(double S) const {
-  if (!may_be_held()) return at(S).mu;
+double Friction::without_limit(double S) const {
+  if (!may_reach_zero()) return at(S).mu;
   return wave_sum<double>(std::get<FrictionWaves>(form_), terms_.data(), S).mu;
 }
 
@@ -281,36 +284,36 @@ double Friction::drift() const {
   return waves ? waves->drift : 0;
 }
 
-bool Friction::may_be_held() const { return drift() != 0; }
+bool Friction::may_reach_zero() const { return drift() != 0; }
 
 double Friction::max_up_to(double S_max) const {
   if (way()) return way()->max_up_to(S_max);
   if (const auto* table = std::get_if<FrictionTable>(&form_)) {
-    double most = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
+    double max_mu = std::max(at(1).mu, at(S_max).mu);  // monotone between the knots
     for (std::size_t i = 0; i < table->S.size(); ++i)
-      if (table->S[i] > 1 && table->S[i] < S_max) most = std::max(most, table->mu[i]);
-    return most;
+      if (table->S[i] > 1 && table->S[i] < S_max) max_mu = std::max(max_mu, table->mu[i]);
+    return max_mu;
   }
   const auto& waves = std::get<FrictionWaves>(form_);
-  double most = waves.mu0 + waves.drift * ((waves.drift > 0 ? S_max : 1) - waves.S_reference);
-  for (const WaveTerm& term : terms_) most += term.height;
-  return std::max(most, 0.0);
+  double max_mu = waves.mu0 + waves.drift * ((waves.drift > 0 ? S_max : 1) - waves.S_reference);
+  for (const WaveTerm& term : terms_) max_mu += term.height;
+  return std::max(max_mu, 0.0);
 }
 
 double Friction::steepest() const {
   if (way()) throw std::invalid_argument("the friction of a way has no bound on its slope");
   if (const auto* table = std::get_if<FrictionTable>(&form_)) {
-    double most = 0;
+    double max_mu = 0;
     for (std::size_t i = 0; i + 1 < table->S.size(); ++i) {
       const double rise = (table->mu[i + 1] - table->mu[i]) / (table->S[i + 1] - table->S[i]);
-      // A monotone cubic is steepest at an end, or at its middle by 3/2 of its mean slope.
-      most = std::max({most, std::abs(knot_slopes_[i]), std::abs(knot_slopes_[i + 1]), 1.5 * std::abs(rise)});
+      // A monotone cubic is steepest at an end, or at its middle with 3/2 of its mean slope.
+      max_mu = std::max({max_mu, std::abs(knot_slopes_[i]), std::abs(knot_slopes_[i + 1]), 1.5 * std::abs(rise)});
     }
-    return most;
+    return max_mu;
   }
-  double most = std::abs(drift());
-  for (const WaveTerm& term : terms_) most += term.steepness;
-  return most;
+  double max_mu = std::abs(drift());
+  for (const WaveTerm& term : terms_) max_mu += term.steepness;
+  return max_mu;
 }
 
 double Friction::smooth_scale() const {

@@ -1,8 +1,8 @@
-// The coefficient of friction along the fibre, as the support sees it: μ as a function of the length S between the supports;
-// and Coulomb's law with a static excess.
+// The friction coefficient along the specimen, μ(S) with S the length between the supports, and
+// Coulomb's law with a static excess.
 //
-// A point of the fibre at arc length s from midspan meets the support when S = 2 s, so a wave of length λ along the fibre
-// has the period 2 λ in S: hence π S/λ in (4.25). All lengths are in spans.
+// A point at arc length s from midspan touches the support when S = 2 s. A wave of length λ along
+// the specimen therefore has the period 2 λ in S: hence π S/λ in (4.25). All lengths are in spans.
 #pragma once
 
 #include <cmath>
@@ -15,17 +15,15 @@
 
 namespace flexslip {
 
-// The forms that a profile of friction may have, and what it is at a length.
-
-// One term of the roughness: amplitude cos(π S/wavelength + phase), relative to the mean.
+// One periodic term of friction: amplitude cos(π S/wavelength + phase), relative to the mean.
 struct Sinusoid {
   double amplitude;   // [1] relative to mu0, A of (4.25); >= 0
   double wavelength;  // [L] along the fibre, λ of (4.25); > 0
   double phase;       // [rad] φ of (4.25)
 };
 
-// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - S_reference), and zero where a drift would carry it below.
-// Without terms and drift: constant friction.
+// mu0 (1 + Σ amplitude cos(π S/wavelength + phase)) + drift (S - S_reference), at least zero.
+// Without terms and drift, constant friction.
 struct FrictionWaves {
   double mu0;    // [1] mean coefficient of friction at S_reference
   double drift;  // [1/L] slope of the mean in S
@@ -33,7 +31,7 @@ struct FrictionWaves {
   double S_reference = 1;  // [L]
 };
 
-// Values at given lengths, interpolated monotonically (no over- or undershoot), constant beyond the ends.
+// Values at given lengths with monotone interpolation (no overshoot), constant beyond the ends.
 struct FrictionTable {
   std::vector<double> S;   // [L] rising strictly
   std::vector<double> mu;  // [1] >= 0
@@ -45,23 +43,21 @@ struct FrictionPoint {
   double slope;  // [1/L]
 };
 
-// The same at many lengths.
 struct FrictionArrays {
   std::vector<double> mu;     // [1]
   std::vector<double> slope;  // [1/L]
 };
 
-// A term as it is summed: height cos(2π (frequency S + phase)).
+// A term in the form in which it is summed: height cos(2π (frequency S + phase)).
 struct WaveTerm {
   double height;     // [1]
   double frequency;  // [1/L]
   double phase;      // [1] in turns
-  double steepness;  // [1/L] the greatest slope
+  double steepness;  // [1/L] maximum slope
 };
 
-// Friction that is more than a profile: it depends on the way on which the fibre gets to a length.
-
-// Friction as it is met on a way, in or out, from the lengths of which it makes more than a profile (two_supports.h, over_rollers.h).
+// Friction that depends on the path by which the specimen reaches a length (two_supports.h,
+// over_rollers.h); on one path, in or out.
 class PathDependentFriction {
  public:
   virtual ~PathDependentFriction() = default;
@@ -74,18 +70,19 @@ class PathDependentFriction {
   }
   virtual double max_up_to(double S_max) const = 0;
   virtual std::span<const double> knots() const = 0;
-  // As the fibre meets it, at what has been drawn in: else of the points of the specimen.
+  // True if S is the sliding length rather than the contact point on the specimen.
   virtual bool is_met() const { return false; }
 
-  // May a fibre that is at a length slide on in a direction, in (1) or out (-1)? If not it takes the way from there, and from its q.
+  // True if the specimen can continue from S in a direction, in (1) or out (-1). If not, it takes
+  // the path that from() returns for S and q.
   virtual bool continues(double /*S*/, double /*direction*/) const { return true; }
   virtual std::shared_ptr<const PathDependentFriction> from(double /*S*/, double /*q*/, double /*direction*/) const {
     return nullptr;
   }
-  virtual bool depends_on_way() const { return false; }
+  virtual bool is_path_dependent() const { return false; }
 
-  // Of a specimen on which it is so many times as large.
-  // Domain: friction that is its points' own; std::invalid_argument otherwise.
+  // The same friction multiplied by a factor.
+  // Domain:     friction at points of the specimen; std::invalid_argument otherwise.
   virtual std::shared_ptr<const PathDependentFriction> scaled(double factor) const;
 };
 
@@ -93,67 +90,69 @@ class TwoSupportPath;
 
 class Friction {
  public:
-  // Fails: std::invalid_argument, naming the value, if a number is not finite, a wavelength below 1e-12, or μ could
-  // become negative: mu0 Σ amplitude > mu0, or mu < 0 in a table.
+  // Fails:      std::invalid_argument with the value if a number is not finite, a wavelength is
+  //             below 1e-12, or μ could become negative (Σ amplitude > 1, or mu < 0 in a table).
   static Friction constant(double mu);
   static Friction sinusoid(double mu0, double amplitude, double wavelength, double phase);
   static Friction waves(FrictionWaves waves);
   static Friction table(FrictionTable table);
 
-  // Random roughness: μ = mu0 exp(g(S) - rms^2/2) with g Gaussian, of standard deviation rms [1] and correlation
-  // exp(-(s/correlation_length)^2/2) along the fibre; the mean is mu0. Tabulated eight times a correlation length [L] up to
-  // S_max [L]. The same seed gives the same profile on every machine.
+  // Random friction: μ = mu0 exp(g(S) - rms^2/2), with mean mu0. g is Gaussian with standard
+  // deviation rms [1] and correlation exp(-(s/correlation_length)^2/2) along the specimen. The
+  // table has eight points per correlation length [L] up to S_max [L]. A seed gives the same
+  // profile on every machine.
   static Friction rough(double mu0, double rms, double correlation_length, std::uint64_t seed, double S_max);
 
-  // Of two unlike supports, up to a length S_most (two_supports.h): the mean of both, under a nose that holds; the friction of a way, under a free one.
-  static Friction mean_of(Friction left, Friction right, double S_most);
-  static Friction on_two_supports(Friction left, Friction right, double S_most);
+  // Friction on two different supports, up to S_max (two_supports.h): the mean of both under a
+  // fixed nose, and path-dependent friction under a free nose.
+  static Friction mean_of(Friction left, Friction right, double S_max);
+  static Friction on_two_supports(Friction left, Friction right, double S_max);
 
-  // A table over what has been drawn in, as a fibre on rollers meets it on the way in: on edges a table.
+  // A table over the sliding length, for sliding in; on knife edges an ordinary table.
   static Friction as_met(FrictionTable table);
   bool is_met() const { return met_ || (way() && way()->is_met()); }
 
   static Friction path_dependent(std::shared_ptr<const PathDependentFriction> way) { return Friction(std::move(way)); }
 
-  // The friction on a way that leads on from a length and a mobilised friction, in (1) or out (-1): of one profile, the same.
+  // The friction on the path from S and q, in (1) or out (-1). A single profile is unchanged.
   Friction from(double S, double q, double direction) const;
   bool continues(double S, double direction) const { return !way() || way()->continues(S, direction); }
-  bool depends_on_way() const { return way() && way()->depends_on_way(); }  // changes where the fibre turns back
-  const TwoSupportPath* two_supports() const;                               // none but under a free nose
+  bool is_path_dependent() const { return way() && way()->is_path_dependent(); }
+  const TwoSupportPath* two_supports() const;  // null except under a free nose
 
-  // So many times as large everywhere along the specimen: of rollers on pins, the friction of the pins stays.
-  // Domain: factor finite and >= 0, friction of the points of a specimen; std::invalid_argument otherwise.
+  // The friction times a factor along the specimen; the friction of roller pins does not change.
+  // Domain:     factor finite, >= 0; as PathDependentFriction::scaled.
   Friction scaled(double factor) const;
 
-  // Domain: S > 0; a table is constant before its first knot.
-  // Max error: 4 ulp of mu0, besides that of the argument π S/λ of the cosines. Tables reproduce their values exactly.
+  // Domain:     S > 0; a table is constant before its first knot.
+  // Max error:  4 ulp of mu0, plus the error of the argument π S/λ. Tables are exact at knots.
   FrictionPoint at(double S) const;
 
-  // The same at many lengths, on the widest vectors that the processor has: bit by bit, but over rollers to 1e-12.
+  // The same at many lengths, vectorised: bit-identical, but 1e-12 over rollers.
   FrictionArrays at(std::span<const double> S) const;
 
-  // What μ would be, were it not held at zero: its zeros are the kinks of at(). Only a drift brings them about.
-  double unheld(double S) const;
-  bool may_be_held() const;
-  double drift() const;  // [1/L] 0 of all but waves
+  // μ without the lower limit zero, which only a drift can reach. Its zeros are the kinks of at().
+  double without_limit(double S) const;
+  bool may_reach_zero() const;
+  double drift() const;  // [1/L] 0 except for waves
 
-  // The greatest μ at lengths from 1 to S_max: of a table to rounding; of waves a bound, their crests on the greatest mean.
-  // Domain: S_max >= 1.
+  // The maximum of μ for S in [1, S_max]; for waves an upper bound.
+  // Domain:     S_max >= 1.
   double max_up_to(double S_max) const;
 
-  // [1/L] A bound on how steep the profile is, |dμ/dS|.
-  // Domain: waves or a table; std::invalid_argument otherwise.
+  // [1/L] An upper bound of |dμ/dS|.
+  // Domain:     waves or a table; std::invalid_argument otherwise.
   double steepest() const;
 
-  // Lengths in S within which the profile is smooth and bends little: a quarter of the shortest period for waves
-  // (infinite for constant friction, and infinite for tables, too, which are smooth between their knots).
+  // The length in S within which the profile is smooth: a quarter of the shortest period for waves.
+  // Infinite for constant friction and for tables, which are smooth between knots.
   double smooth_scale() const;
   std::span<const double> knots() const;
-  bool has_corners() const { return way() != nullptr; }  // at its knots, at which a table is smooth
-  // May the slope jump at a knot? That of a table does at its ends, beyond which it is constant.
+  bool has_corners() const { return way() != nullptr; }  // at its knots; a table is smooth there
+  // True if the slope may jump at a knot, as it does at the ends of a table.
   bool has_corner_at(double knot) const;
 
-  // The end of a stretch of so many smooth scales, on the way in or out: infinite as these are.
+  // The end of an interval of this many smooth scales, on the path in or out.
   double end_of(double S, double scales, bool inwards) const;
 
   using Form = std::variant<FrictionWaves, FrictionTable, std::shared_ptr<const PathDependentFriction>>;
@@ -169,23 +168,24 @@ class Friction {
   FrictionPoint in_table(double S, std::size_t piece) const;
 
   Form form_;
-  bool met_ = false;  // a table as_met
+  bool met_ = false;  // a table over the sliding length
   std::vector<WaveTerm> terms_;
   std::vector<double> knot_slopes_;  // dμ/dS at each knot of a table
 };
 
-// What a support does to the fibre: it holds it while at rest, and rubs while it slides.
+// The friction law at a support, for a resting and a sliding specimen.
 //
-// Coulomb's law with one coefficient, |q| <= μ(S), is the paper's; there a sawtooth needs a friction that varies along the
-// fibre. With a static friction above the kinetic one the fibre sticks and slips on supports as smooth as one likes: the
-// alternative that the paper leaves open. A fibre at rest stays so while |q| <= μ_s(S). Once it slides, q = ±μ_k(S) until
-// the sliding stops: when the stage turns back or halts, or a snap comes to rest.
+// The paper uses Coulomb's law with one coefficient, |q| <= μ(S). A sawtooth then needs friction
+// that varies along the specimen. With a static friction μ_s above the kinetic one, μ_k, the
+// specimen sticks and slips on perfectly smooth supports, an alternative that the paper leaves
+// open. A specimen at rest stays at rest while |q| <= μ_s(S). Sliding has q = ±μ_k(S) until it
+// stops: when the stage reverses or stops, or a snap ends.
 
 struct FrictionLaw {
   Friction kinetic;        // μ_k
-  Friction static_excess;  // μ_s - μ_k; zero: Coulomb's law
+  Friction static_excess;  // μ_s - μ_k; zero for Coulomb's law
 
-  FrictionLaw(Friction coulomb)  // NOLINT(google-explicit-constructor): a friction is a law by itself
+  FrictionLaw(Friction coulomb)  // NOLINT(google-explicit-constructor): a friction is also a law
       : FrictionLaw(std::move(coulomb), Friction::constant(0)) {}
   FrictionLaw(Friction sliding, Friction excess) : kinetic(std::move(sliding)), static_excess(std::move(excess)) {}
 

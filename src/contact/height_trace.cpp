@@ -47,7 +47,7 @@ HeightTrace levelled(HeightTrace trace, std::size_t degree) {
   if (degree > max_degree || n <= degree)
     throw std::invalid_argument("a polynomial of degree " + std::to_string(degree) + " taken off " + std::to_string(n) +
                                 " heights");
-  // Orthonormal polynomials on the points themselves, one after the other, each made orthogonal twice.
+  // Orthonormal polynomials on the points, each orthogonalised twice.
   std::vector<std::vector<double>> basis;
   for (std::size_t power = 0; power <= degree; ++power) {
     std::vector<double> next(n);
@@ -80,17 +80,17 @@ HeightTrace smoothed(HeightTrace trace, double cutoff) {
   const double alpha = std::sqrt(std::numbers::ln2 / std::numbers::pi);  // ISO 16610-21
   const std::vector<double> height = trace.height;
   const std::size_t n = height.size();
-  const double reach = 1.5 * cutoff / trace.step;  // where the weight is 2e-14 of that in the middle
-  const auto most = static_cast<std::size_t>(std::min(std::floor(reach), static_cast<double>(n - 1)));
+  const double reach = 1.5 * cutoff / trace.step;  // where the weight is 2e-14 of its maximum
+  const auto max_k = static_cast<std::size_t>(std::min(std::floor(reach), static_cast<double>(n - 1)));
   std::vector<double> weight;
-  for (std::size_t k = 0; k <= most; ++k) {
+  for (std::size_t k = 0; k <= max_k; ++k) {
     const double x = static_cast<double>(k) * trace.step / (alpha * cutoff);
     weight.push_back(elementary::exp(-std::numbers::pi * x * x));
   }
   effort_spent += n * weight.size();
   for (std::size_t i = 0; i < n; ++i) {
     double sum = weight[0] * height[i], weights = weight[0];
-    for (std::size_t k = 1; k <= most; ++k) {
+    for (std::size_t k = 1; k <= max_k; ++k) {
       if (k <= i) sum += weight[k] * height[i - k];
       if (k <= i) weights += weight[k];
       if (i + k < n) sum += weight[k] * height[i + k];

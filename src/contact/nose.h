@@ -1,16 +1,16 @@
-// Whether the loading nose holds the middle of a specimen (theory.md, "Two supports").
+// The effect of the loading nose on the middle of a specimen (theory.md, "Two supports").
 #pragma once
 
 namespace flexslip {
 
-// What a nose does with the middle of a specimen whose sides pull it unlike.
+// Whether friction at the nose fixes the middle of a specimen with unequal forces on its sides.
 enum class Nose {
-  holds,  // both sides slide alike
-  free,   // it has no friction, or turns: the weaker side slides
+  holds,  // both sides slide equally
+  free,   // the nose has no friction, or turns: the weaker side slides
 };
 
-// [1] Of the length that slides over both supports, that by which places on the specimen pass a support that slides: all of it where one does at a
-// time.
+// [1] The distance that a sliding support travels on the specimen, relative to the sliding length
+// of both supports. It is 1 if one support slides at a time.
 constexpr double share_of_sliding(Nose nose) { return nose == Nose::holds ? 0.5 : 1; }
 
 }  // namespace flexslip

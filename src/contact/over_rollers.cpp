@@ -16,47 +16,47 @@
 namespace flexslip {
 namespace {
 
-// How the slope at the contacts grows with the way √(Σ - Σ0): θ0 = 3 w of the fibre hardly bent, and less beyond.
+// An upper bound of the growth of θ0 with √(Σ - Σ0): 3 w at small deflection, less beyond.
 constexpr double slope_by_way = 1.94;
 
 }  // namespace
 
-OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S_most)
+OverRollers::OverRollers(Friction along, Fibre fibre, double direction, double S_max)
     : along_(std::move(along)), fibre_(std::move(fibre)), direction_(direction) {
   if (along_.two_supports()) throw std::invalid_argument("two supports that are not alike are edges, not rollers");
-  if (S_most > 1 && !along_.knots().empty()) add_knots(S_most);
+  if (S_max > 1 && !along_.knots().empty()) add_knots(S_max);
 }
 
-// What lies between the contacts may be shorter than the span, where a drift may have brought more friction.
+// The length between the contacts may be below the span, where a drift may raise friction.
 double OverRollers::max_at_contacts(double S_max) const {
   const double least = 1 - std::numbers::pi * fibre_.supports().radius;
   return along_.max_up_to(S_max) + std::max(along_.drift() < 0 ? along_.drift() * (least - 1) : 0.0, 0.0);
 }
 
 FrictionPoint OverRollers::at(double S) const {
-  const double most = max_at_contacts(S + 1);
-  FrictionPoint met{std::clamp(along_.at(S).mu, 0.0, most), 0};
+  const double max_mu = max_at_contacts(S + 1);
+  FrictionPoint met{std::clamp(along_.at(S).mu, 0.0, max_mu), 0};
   const auto miss_at = [&](double mu) {
     const auto [length, length_S, length_q] = fibre_.contact(S, direction_ * mu);
-    if (!std::isfinite(length_S)) return ValueAndSlope{0, 1};  // no state there: what was met last
+    if (!std::isfinite(length_S)) return ValueAndSlope{0, 1};  // no state: keep the last friction
     const FrictionPoint there = along_.at(length);
     const double slope_in_mu = 1 - direction_ * there.slope * length_q;
     met = {mu, there.slope * length_S / slope_in_mu};
     return ValueAndSlope{mu - there.mu, slope_in_mu};
   };
   constexpr double small = 1e-13;
-  zero_between(miss_at, 0, most, met.mu, small, small);
+  zero_between(miss_at, 0, max_mu, met.mu, small, small);
   return met;
 }
 
-// By Newton's steps, all at once; those that do not get there soon, as at a kink, one by one.
+// Newton's method for all lengths at once; those that do not converge, as at a kink, individually.
 FrictionArrays OverRollers::at(std::span<const double> S) const {
   constexpr double small = 1e-13;
   FrictionArrays met = along_.at(S);
-  std::vector<double> most;
+  std::vector<double> max_mu;
   for (std::size_t i = 0; i < S.size(); ++i) {
-    most.push_back(max_at_contacts(S[i] + 1));
-    met.mu[i] = std::clamp(met.mu[i], 0.0, most[i]);
+    max_mu.push_back(max_at_contacts(S[i] + 1));
+    met.mu[i] = std::clamp(met.mu[i], 0.0, max_mu[i]);
   }
   std::vector<std::size_t> sought(S.size());
   std::iota(sought.begin(), sought.end(), 0);
@@ -70,7 +70,8 @@ FrictionArrays OverRollers::at(std::span<const double> S) const {
     }
     Fibre::ContactArrays contacts = fibre_.contacts({lengths, q});
     for (std::size_t j = 0; j < sought.size(); ++j)
-      if (!std::isfinite(contacts.length_S[j])) contacts.length[j] = 1;  // no state: its NaN slopes leave it to at(S)
+      // no state: the NaN slopes pass it to at(S)
+      if (!std::isfinite(contacts.length_S[j])) contacts.length[j] = 1;
     const FrictionArrays there = along_.at(contacts.length);
     std::size_t left = 0;
     for (std::size_t j = 0; j < sought.size(); ++j) {
@@ -79,7 +80,7 @@ FrictionArrays OverRollers::at(std::span<const double> S) const {
       met.slope[i] = there.slope[j] * contacts.length_S[j] / slope_in_mu;
       const double next = met.mu[i] - (met.mu[i] - there.mu[j]) / slope_in_mu;
       if (std::isfinite(next) && std::abs(next - met.mu[i]) <= small * (1 + met.mu[i])) continue;
-      if (next >= 0 && next <= most[i]) {
+      if (next >= 0 && next <= max_mu[i]) {
         met.mu[i] = next;
         sought[left++] = i;
       } else {
@@ -97,7 +98,8 @@ FrictionArrays OverRollers::at(std::span<const double> S) const {
   return met;
 }
 
-// At most so many smooth scales of what lies between the contacts: y² is Σ less its least value, and S - Σ = -2 r θ0.
+// At most this many smooth scales of the length between the contacts: y² = Σ - Σ0 and S - Σ = -2 r
+// θ0.
 double OverRollers::end_of(double S, double scales, bool inwards) const {
   const double scale = scales * along_.smooth_scale();
   const double a = slope_by_way * fibre_.supports().radius, y = fibre_.sliding_coordinate(S);
@@ -106,8 +108,8 @@ double OverRollers::end_of(double S, double scales, bool inwards) const {
   return std::isinf(scale) ? (inwards ? scale : 1.0) : std::max(fibre_.length_at(end), 1.0);
 }
 
-// Where the knots of the specimen's friction touch: while the fibre rolls back over them, and where it is drawn in over them.
-void OverRollers::add_knots(double S_most) {
+// Adds the sliding lengths at which knots touch: before and after the contacts turn inwards.
+void OverRollers::add_knots(double S_max) {
   const auto knots = along_.knots();
   const double rolled = 2 * fibre_.supports().radius;
   struct Place {
@@ -117,7 +119,7 @@ void OverRollers::add_knots(double S_most) {
     const Fibre::DeflectionState at = fibre_.at_deflection(w, direction_ * mu);
     return Place{fibre_.length_between_contacts(at.state), at.S_w - rolled * at.theta0_w, at.state.S};
   };
-  // The deflection at which the length between the contacts is the least; it falls up to there, and rises then.
+  // The deflection at which the length between the contacts is smallest.
   const double turns = 1.25 * (fibre_.supports().radius + fibre_.supports().half_depth);
   for (const double side : {-1.0, 1.0}) {
     double begin = turns;
@@ -138,7 +140,7 @@ void OverRollers::add_knots(double S_most) {
       constexpr double close = 1e-14;
       const double w = zero_between(beyond_knot, low, high, 0.5 * (low + high), close);
       const double S = place(w, mu).S;
-      if (S > S_most) break;
+      if (S > S_max) break;
       if (S > 1) knots_.push_back(S);
       begin = w;
     }
@@ -147,17 +149,17 @@ void OverRollers::add_knots(double S_most) {
   knots_.erase(std::unique(knots_.begin(), knots_.end()), knots_.end());
 }
 
-double steepest_followed(const Fibre& fibre, double most, double S_most) {
+double steepest_followed(const Fibre& fibre, double max_mu, double S_max) {
   if (fibre.on_edges()) return infinity;
   const double rolled = 2 * fibre.supports().radius;
-  const double first = fibre.sliding_coordinate(1), last = fibre.sliding_coordinate(std::max(S_most, 1.0)),
+  const double first = fibre.sliding_coordinate(1), last = fibre.sliding_coordinate(std::max(S_max, 1.0)),
                shallow = 3 * fibre.supports().half_depth;
   double moved = 0;
-  // At so many parts of a way.
+  // Samples a path at equal intervals.
   const auto sample = [&](int samples, const auto& place_at, const auto& by_friction) {
     std::vector<double> places, q;
     for (int i = 1; i <= samples; ++i)
-      for (const double friction : {-most, 0.0, most}) {
+      for (const double friction : {-max_mu, 0.0, max_mu}) {
         places.push_back(place_at(static_cast<double>(i) / samples));
         q.push_back(friction);
       }
@@ -177,9 +179,9 @@ double steepest_followed(const Fibre& fibre, double most, double S_most) {
   return 1 / moved;
 }
 
-Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most) {
+Friction met(const Friction& along, const Fibre& fibre, double direction, double S_max) {
   if (fibre.supports().radius == 0 || along.is_met()) return along;
-  return Friction::path_dependent(std::make_shared<const OverRollers>(along, fibre, direction, S_most));
+  return Friction::path_dependent(std::make_shared<const OverRollers>(along, fibre, direction, S_max));
 }
 
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction) {
@@ -188,7 +190,7 @@ std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fi
 }
 
 OnSlopes::OnSlopes(Friction in, Friction out) : direction_(1) {
-  if (in.depends_on_way() || out.depends_on_way())
+  if (in.is_path_dependent() || out.is_path_dependent())
     throw std::invalid_argument("the friction of a slope has two ways by itself");
   ways_ = std::make_shared<const Ways>(Ways{std::move(in), std::move(out)});
 }
@@ -201,19 +203,19 @@ namespace {
 
 class Capped final : public PathDependentFriction {
  public:
-  Capped(Friction friction, double cap, double S_most) : friction_(std::move(friction)), cap_(cap) {
-    if (friction_.depends_on_way() || friction_.is_met() || !(cap >= 0))
+  Capped(Friction friction, double cap, double S_max) : friction_(std::move(friction)), cap_(cap) {
+    if (friction_.is_path_dependent() || friction_.is_met() || !(cap >= 0))
       throw std::invalid_argument("only friction of the points of a specimen can be capped, at 0 or more");
     const auto own = friction_.knots();
-    constexpr double least = 0.3;  // that may lie between rollers
+    constexpr double least = 0.3;  // shortest length between rollers
     std::vector<double> ends{least};
-    std::copy_if(own.begin(), own.end(), std::back_inserter(ends), [&](double S) { return S > least && S < S_most; });
-    ends.push_back(S_most);
+    std::copy_if(own.begin(), own.end(), std::back_inserter(ends), [&](double S) { return S > least && S < S_max; });
+    ends.push_back(S_max);
     for (std::size_t i = 1; i < ends.size(); ++i) {
       knots_.push_back(ends[i - 1]);
       add_crossings(ends[i - 1], ends[i]);
     }
-    knots_.push_back(S_most);
+    knots_.push_back(S_max);
   }
 
   FrictionPoint at(double S) const override {
@@ -250,8 +252,8 @@ class Capped final : public PathDependentFriction {
 
 }  // namespace
 
-Friction capped(const Friction& friction, double cap, double S_most) {
-  return Friction::path_dependent(std::make_shared<const Capped>(friction, cap, S_most));
+Friction capped(const Friction& friction, double cap, double S_max) {
+  return Friction::path_dependent(std::make_shared<const Capped>(friction, cap, S_max));
 }
 
 double friction_of_pins(double pin_friction, double pin_radius, double radius) {

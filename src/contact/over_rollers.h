@@ -1,9 +1,10 @@
-// Friction as a fibre meets it that slides over rollers: of the point that touches, which is not the length that has slid; on slopes;
-// and capped by what else gives way.
+// Friction of a specimen that slides over rollers: evaluated at the contact point, which differs
+// from the sliding length; on sloping surfaces; and limited by rollers that turn.
 //
-// The axis between the contacts is shorter than what has been drawn in by what lies on the rollers, and that depends on friction through the
-// slope of the fibre. So friction met at a length is the solution of q = μ(S(Σ, q)), another one drawn in than let out (theory.md, "Rollers and
-// thickness").
+// The axis between the contacts is shorter than the sliding length by the part that lies on the
+// rollers. This part depends on friction through the slope of the specimen. The friction at a
+// sliding length Σ therefore solves q = μ(S(Σ, q)) and differs between sliding in and out
+// (theory.md, "Rollers and thickness").
 #pragma once
 
 #include <memory>
@@ -18,11 +19,13 @@ namespace flexslip {
 
 class OverRollers final : public PathDependentFriction {
  public:
-  // Drawn in, direction = 1, or let out, -1; with the knots met up to S_most.
-  // Domain: a friction of the specimen's points, on rollers (std::invalid_argument otherwise).
-  OverRollers(Friction along, Fibre fibre, double direction, double S_most);
+  // Friction for sliding in (direction = 1) or out (-1), with its knots up to S_max.
+  // Domain:     friction at points of the specimen, on rollers; std::invalid_argument otherwise.
+  OverRollers(Friction along, Fibre fibre, double direction, double S_max);
 
-  // Of a length Σ >= 1. Max error: 1e-12 of the friction, and as the tables of fibre.h. Constant where the fibre has no state.
+  // Domain:     a sliding length S = Σ >= 1.
+  // Max error:  1e-12 of the friction, plus the error of the tables of fibre.h. Constant without a
+  //             state.
   FrictionPoint at(double S) const override;
   FrictionArrays at(std::span<const double> S) const override;
   double smooth_scale() const override { return along_.smooth_scale(); }
@@ -32,35 +35,37 @@ class OverRollers final : public PathDependentFriction {
   bool is_met() const override { return true; }
 
  private:
-  void add_knots(double S_most);
+  void add_knots(double S_max);
   double max_at_contacts(double S_max) const;
 
   Friction along_;
   Fibre fibre_;
   double direction_;
-  std::vector<double> knots_;  // [L] Σ rising
+  std::vector<double> knots_;  // [L] Σ, rising
 };
 
-// [1/L] How steep friction may be along the specimen, |dμ/dS|, for its fibre to be drawn in by up to S_most under friction of up to `most`: the
-// point that touches moves with friction, and where friction changes faster than that, several frictions agree with one length. Infinite on
-// edges of a specimen without thickness.
-// Method:     sampled, at 48 lengths and, before the surface slides in, at 6 deflections, of which it is the last that counts.
-double steepest_followed(const Fibre& fibre, double most, double S_most);
+// [1/L] The largest slope |dμ/dS| for which the friction of a sliding length is unique, up to
+// S_max and a friction of max_mu. The contact point moves with friction; for steeper profiles
+// several frictions match one length. Infinite on knife edges without a thickness.
+// Method:     sampled at 48 lengths and, before the surface slides in, at 6 deflections, of which
+//             the last decides.
+double steepest_followed(const Fibre& fibre, double max_mu, double S_max);
 
-// The friction of the specimen as its fibre meets it: on edges that of its points.
-Friction met(const Friction& along, const Fibre& fibre, double direction, double S_most);
+// The friction along the specimen as a function of the sliding length; unchanged on knife edges.
+Friction met(const Friction& along, const Fibre& fibre, double direction, double S_max);
 
-// Likewise, none on edges, without the work of finding where its knots touch.
+// The same without computing the positions of knots. Empty on knife edges.
 std::optional<Friction> met_without_knots(const Friction& along, const Fibre& fibre, double direction);
 
-// Friction of a surface that a support climbs on one way and comes down on the other: on slopes the friction of both ways differs.
+// Friction on a sloping surface, which differs between sliding in and out.
 //
-// On a slope tan α it is tan(atan μ + α) on the way in and tan(atan μ - α) on the way out (theory.md, "A surface and its friction").
+// On a slope tan α it is tan(atan μ + α) for sliding in and tan(atan μ - α) for sliding out
+// (theory.md, "A surface and its friction").
 
 class OnSlopes final : public PathDependentFriction {
  public:
-  // Begins on the way in.
-  // Domain:     profiles that depend on no way; std::invalid_argument otherwise.
+  // Starts with sliding in.
+  // Domain:     path-independent profiles; std::invalid_argument otherwise.
   OnSlopes(Friction in, Friction out);
 
   using PathDependentFriction::at;
@@ -70,7 +75,7 @@ class OnSlopes final : public PathDependentFriction {
   std::span<const double> knots() const override { return way().knots(); }
   bool continues(double /*S*/, double direction) const override { return direction == direction_; }
   std::shared_ptr<const PathDependentFriction> from(double S, double q, double direction) const override;
-  bool depends_on_way() const override { return true; }
+  bool is_path_dependent() const override { return true; }
 
  private:
   struct Ways {
@@ -83,14 +88,18 @@ class OnSlopes final : public PathDependentFriction {
   double direction_;
 };
 
-// Friction that gets no farther than to where something else gives way: at rollers on pins the pins, once the torque of the specimen turns them.
+// Friction with an upper limit. A roller on a pin turns once the friction torque of the specimen
+// exceeds the torque of the pin.
 
-// The lesser of the friction of the specimen and a cap, at lengths up to S_most.
-// Domain:     a friction of one support, along its points; cap >= 0; std::invalid_argument otherwise.
-// Tolerance:  lengths at which the cap is crossed are bisected to rounding, between samples at a sixteenth of the shortest period.
-Friction capped(const Friction& friction, double cap, double S_most);
+// The smaller of the specimen's friction and a cap, at lengths up to S_max.
+// Domain:     the friction of one support at points of the specimen; cap >= 0;
+//             std::invalid_argument otherwise.
+// Tolerance:  crossings of the cap are bisected to rounding, between samples at a sixteenth of the
+//             shortest period.
+Friction capped(const Friction& friction, double cap, double S_max);
 
-// [1] Friction of rollers on pins, which turn at a torque of pin_friction on the radius of the pin: m/√(1 - m²), m = pin_friction pin_radius/radius.
+// [1] The friction at which a roller turns on its pin: m/√(1 - m²), with m = pin_friction
+// pin_radius/radius.
 // Domain:     m < 1.
 double friction_of_pins(double pin_friction, double pin_radius, double radius);
 

@@ -26,14 +26,14 @@ double friction_on_the_way_back(double apparent, double mu) {
   return slope < mu ? std::max((mu - slope) / (1 + mu * slope), 0.0) : 0;
 }
 
-std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double most) {
-  const double steepest_up = slope_of_friction(most, mu), steepest_down = mu;
+std::optional<TooSteep> too_steep(std::span<const double> path, double step, double mu, double max_mu) {
+  const double steepest_up = slope_of_friction(max_mu, mu), steepest_down = mu;
   std::optional<TooSteep> found;
   double worst = 1;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const double slope = (path[i + 1] - path[i]) / step;
     const double excess = slope > 0 ? slope / steepest_up : -slope / steepest_down;
-    // A friction of exactly 0 is none either.
+    // A friction of exactly 0 is also too small.
     if (excess > worst || (!found && excess == 1 && slope < 0)) {
       worst = std::max(worst, excess);
       found = TooSteep{i, slope};
@@ -58,21 +58,21 @@ std::vector<double> friction_of_heights(std::span<const double> path, double ste
 
 namespace {
 
-// Of two circles of one radius the one that stands farther on is the higher from where they cross. So the sample that is touched does not fall along
-// the trace, and is looked for between those of the neighbours: halves, of halves, of halves.
+// Of two equal circles, the farther one is higher beyond their intersection. The index of the
+// touched sample therefore never decreases, and bisection finds it between the neighbours.
 class Dilation {
  public:
   Dilation(std::span<const double> height, double step, double radius)
       : z_(height), path_(height.begin(), height.end()) {
     const double reach = std::floor(radius / step);
     const auto all = static_cast<double>(height.size());
-    const auto most = static_cast<std::ptrdiff_t>(std::min(reach, all));
-    for (std::ptrdiff_t k = 0; k <= most; ++k) {
+    const auto max_k = static_cast<std::ptrdiff_t>(std::min(reach, all));
+    for (std::ptrdiff_t k = 0; k <= max_k; ++k) {
       const double x = step * static_cast<double>(k);
-      // √(r² - x²) - r without the difference of two large numbers
+      // √(r² - x²) - r without cancellation
       drop_.push_back(-x * x / (radius + std::sqrt(std::max((radius - x) * (radius + x), 0.0))));
     }
-    if (most > 0)
+    if (max_k > 0)
       solve(0, static_cast<std::ptrdiff_t>(height.size()) - 1, 0, static_cast<std::ptrdiff_t>(height.size()) - 1);
   }
 

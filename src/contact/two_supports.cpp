@@ -12,20 +12,21 @@
 namespace flexslip {
 namespace {
 
-// Crests are of one height, as those of one wave are, if they differ by less: rounding decides on no side.
+// Crests closer in height are equal, as crests of one wave are, so that rounding does not choose a
+// side.
 constexpr double alike = 1e-12;
 
-// Friction at a point of the fibre, and its slope along it.
+// The friction at a point of the specimen, and its slope there.
 FrictionPoint at_point(const Friction& side, double x) {
   const auto [mu, slope] = side.at(1 + 2 * x);
   return {mu, 2 * slope};
 }
 
-// The lengths between two at which a profile of friction begins or ends to be held at zero.
+// The lengths between two others at which the friction begins or ceases to be limited at zero.
 std::vector<double> kinks_between(const Friction& side, double from, double to) {
   std::vector<double> kinks;
-  if (!side.may_be_held() || !(to > from)) return kinks;
-  const auto is_held = [&](double S) { return side.unheld(S) < 0; };
+  if (!side.may_reach_zero() || !(to > from)) return kinks;
+  const auto is_held = [&](double S) { return side.without_limit(S) < 0; };
   const double sample = std::min(0.25 * side.smooth_scale(), to - from);
   const auto samples = static_cast<std::size_t>(std::ceil((to - from) / sample));
   for (std::size_t k = 0; k < samples; ++k) {
@@ -43,11 +44,11 @@ void sort_and_merge(std::vector<double>& knots) {
 
 }  // namespace
 
-MeanOfSides::MeanOfSides(Friction left, Friction right, double S_most)
-    : left_(std::move(left)), right_(std::move(right)), S_most_(S_most) {
+MeanOfSides::MeanOfSides(Friction left, Friction right, double S_max)
+    : left_(std::move(left)), right_(std::move(right)), S_most_(S_max) {
   for (const Friction* side : {&left_, &right_}) {
     const auto own = side->knots();
-    const auto kinks = kinks_between(*side, 1, S_most);
+    const auto kinks = kinks_between(*side, 1, S_max);
     knots_.insert(knots_.end(), own.begin(), own.end());
     knots_.insert(knots_.end(), kinks.begin(), kinks.end());
   }
@@ -59,19 +60,19 @@ FrictionPoint MeanOfSides::at(double S) const {
   return {0.5 * (left.mu + right.mu), 0.5 * (left.slope + right.slope)};
 }
 
-// One way, in or out: y is what a side has gone of it.
+// Follows one path, in or out; y is the length that a side has travelled.
 class TwoSupportPath::Tracer {
  public:
-  Tracer(const std::array<Friction, 2>& sides, ContactPoints from, double direction, double most)
-      : sides_(sides), from_{from.left, from.right}, direction_(direction), most_(most) {}
+  Tracer(const std::array<Friction, 2>& sides, ContactPoints from, double direction, double max_travel)
+      : sides_(sides), from_{from.left, from.right}, direction_(direction), max_travel_(max_travel) {}
 
-  // Pieces in the order of the way.
+  // The pieces in the order of the path.
   std::vector<Piece> run() {
     std::vector<Piece> pieces;
     const double mu[2] = {at(0, 0).mu, at(1, 0).mu};
     bool level = std::abs(mu[0] - mu[1]) <= alike * mu[0];
     std::size_t weaker = mu[1] < mu[0] ? 1 : 0;
-    while (!arrived_ && gone() < most_) {
+    while (!arrived_ && gone() < max_travel_) {
       const std::array<double, 2> begin = y_;
       Slides slides = weaker == 0 ? Slides::left : Slides::right;
       if (level && rises(0) && rises(1)) {
@@ -96,16 +97,17 @@ class TwoSupportPath::Tracer {
   double gone() const { return y_[0] + y_[1]; }
   bool rises(std::size_t side) const { return !crest_[side] && at(side, y_[side]).slope > 0; }
 
-  // Of two sides at one level: the one that stands on a crest, else the one whose friction falls more, or rises less.
+  // Chooses between two sides of equal friction: the side on a crest, otherwise the one with the
+  // smaller slope.
   std::size_t first_to_fall() const {
     if (crest_[0] != crest_[1]) return crest_[1] ? 1 : 0;
     const double slope[2] = {at(0, y_[0]).slope, at(1, y_[1]).slope};
     return slope[1] < slope[0] - alike * std::abs(slope[0]) ? 1 : 0;
   }
 
-  // The next place at which a side is looked at: nothing happens twice before it.
+  // The next sample of a side.
   double next_after(std::size_t side, double y) const {
-    constexpr double samples = 0.25;  // of a smooth scale in S, which is a quarter of a period
+    constexpr double samples = 0.25;  // in smooth scales of S, each a quarter of a period
     double next = y + 0.5 * samples * sides_[side].smooth_scale();
     const auto knots = sides_[side].knots();
     const double S = 1 + 2 * (from_[side] + direction_ * y);
@@ -121,10 +123,10 @@ class TwoSupportPath::Tracer {
     return next;
   }
 
-  // Alone, to where its friction has risen to that of the other side; false at the end of the way.
+  // Slides one side until its friction reaches the other friction; false at the end of the path.
   bool slide_alone(std::size_t side) {
     const double level = at(1 - side, y_[1 - side]).mu;
-    const double last = most_ - y_[1 - side];
+    const double last = max_travel_ - y_[1 - side];
     double y = y_[side];
     bool below = at(side, y).mu < level;
     while (y < last) {
@@ -149,42 +151,43 @@ class TwoSupportPath::Tracer {
     return false;
   }
 
-  // It stood at the level and rises from it at once: by rounding alone it was taken for the weaker.
+  // A side that rises at once from the level was mistaken for the weaker one by rounding.
   bool false_start(std::size_t side, double next, double level) {
     y_[side] = first_where(y_[side], next, [&](double y) { return at(side, y).mu > level; });
     return true;
   }
 
-  // Both at one level, to the first crest of either, which slides on alone: returned. Or to the end of the way.
+  // Slides both sides to the first crest of either and returns that side, or to the end of the
+  // path.
   std::size_t slide_both() {
     const double crest[2] = {crest_after(0), crest_after(1)};
     const double height[2] = {at(0, crest[0]).mu, at(1, crest[1]).mu};
     const std::size_t first = height[1] < height[0] * (1 - alike) ? 1 : 0, other = 1 - first;
-    // Of the other side, which rises, up to the same height.
+    // The point at which the other, rising side reaches the same height.
     const auto reached = [&](double height_there) {
       if (at(other, y_[other]).mu >= height_there) return y_[other];
       return first_where(y_[other], crest[other], [&](double y) { return at(other, y).mu >= height_there; });
     };
     const double end = reached(height[first]);
-    if (crest[first] + end <= most_) {
+    if (crest[first] + end <= max_travel_) {
       y_[first] = crest[first];
       y_[other] = end;
       crest_[first] = true;
       return first;
     }
     const double y_end =
-        first_where(y_[first], crest[first], [&](double y) { return y + reached(at(first, y).mu) >= most_; });
+        first_where(y_[first], crest[first], [&](double y) { return y + reached(at(first, y).mu) >= max_travel_; });
     y_[first] = y_end;
-    y_[other] = most_ - y_end;
+    y_[other] = max_travel_ - y_end;
     arrived_ = true;
     return first;
   }
 
-  // Where a side that rises ceases to.
+  // The point at which a rising side reaches its crest.
   double crest_after(std::size_t side) const {
     double y = y_[side];
-    while (y < most_) {
-      const double next = std::min(next_after(side, y), most_);
+    while (y < max_travel_) {
+      const double next = std::min(next_after(side, y), max_travel_);
       if (!(at(side, next).slope > 0)) {
         return first_where(y, next, [&](double at_y) { return !(at(side, at_y).slope > 0); });
       }
@@ -205,35 +208,35 @@ class TwoSupportPath::Tracer {
   const std::array<Friction, 2>& sides_;
   std::array<double, 2> from_;
   double direction_;
-  double most_;                              // [L] of both sides together
-  std::array<double, 2> y_{0, 0};            // [L] gone so far
-  std::array<bool, 2> crest_{false, false};  // stands on one: where it is, it falls
+  double max_travel_;                        // [L] limit for both sides together
+  std::array<double, 2> y_{0, 0};            // [L] travelled
+  std::array<bool, 2> crest_{false, false};  // true on a crest, from which the side falls
   bool arrived_ = false;
 };
 
-TwoSupportPath::TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most)
-    : TwoSupportPath({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_most) {}
+TwoSupportPath::TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_max)
+    : TwoSupportPath({std::move(left), std::move(right)}, from, 1 + from.left + from.right, S_max) {}
 
-TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most)
+TwoSupportPath::TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_max)
     : sides_(std::move(sides)), origin_(origin) {
   for (const Friction& side : sides_)
     if (side.two_supports()) throw std::invalid_argument("the friction of a side is that of two supports");
-  if (!(origin_ >= 1 && S_most >= origin_ && S_most < infinity))
-    throw std::invalid_argument("a path from the length " + std::to_string(origin_) + " to " + std::to_string(S_most));
+  if (!(origin_ >= 1 && S_max >= origin_ && S_max < infinity))
+    throw std::invalid_argument("a path from the length " + std::to_string(origin_) + " to " + std::to_string(S_max));
   pieces_ = Tracer(sides_, from, -1, origin_ - 1).run();
   std::reverse(pieces_.begin(), pieces_.end());
   if (!pieces_.empty()) pieces_.front().from = 1;
   const bool left_is_weaker = !(at_point(sides_[1], from.right).mu < at_point(sides_[0], from.left).mu);
   pieces_.push_back({origin_, origin_, from, from, left_is_weaker ? Slides::left : Slides::right});
-  const auto inwards = Tracer(sides_, from, 1, S_most - origin_).run();
+  const auto inwards = Tracer(sides_, from, 1, S_max - origin_).run();
   pieces_.insert(pieces_.end(), inwards.begin(), inwards.end());
-  pieces_.back().to = S_most;
+  pieces_.back().to = S_max;
   for (std::size_t i = 1; i < pieces_.size(); ++i) pieces_[i].from = pieces_[i - 1].to;
   for (const Piece& piece : pieces_) add_knots(piece);
   sort_and_merge(knots_);
 }
 
-// Where it begins, and where a side that slides meets a knot of its own, or begins or ends to be held at zero.
+// Adds the start of the piece, knots of the sliding sides, and the ends of limitation at zero.
 void TwoSupportPath::add_knots(const Piece& piece) {
   knots_.push_back(piece.from);
   for (const bool of_left : {true, false}) {
@@ -269,13 +272,13 @@ ContactPoints TwoSupportPath::points_in(const Piece& piece, double S) const {
   const double both = left + right + from_begin;
   const double low = std::max(left, both - piece.end.right), high = std::min(piece.end.left, both - right);
   if (!(low < high)) return {high, both - high};
-  // f(left) - g(both - left) rises or falls from one end to the other.
+  // f(left) - g(both - left) is monotone.
   const auto difference = [&](double x) {
     const auto a = at_point(sides_[0], x), b = at_point(sides_[1], both - x);
     return FrictionPoint{a.mu - b.mu, a.slope + b.slope};
   };
   const bool rises = at_point(sides_[0], piece.end.left).mu >= at_point(sides_[0], left).mu;
-  constexpr double rounding = 2e-16;  // of half a span and of x
+  constexpr double rounding = 2e-16;  // relative to half a span and to x
   const double x =
       zero_between(difference, rises ? low : high, rises ? high : low, 0.5 * (low + high), rounding, rounding);
   return {x, both - x};

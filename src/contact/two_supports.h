@@ -1,11 +1,14 @@
-// A fibre on two supports that are not alike: the friction that it shows under a nose that holds its middle, and under one that does not.
+// Friction of a specimen on two different supports, under a nose that fixes its middle and under a
+// free nose.
 //
-// Sides that are not alike pull a nose sideways, by half of the difference of their frictions. A nose that bears that holds the fibre's middle:
-// both sides slide alike, and their mean friction counts. A free one bears nothing, and the weaker side slides. The shape of the fibre does not
-// know which of its points touch, only how much of it lies between the supports: S = 1 + left + right. Each support holds while the mobilised
-// friction, which is one for both, stays below that of its own point; so the weaker side slides, alone where its friction falls or is the lower,
-// and both at once where both rise at one level. Drawn in from somewhere the fibre so meets a friction that depends on S alone, whatever the rig;
-// let out, another one (theory.md, "Two supports").
+// Different sides pull the nose sideways by half of the difference of their frictions. A nose that
+// resists this fixes the middle: both sides slide equally, with their mean friction. Under a free
+// nose the weaker side slides. The shape of the specimen depends only on the length between the
+// supports, S = 1 + left + right. Each support sticks while the mobilised friction, equal on both,
+// is below the friction of its contact point. So one side slides alone while its friction falls or
+// is the smaller, and both slide together while both frictions rise at one level. Friction for
+// sliding in then depends on S alone, for any rig; sliding out has a different one (theory.md,
+// "Two supports").
 #pragma once
 
 #include <algorithm>
@@ -18,11 +21,11 @@
 
 namespace flexslip {
 
-// The mean friction of two sides, at a length up to S_most that both have let in alike.
-// Domain:     profiles, at lengths from 1 on.
+// The mean friction of two sides that slide equally, up to S_max.
+// Domain:     profiles defined for S >= 1.
 class MeanOfSides final : public PathDependentFriction {
  public:
-  MeanOfSides(Friction left, Friction right, double S_most);
+  MeanOfSides(Friction left, Friction right, double S_max);
 
   FrictionPoint at(double S) const override;
   double smooth_scale() const override { return std::min(left_.smooth_scale(), right_.smooth_scale()); }
@@ -38,36 +41,40 @@ class MeanOfSides final : public PathDependentFriction {
   std::vector<double> knots_;
 };
 
-// [L] of fibre drawn in over each support since it was straight; below 0 where a side has let out more.
+// [L] Length that has slid in over each support since the specimen was straight; negative if it
+// slid out.
 struct ContactPoints {
   double left, right;
 };
 
-// The way from a pair of contact points, inwards and outwards.
+// The path from a pair of contact points, inwards and outwards.
 class TwoSupportPath final : public PathDependentFriction {
  public:
-  // Drawn in up to a length S_most, and let out down to the straight fibre. The friction of a side is stated as for both together: at(S) is
-  // that of the point (S - 1)/2 from where the straight fibre touches.
-  // Domain:     sides that are not themselves of two supports; S = 1 + from.left + from.right in [1, S_most]; std::invalid_argument otherwise. Of
-  //             two sides at one level of which one falls, the one that falls the more slides; if both are alike, the left; over a crest as high
-  //             as the friction of the other side, the one that does.
-  // Tolerance:  lengths at which sides change are bisected to rounding; between samples at a sixteenth of the shortest period, and the knots of
-  //             tables, no crest is looked for.
-  TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_most);
+  // Sliding in up to S_max, and out to the straight specimen. The friction of a side is given as
+  // for both sides: at(S) is the friction (S - 1)/2 from the initial contact point.
+  // Domain:     sides that are not themselves two supports; S = 1 + from.left + from.right in [1,
+  //             S_max]; std::invalid_argument otherwise.
+  // Tolerance:  changes of the sliding side are bisected to rounding. Crests are not searched
+  //             between samples at a sixteenth of the shortest period and the knots of tables.
+  // Method:     if both frictions are equal and one falls, the side with the steeper fall slides;
+  //             if the slopes are equal, the left side. At a crest as high as the friction of the
+  //             other side, the side on the crest slides.
+  TwoSupportPath(Friction left, Friction right, ContactPoints from, double S_max);
 
-  // The friction met at a length: drawn in beyond that of `from`, let out below. Constant beyond the ends.
+  // The friction at a length: for sliding in beyond the length of `from`, for sliding out below it.
+  // Constant beyond the ends.
   FrictionPoint at(double S) const override;
 
   ContactPoints points_at(double S) const;
 
-  double origin() const { return origin_; }  // [L] the length from which it leads
+  double origin() const { return origin_; }  // [L] the length at which the path starts
   double end() const { return pieces_.back().to; }
   TwoSupportPath from(double S) const { return {sides_, points_at(S), S, end()}; }
   bool continues(double S, double direction) const override { return direction * (S - origin_) >= 0; }
   std::shared_ptr<const PathDependentFriction> from(double S, double /*q*/, double /*direction*/) const override {
     return std::make_shared<const TwoSupportPath>(from(S));
   }
-  bool depends_on_way() const override { return true; }
+  bool is_path_dependent() const override { return true; }
   std::shared_ptr<const PathDependentFriction> scaled(double factor) const override {
     const std::array<Friction, 2> sides{sides_[0].scaled(factor), sides_[1].scaled(factor)};
     return std::shared_ptr<const TwoSupportPath>(new TwoSupportPath(sides, points_at(origin_), origin_, end()));
@@ -80,22 +87,22 @@ class TwoSupportPath final : public PathDependentFriction {
  private:
   enum class Slides { left, right, both };
 
-  // S rising, whichever way it is gone.
+  // A part of the path, with S rising in either direction.
   struct Piece {
     double from, to;           // [L]
-    ContactPoints begin, end;  // at these
+    ContactPoints begin, end;  // at from and to
     Slides slides;
   };
   class Tracer;
 
-  TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_most);
+  TwoSupportPath(std::array<Friction, 2> sides, ContactPoints from, double origin, double S_max);
   void add_knots(const Piece& piece);
   const Piece& piece_at(double S) const;
   ContactPoints points_in(const Piece& piece, double S) const;
 
   std::array<Friction, 2> sides_;
   double origin_;
-  std::vector<Piece> pieces_;  // S rising
+  std::vector<Piece> pieces_;  // sorted by S
   std::vector<double> knots_;
 };
 

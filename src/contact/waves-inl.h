@@ -1,4 +1,5 @@
-// Cosines of friction's waves, for any number type of fibre/lanes-inl.h. Included once for each instruction set.
+// Cosines of periodic friction for any number type of fibre/lanes-inl.h. Included once for each
+// instruction set.
 #if defined(FLEXSLIP_CONTACT_WAVES_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLEXSLIP_CONTACT_WAVES_INL_H_
 #undef FLEXSLIP_CONTACT_WAVES_INL_H_
@@ -24,8 +25,10 @@ struct CosSin {
   T cos, sin;
 };
 
-// Of an angle in turns, below 2^51: 2 ulp. Turns are reduced to an eighth without rounding; the polynomials are those of fdlibm's
-// __kernel_cos and __kernel_sin.
+// The cosine of an angle in turns.
+// Domain:     |turns| < 2^51.
+// Max error:  2 ulp. The turns are reduced to an eighth without rounding; the polynomials are
+//             __kernel_cos and __kernel_sin of fdlibm.
 template <class T>
 HWY_INLINE CosSin<T> cos_sin_of_turns(const T& turns) {
   const T within = turns - nearest(turns);
@@ -57,7 +60,7 @@ struct WaveSum {
   T mu, slope;
 };
 
-// Held at zero where a drift would carry it below.
+// At least zero, if a drift leads below.
 template <class T>
 HWY_INLINE WaveSum<T> held(const WaveSum<T>& sum) {
   const auto above = T(0.0) < sum.mu;

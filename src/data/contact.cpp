@@ -14,19 +14,19 @@
 namespace flexslip {
 namespace {
 
-// A line through the points between two shares of the greatest force, before that is first passed.
+// The line through the points between two fractions of the maximum force, on the first rise.
 InitialLine line_between(const Record& record, double from, double up_to) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const Estimate unknown{nan, nan, nan, nan};
   const auto failed = [=](ContactStatus status) { return InitialLine{status, unknown, unknown, 0, 0, false}; };
   if (record.force.size() < 5) return failed(ContactStatus::too_few_points);
 
-  const double most = *std::max_element(record.force.begin(), record.force.end());
-  if (!(most > 0)) return failed(ContactStatus::not_rising);
+  const double max_force = *std::max_element(record.force.begin(), record.force.end());
+  if (!(max_force > 0)) return failed(ContactStatus::not_rising);
   std::size_t last = 0;
-  while (last < record.force.size() && record.force[last] <= up_to * most) ++last;
+  while (last < record.force.size() && record.force[last] <= up_to * max_force) ++last;
   std::size_t first = last;
-  while (first > 0 && record.force[first - 1] >= from * most) --first;
+  while (first > 0 && record.force[first - 1] >= from * max_force) --first;
   const std::size_t n = last - first;
   if (n < 5) return failed(ContactStatus::too_few_points);
 
@@ -36,14 +36,15 @@ InitialLine line_between(const Record& record, double from, double up_to) {
   const CommonLine line = common_line(stage, force, deflection);
   if (std::isnan(line.slope)) return failed(ContactStatus::not_rising);
 
-  constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
-  // Residuals of force = a (stage - offset) set the error of the offset, those of force = slope (deflection - offset) that of
-  // the slope.
+  constexpr double max_correlation = 0.95;  // beyond it the region is too short
+  // Residuals of force = a (stage - offset) give the error of the offset. Residuals of force =
+  // slope (deflection - offset) give the error of the slope.
   const Line& by_stage = line.y;
   std::vector<double> off_stage(n);
   for (std::size_t i = 0; i < n; ++i)
     off_stage[i] = force[i] - by_stage.mean_y - by_stage.slope * (stage[i] - by_stage.mean_x);
-  const double lever = by_stage.mean_y / by_stage.slope;  // [m] from the contact to the middle of the points
+  // [m] from the contact to the middle of the points
+  const double lever = by_stage.mean_y / by_stage.slope;
   const double offset = by_stage.mean_x - lever;
   const auto freedom = static_cast<double>(n - 2);
   return {.status = ContactStatus::found,
@@ -69,13 +70,13 @@ InitialLine initial_line(const Record& record) {
     contact = line_between(record, from, up_to);
   }
   if (contact.status != ContactStatus::found) return contact;
-  // A contact that settles hardens: the upper half of the line meets zero force later than the lower one.
+  // A settling contact stiffens: the upper half of the line extrapolates to zero force later.
   const double middle = 0.5 * (from + up_to);
   const InitialLine lower = line_between(record, from, middle), upper = line_between(record, middle, up_to);
   if (lower.status != ContactStatus::found || upper.status != ContactStatus::found) return contact;
-  constexpr double surely = 4;  // standard errors
+  constexpr double min_errors = 4;  // standard errors
   if (upper.offset.value - lower.offset.value <
-      surely * elementary::length(lower.offset.standard_error, upper.offset.standard_error))
+      min_errors * elementary::length(lower.offset.standard_error, upper.offset.standard_error))
     return contact;
   const double above = 2 * up_to - from;
   InitialLine settled = line_between(record, middle, above);
@@ -91,11 +92,13 @@ InitialLine initial_line(const Record& record) {
 
 namespace {
 
-constexpr double band = 4;                      // [noise] one row in 16,000 of a level force leaves it
-constexpr std::size_t min_before_contact = 10;  // [rows] fewer tell neither an offset nor its error
-constexpr double max_correlation = 0.95;        // of neighbouring rows: beyond it a mean tells no error
+// [noise] exceeded by one in 16,000 rows of a constant force
+constexpr double band = 4;
+constexpr std::size_t min_before_contact = 10;  // [rows] needed for an offset and its error
+// between neighbouring rows, to determine the error of a mean
+constexpr double max_correlation = 0.95;
 
-// The rows from the first on whose force stays within the band about the mean of those before.
+// The number of first rows with a force within the band about the mean of the rows before.
 std::size_t level_rows(std::span<const double> force, double noise) {
   double sum = force.front();
   for (std::size_t n = 1; n < force.size(); ++n) {
@@ -118,7 +121,7 @@ ForceZero find_force_zero(std::span<const double> displacement, std::span<const 
 
   const std::size_t level = level_rows(force, noise);
   if (level < min_before_contact || level == force.size()) return none;
-  // The force that the way through the level rows would have raised, at the mean slope from there to the greatest force.
+  // The force that the travel of these rows would have added at the mean slope after them.
   const auto greatest = static_cast<std::size_t>(std::max_element(force.begin(), force.end()) - force.begin());
   const double free_way = displacement[level - 1] - displacement.front();
   const double rising_way = displacement[greatest] - displacement[level - 1];
@@ -147,9 +150,9 @@ double Baseline::at(double displacement) const {
 
 namespace {
 
-// The rows before the contact.
+// The number of rows before contact.
 std::size_t rows_before_contact(std::span<const double> displacement, std::span<const double> force) {
-  const double most = *std::max_element(force.begin(), force.end());
+  const double max_force = *std::max_element(force.begin(), force.end());
   Line level{.mean_x = 0, .mean_y = force.front(), .slope = 0, .sum_xx = 0};
   std::size_t before = 0;
   constexpr int rounds = 3;
@@ -159,16 +162,16 @@ std::size_t rows_before_contact(std::span<const double> displacement, std::span<
       return force[i] - level.mean_y - level.slope * (displacement[i] - level.mean_x);
     };
     std::size_t last = 0;
-    while (last < force.size() && over(last) <= up_to * most) ++last;
+    while (last < force.size() && over(last) <= up_to * max_force) ++last;
     std::size_t first = last;
-    while (first > 0 && over(first - 1) >= from * most) --first;
+    while (first > 0 && over(first - 1) >= from * max_force) --first;
     if (last - first < 3 || first < min_before_contact) return 0;
     const Line rise = line_through(
         last - first, [&](std::size_t i) { return displacement[first + i]; },
         [&](std::size_t i) { return over(first + i); });
     if (!(rise.slope > 0)) return 0;
     const double contact = rise.mean_x - rise.mean_y / rise.slope;
-    const double margin = 0.5 * (displacement[first] - contact);  // the curve bends, and a seat gives way
+    const double margin = 0.5 * (displacement[first] - contact);  // the curve bends at contact
     before = static_cast<std::size_t>(std::lower_bound(displacement.begin(), displacement.end(), contact - margin) -
                                       displacement.begin());
     if (before < min_before_contact) return 0;
@@ -184,7 +187,7 @@ Baseline find_baseline(std::span<const double> displacement, std::span<const dou
   if (n == 0) return {};
   const double begin = displacement.front(), way = displacement[n - 1] - begin;
   Baseline best;
-  double least = infinity;
+  double smallest = infinity;
   const auto try_it = [&](const auto& shape, double settling) {
     const Line line = line_through(
         n, [&](std::size_t i) { return shape(displacement[i] - begin); }, [&](std::size_t i) { return force[i]; });
@@ -194,9 +197,9 @@ Baseline find_baseline(std::span<const double> displacement, std::span<const dou
       residuals[i] = force[i] - line.mean_y - line.slope * (shape(displacement[i] - begin) - line.mean_x);
       squares += residuals[i] * residuals[i];
     }
-    constexpr double clearly = 0.97;  // an exponential is to fit better than a line, to be told from it
-    if (!(squares < clearly * least)) return;
-    least = squares;
+    constexpr double max_ratio = 0.97;  // an exponential must fit better than a line
+    if (!(squares < max_ratio * smallest)) return;
+    smallest = squares;
     const double lost = correlation_lost_to_line(residuals);
     const double range = shape(way) - shape(0);
     const bool is_line = settling == 0;
@@ -215,8 +218,8 @@ Baseline find_baseline(std::span<const double> displacement, std::span<const dou
     const double settling = share * way;
     try_it([=](double x) { return elementary::exp(-x / settling); }, settling);
   }
-  constexpr double surely = 6;
-  return std::abs(best.change) > surely * best.error ? best : Baseline{};
+  constexpr double min_errors = 6;
+  return std::abs(best.change) > min_errors * best.error ? best : Baseline{};
 }
 
 bool is_significant(const ForceZero& zero) {

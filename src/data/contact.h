@@ -1,4 +1,4 @@
-// The straight beginning of a loading curve, and the zero of its force before that.
+// The linear region at the start of a loading curve, and the zero of the force before contact.
 #pragma once
 
 #include <cstddef>
@@ -11,66 +11,74 @@ namespace flexslip {
 
 enum class ContactStatus {
   found,
-  too_few_points,  // fewer than 5 in the range of force looked at: nothing else is valid
-  not_rising,      // the force does not rise there: nothing else is valid
+  too_few_points,  // fewer than 5 points in the force range; the other fields are invalid
+  not_rising,      // the force does not rise in the range; the other fields are invalid
 };
 
 struct InitialLine {
   ContactStatus status;
-  Estimate offset;          // [m] stage position, and so deflection, at which the contact begins
+  Estimate offset;          // [m] stage position, and so deflection, at contact
   Estimate slope;           // [N/m] initial dF/dw0, the stiffness of the specimen
-  std::size_t first, last;  // points [first, last) the line was drawn through
-  bool settles;             // the curve bends where it begins: the line is drawn through what comes above
+  std::size_t first, last;  // the line is fitted to points [first, last)
+  bool settles;             // the curve bends at contact, and the line is fitted above the bend
 };
 
-// The straight beginning of a loading curve, force = slope (deflection - offset), between 0.02 and 0.15 of the maximum force: below, the
-// contact may still be settling; above, curves of large deflection are no longer straight. A record with fewer than 5 points there, as one
-// that begins under a preload, is looked at up to 0.3.
-// Method: force and deflection are both regressed on the stage, which is imposed and so free of their noise; the slope is the
-//         ratio. Standard errors allow for residuals correlated from point to point (AR(1)). Where the upper half of the range meets
-//         zero force later than the lower one, by four standard errors, the contact settles: the line is then that of the upper
-//         half and of as much above the range, and how far the result moves by that is part of its error.
+// The line force = slope (deflection - offset) at the start of a loading curve.
+// The range is 0.02 to 0.15 of the maximum force. Below it the contact may still settle; above it
+// curves of large deflection are no longer straight. With fewer than 5 points there, as under a
+// preload, the range extends to 0.3.
+// Method:     force and deflection are both regressed on the stage position, which is imposed and
+//             so free of their noise; the slope is the ratio. Standard errors allow for
+//             autocorrelated residuals (AR(1)). The contact settles if the upper half of the range
+//             extrapolates to zero force later than the lower half, by four standard errors. The
+//             line then fits the upper half and an equally long range above it, and its error
+//             includes the change that this causes.
 InitialLine initial_line(const Record& record);
 
-// What a load cell shows before it carries anything: the zero of the force, from the rows before the contact.
+// The zero of the force: the reading of the load cell before contact.
 
 enum class ForceZeroStatus {
   found,
-  no_free_rows,  // the record begins in contact, or too few rows before it can be told from it
+  no_free_rows,  // the record begins in contact, or has too few rows before it
 };
 
 struct ForceZero {
   ForceZeroStatus status;
   double offset;       // [N] mean of the rows; 0 unless found
-  double error;        // [N] its standard error; 0 unless found
-  std::size_t points;  // the first of the record, that the mean is of
+  double error;        // [N] standard error; 0 unless found
+  std::size_t points;  // number of first points that the mean includes
 };
 
-// The mean force before the specimen is touched.
-// Domain: columns of one length, displacement rising but for noise, finite; noise [N] of one force reading, at least 0;
-//         std::invalid_argument otherwise.
-// Method: the force is level up to the last of the first rows that stay within 4 noise of their running mean; a specimen in
-//         contact from the first row on would leave that band much earlier. The mean is of the first half of that way, which
-//         keeps the toe, where the contact settles, out of it. Its error allows for drift from row to row (AR(1)).
+// The mean force before contact.
+// Domain:     columns of equal length, finite, the displacement rising except for noise; noise [N]
+//             >= 0 of one force reading; std::invalid_argument otherwise.
+// Method:     the force is constant over the first rows that stay within 4 noise of their running
+//             mean. A specimen in contact from the first row leaves that band much earlier. The
+//             mean covers the first half of these rows, which excludes the toe. Its error allows
+//             for drift from row to row (AR(1)).
 ForceZero find_force_zero(std::span<const double> displacement, std::span<const double> force, double noise);
 
-// A force that is not level before the contact: it drifts, or settles.
+// A force that drifts or settles before contact.
 struct Baseline {
-  std::size_t points = 0;               // of the record, before the contact; 0: too few to tell, or they are level
-  double begin = 0, level = 0;          // [m], [N] at the first of them
+  // points before contact; 0 if too few, or if their force is constant
+  std::size_t points = 0;
+  double begin = 0, level = 0;          // [m], [N] at the first point
   double slope = 0;                     // [N/m]
-  double settles_by = 0, settling = 1;  // [N], [m] over which it settles to 1/e
-  double change = 0, error = 0;         // [N] over the way before the contact, and its standard error
+  double settles_by = 0, settling = 1;  // [N], [m] amplitude and decay length (to 1/e)
+  double change = 0, error = 0;         // [N] total change before contact, and its standard error
 
   double at(double displacement) const;  // [N]
 };
 
-// Domain:     columns of one length, displacement rising but for noise, finite; 11 points or more.
-// Method:     the contact is where a line through 5 to 20 % of the greatest force meets the level of the rows before, twice; of a line and exponentials
-//             through these the one that they scatter least about counts, if its change is six times its error (AR(1)).
+// Domain:     columns of equal length, finite, the displacement rising except for noise; 11 points
+//             or more.
+// Method:     contact is where a line through 5 to 20 % of the maximum force meets the level of the
+//             rows before it; found twice. A straight line and exponentials are fitted to the rows
+//             before contact. The one with the smallest scatter is kept if its change is six times
+//             its error (AR(1)).
 Baseline find_baseline(std::span<const double> displacement, std::span<const double> force);
 
-// Is an offset more than its error makes likely, four times as much?
+// True if the offset exceeds four times its error.
 bool is_significant(const ForceZero& zero);
 
 }  // namespace flexslip

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t shortest_record = 30;
 constexpr std::size_t longest_drop = 3;  // [steps]
-constexpr double of_resolution =
-    2.5;  // a fall by two of its steps may be two roundings and a little noise that they hide
+// two roundings and a little noise that they hide can add up to two steps
+constexpr double of_resolution = 2.5;
 
 void require_faultless(const Record& record) {
   const RecordCheck check = check_record(record);
@@ -23,16 +23,17 @@ void require_faultless(const Record& record) {
     throw std::invalid_argument("no drops of a faulty record: see check_record, index " + std::to_string(check.index));
 }
 
-// Degrees of freedom of StepNoise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110 at 1000.
+// Degrees of freedom of StepNoise, from its scatter in simulations: 8 at 30 points, 33 at 260, 110
+// at 1000.
 double noise_freedom(std::size_t points) { return 5 + static_cast<double>(points) / 10; }
 
-// A stretch of successive falling steps, from point `from` to point `to`.
+// An interval of successive falling steps, from point `from` to point `to`.
 struct FallingSteps {
   std::size_t from, to;
   double significance;
 };
 
-// A snap is over within one step, or within two where the force lags behind it.
+// True if the drop takes one step, or two steps if the force lags.
 bool is_vertical(const std::vector<double>& force, const Drop& drop) {
   constexpr double of_one = 0.6, of_two = 0.75;  // [fall]
   double steepest = 0, steepest_two = 0;
@@ -60,7 +61,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   const auto is_enough = [&](double x) { return !(false_alarms(x) > options.false_alarms_per_test); };
   double beyond = 1;
   while (!is_enough(beyond)) beyond *= 2;
-  // The significance at which false_alarms falls to what is allowed, far finer than the noise is known.
+  // The significance with the allowed number of false alarms, far finer than the noise is known.
   const auto fine = [](const Bracket& x) { return !(x.width() > 1e-9 * x.high); };
   const double needed = halved_until(fine, {0, beyond}, is_enough).low;
 
@@ -91,7 +92,7 @@ Drops find_drops(const Record& record, const DropOptions& options) {
   std::sort(found.begin(), found.end(), [](const FallingSteps& a, const FallingSteps& b) {
     return a.significance != b.significance ? a.significance > b.significance : a.from < b.from;
   });
-  std::vector<double> significance(points, 0);  // of the stretch that holds the step to point i
+  std::vector<double> significance(points, 0);  // of the interval that contains the step to point i
   for (const FallingSteps& stretch : found) {
     const auto begin = significance.begin() + static_cast<std::ptrdiff_t>(stretch.from) + 1;
     const auto end = significance.begin() + static_cast<std::ptrdiff_t>(stretch.to) + 1;

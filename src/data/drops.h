@@ -1,4 +1,5 @@
-// Drops of the force in a loading test: sudden falls that neither the noise nor the smooth course of the curve explains.
+// Detection of force drops: sudden decreases that neither noise nor the smooth trend of the curve
+// explains.
 #pragma once
 
 #include <cstddef>
@@ -9,56 +10,64 @@
 namespace flexslip {
 
 struct DropOptions {
-  // [1] drops to be expected in a test of this length without slips, see find_drops
+  // [1] expected number of false drops in a test of this length without slips, see find_drops
   double false_alarms_per_test = 0.1;
-  // Points after which the stage halted, rising: what the force did meanwhile is no drop.
+  // Points after which the stage stops, rising. A change of force during a stop is not a drop.
   std::vector<std::size_t> halts{};
 };
 
 struct Drop {
-  std::size_t before;  // point before the drop
-  std::size_t after;   // point after it: before + 1, unless the drop took several steps
-  double force_fall;   // [N] force[before] - force[after] > 0
-  double advance;      // [m] deflection[after] - deflection[before]
-  double
-      significance;  // [1] fall beyond that of the smooth curve, in standard deviations of the noise; of the steepest part
+  std::size_t before;  // last point before the drop
+  // first point after the drop: before + 1, or later if the drop takes several steps
+  std::size_t after;
+  double force_fall;  // [N] force[before] - force[after] > 0
+  double advance;     // [m] deflection[after] - deflection[before]
+  // [1] fall minus the fall of the smooth curve, over the standard deviation of the noise; of the
+  // steepest part
+  double significance;
 };
 
 enum class DropStatus {
-  ok,         // all fields are valid; no drops is an answer
-  too_short,  // fewer than 30 points: the noise cannot be told; nothing else is valid
+  ok,         // all fields are valid, also without drops
+  too_short,  // fewer than 30 points, too few to determine the noise; the other fields are invalid
 };
 
 struct Drops {
   DropStatus status;
   std::vector<Drop> drops;  // in the order of the record, not overlapping
-  std::vector<Drop>
-      slow_falls;  // likewise, those that take too many steps for a snap: sliding on falling friction, yielding, or relaxation at rest
-  double smallest_fall;  // [N] a fall in one step smaller than this counts as noise
+  // Falls with too many steps for a snap: sliding on decreasing friction, yielding, or relaxation.
+  // Ordered as drops are.
+  std::vector<Drop> slow_falls;
+  double smallest_fall;  // [N] a smaller fall in one step counts as noise
 };
 
-// The drops of a record. Take off what follows the failure first (find_failure).
+// The drops of a record. First remove the points after failure (find_failure).
 //
-// What the rate means: on a smooth curve, rising or falling, whose force carries Gaussian noise of the level measured (independent
-// or correlated from point to point), at most false_alarms_per_test drops are found on average: about that many where the curve
-// falls, fewer where it rises, as there noise must first undo the rise. tests/data/drops_test.cpp asserts it on simulated tests.
-// What it does not promise: the irregularity of real tests has heavier tails, and some of that is slip. Resampled from the quiet
-// parts of the authors' tests it gives, at a stated 0.1, about 0.3 false alarms on a curve like theirs, and 1.6 on one that
-// falls for two thirds of the test. A smooth fall so steep that its slope changes by much more than the noise within 20 points
-// (a fibre about to snap through) is taken for drops.
+// False alarms: on a smooth curve with Gaussian noise of the measured size, at most
+// false_alarms_per_test drops are found on average. The noise may be autocorrelated. The number is
+// close to the limit where the curve falls and smaller where it rises, because noise must first
+// cancel the rise. tests/data/drops_test.cpp asserts this on simulated tests.
+// Real tests are irregular, with heavier tails, partly due to slip. At a stated 0.1, resampled
+// quiet parts of published tests give about 0.3 false alarms on a curve like theirs. On a curve
+// that falls for two thirds of the test they give 1.6. A smooth fall is taken for drops if its
+// slope changes by much more than the noise within 20 points, as just before a specimen slips
+// through.
 //
-// Domain: a record without faults (check_record); 0 < false_alarms_per_test; std::invalid_argument otherwise.
-// Fails:  too_short.
-// Method: over one to three successive falling steps from i to j (a longer drop is found by its steepest part)
-//             x = (min(0, smooth fall) - (F_j - F_i)) / noise over j - i steps,
-//         with smooth_steps and StepNoise of record.h. The tail of Student's t (the noise is itself an estimate) at x, times the
-//         number of stretches looked at, is the number of false alarms to be expected; it must not exceed that allowed.
-//         A fall is beyond 2.5 steps of the resolution, too, which hides noise from StepNoise.
-//         Of overlapping stretches the most significant counts; stretches that touch are one drop. A snap is vertical: one step takes six
-//         tenths of its fall, or two steps beside each other three quarters; what falls more slowly is a slow fall.
-//         Noise is absolute, so low force needs nothing special: near contact, where the force is hardly more than noise, the
-//         same falls are required as anywhere else. That a drop runs along slope -k_c in (w0, F) is used nowhere: F = k_c (w_s -
-//         w0) holds for every step, slip or noise, so it tells nothing.
+// Domain:     a record without faults (check_record); false_alarms_per_test > 0;
+//             std::invalid_argument otherwise.
+// Fails:      too_short.
+// Method:     for one to three successive falling steps from i to j (a longer drop is found by its
+//             steepest part)
+//                 x = (min(0, smooth fall) - (F_j - F_i)) / noise over j - i steps,
+//             with smooth_steps and StepNoise of record.h. The expected number of false alarms is
+//             the tail of Student's t at x (the noise is an estimate) times the number of intervals
+//             tested. A drop must also exceed 2.5 resolution steps, because a coarse resolution
+//             hides the noise from StepNoise. Of overlapping intervals the most significant is
+//             kept; adjacent intervals form one drop. A snap is vertical: one step takes six tenths
+//             of its fall, or two adjacent steps three quarters; any other fall is a slow fall. The
+//             noise is absolute, so the same falls are required near contact as elsewhere. The
+//             slope -k_c in (w0, F) is no criterion: F = k_c (w_s - w0) holds for every step, slip
+//             or noise.
 Drops find_drops(const Record& record, const DropOptions& options = {});
 
 }  // namespace flexslip

@@ -9,23 +9,23 @@
 namespace flexslip {
 namespace {
 
-// From a peak of the force to the next trough.
+// A fall from a peak of the force to the next trough.
 struct Fall {
   std::size_t peak, trough;
-  double at_once;  // [N] the most that it loses within 1.5 % of the travel
+  double at_once;  // [N] largest loss within 1.5 % of the travel
 };
 
-// A loading up to its farthest stage.
+// A loading up to its largest stage position.
 class Loading {
  public:
   explicit Loading(const Record& record) : stage_(record.stage), force_(record.force) {
     const auto farthest = std::max_element(stage_.begin(), stage_.end()) - stage_.begin();
     points_ = static_cast<std::size_t>(farthest) + 1;
     const auto highest = std::max_element(force_.begin(), force_.begin() + farthest + 1);
-    most_ = *highest;
+    max_force_ = *highest;
     travel_ = stage_[static_cast<std::size_t>(highest - force_.begin())] - stage_[0];
     noise_ = noise();
-    if (most_ > 0) find_falls();
+    if (max_force_ > 0) find_falls();
   }
 
   Failure failure() const {
@@ -34,7 +34,7 @@ class Loading {
     std::size_t first = last;
     for (std::size_t k = last; k-- > 0;) {
       if (stage_[falls_[first].peak] - stage_[falls_[k].trough] > reach * travel_) break;
-      if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * most_ || stands_out(k, a_twentieth))) first = k;
+      if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * max_force_ || stands_out(k, a_twentieth))) first = k;
     }
     const std::size_t points = begin_of(falls_[first]);
     if (points == all) return {FailureStatus::none, all, all};
@@ -42,7 +42,7 @@ class Loading {
   }
 
  private:
-  static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6;  // [most]
+  static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6;  // [maximum force]
   static constexpr double window = 0.015, reach = 0.07;                       // [travel]
 
   double highest_from(std::size_t point) const {
@@ -50,7 +50,7 @@ class Loading {
                              force_.begin() + static_cast<std::ptrdiff_t>(points_));
   }
 
-  // Of one reading, by the bends from point to point, most of which are not those of the curve.
+  // [N] noise of one reading, from second differences, most of them due to noise.
   double noise() const {
     if (points_ < 3) return 0;
     std::vector<double> bends;
@@ -60,16 +60,16 @@ class Loading {
   }
 
   void find_falls() {
-    const double least = std::max(0.003 * most_, 4 * noise_);
+    const double min_fall = std::max(0.003 * max_force_, 4 * noise_);
     std::size_t peak = 0, trough = 0;
     bool falls = false;
     const auto add = [&] {
-      std::size_t bottom = peak;  // where it has fallen, whatever noise does afterwards
-      while (force_[bottom] > force_[trough] + least) ++bottom;
+      std::size_t bottom = peak;  // the end of the fall, before any later noise
+      while (force_[bottom] > force_[trough] + min_fall) ++bottom;
       falls_.push_back({peak, bottom, lost_at_once(peak, bottom)});
     };
     for (std::size_t i = 1; i < points_; ++i) {
-      if (falls && force_[i] - force_[trough] > least) {
+      if (falls && force_[i] - force_[trough] > min_fall) {
         add();
         falls = false;
         peak = i;
@@ -77,7 +77,7 @@ class Loading {
         if (force_[i] < force_[trough]) trough = i;
       } else if (force_[i] >= force_[peak]) {
         peak = i;
-      } else if (force_[peak] - force_[i] > least) {
+      } else if (force_[peak] - force_[i] > min_fall) {
         falls = true;
         trough = i;
       }
@@ -85,7 +85,7 @@ class Loading {
     if (falls) add();
   }
 
-  // [N] Within 1.5 % of the travel behind a point, to the next one at least.
+  // [N] The loss within 1.5 % of the travel after a point, or up to the next point.
   double lost_from(std::size_t point, std::size_t trough) const {
     double lost = 0;
     for (std::size_t i = point + 1; i <= trough; ++i) {
@@ -96,30 +96,31 @@ class Loading {
   }
 
   double lost_at_once(std::size_t peak, std::size_t trough) const {
-    double most = 0;
-    for (std::size_t i = peak; i < trough; ++i) most = std::max(most, lost_from(i, trough));
-    return most;
+    double largest = 0;
+    for (std::size_t i = peak; i < trough; ++i) largest = std::max(largest, lost_from(i, trough));
+    return largest;
   }
 
   bool is_for_good(const Fall& fall) const { return highest_from(fall.trough) < force_[fall.peak]; }
 
-  bool stands_out(std::size_t fall, double least) const {
+  bool stands_out(std::size_t fall, double min_share) const {
     double before = 0;
     for (std::size_t k = 0; k < fall; ++k) before = std::max(before, falls_[k].at_once);
-    return falls_[fall].at_once >= std::max(least * most_, 4 * before);
+    return falls_[fall].at_once >= std::max(min_share * max_force_, 4 * before);
   }
 
-  // Nothing follows the loading, or at once less than half the maximum.
-  bool bears_nothing_more() const {
+  // True if the record ends here, or less than half the maximum follows at once.
+  bool carries_less_than_half() const {
     for (std::size_t i = points_; i < force_.size() && stage_[points_ - 1] - stage_[i] <= window * travel_; ++i)
-      if (force_[i] < 0.5 * most_) return true;
+      if (force_[i] < 0.5 * max_force_) return true;
     return points_ == force_.size();
   }
 
-  // The fall from which the force never comes back to half its maximum, or with which the record ends; falls_.size() if it survived.
+  // The fall after which the force stays below half its maximum, or which ends the record;
+  // falls_.size() if there is none.
   std::size_t last_fall() const {
     std::size_t low = points_;
-    while (low > 0 && force_[low - 1] < 0.5 * most_) --low;
+    while (low > 0 && force_[low - 1] < 0.5 * max_force_) --low;
     if (low < points_) {
       const auto through = std::find_if(falls_.begin(), falls_.end(),
                                         [low](const Fall& fall) { return fall.peak < low && low <= fall.trough; });
@@ -128,45 +129,48 @@ class Loading {
       while (before > through->peak && stage_[low] - stage_[before - 1] <= window * travel_) --before;
       const auto fall = static_cast<std::size_t>(through - falls_.begin());
       const double lost = lost_from(before, through->trough);
-      return lost >= a_twentieth * most_ && (is_left_bare(fall) || lost >= 1.5 * most_lost_before(fall))
+      return lost >= a_twentieth * max_force_ &&
+                     (leaves_almost_no_force(fall) || lost >= 1.5 * largest_loss_before(fall))
                  ? fall
                  : falls_.size();
     }
     constexpr std::size_t next_to_the_end = 3;
-    const bool ends_so = !falls_.empty() && bears_nothing_more() && points_ - falls_.back().trough <= next_to_the_end &&
-                         stands_out(falls_.size() - 1, a_tenth);
+    const bool ends_so = !falls_.empty() && carries_less_than_half() &&
+                         points_ - falls_.back().trough <= next_to_the_end && stands_out(falls_.size() - 1, a_tenth);
     return ends_so ? falls_.size() - 1 : falls_.size();
   }
 
-  // Does hardly any force remain of a fall, or of those that follow at once? What slips bears on.
-  bool is_left_bare(std::size_t fall) const {
+  // True if a fall, with those that follow at once, leaves almost no force. A slip leaves more.
+  bool leaves_almost_no_force(std::size_t fall) const {
     const std::size_t trough = falls_[fall].trough;
     for (std::size_t i = trough; i < points_ && stage_[i] - stage_[trough] <= reach * travel_; ++i)
-      if (force_[i] < a_tenth * most_) return true;
+      if (force_[i] < a_tenth * max_force_) return true;
     return false;
   }
 
-  // [N] At once, farther before a fall than breaks in steps reach.
-  double most_lost_before(std::size_t fall) const {
-    double most = 0;
+  // [N] The largest loss before the range in which a break in steps may lie.
+  double largest_loss_before(std::size_t fall) const {
+    double largest = 0;
     for (std::size_t k = 0; k < fall; ++k)
       if (stage_[falls_[fall].peak] - stage_[falls_[k].trough] > reach * travel_)
-        most = std::max(most, falls_[k].at_once);
-    return most;
+        largest = std::max(largest, falls_[k].at_once);
+    return largest;
   }
 
-  // Points up to where a fall begins in earnest, on to the last that has hardly lost anything.
+  // The last point before the main fall, extended over points that have lost almost no force.
   std::size_t begin_of(const Fall& fall) const {
-    const double loses = std::min(a_twentieth * most_, fall.at_once);
+    const double loses = std::min(a_twentieth * max_force_, fall.at_once);
     const auto first_that_loses = [&](std::size_t from) {
       while (from < fall.trough && lost_from(from, fall.trough) < loses) ++from;
       return from;
     };
     std::size_t late = fall.peak;
-    while (stage_[fall.trough] - stage_[late] > reach * travel_ && lost_from(late, fall.trough) < much * most_) ++late;
+    while (stage_[fall.trough] - stage_[late] > reach * travel_ && lost_from(late, fall.trough) < much * max_force_)
+      ++late;
     std::size_t begin = first_that_loses(late);
-    if (begin == fall.trough) begin = first_that_loses(fall.peak);  // it lost that before, and crept on
-    const double level = force_[begin] - std::max(0.003 * most_, 4 * noise_);
+    // the loss came earlier, then a creep
+    if (begin == fall.trough) begin = first_that_loses(fall.peak);
+    const double level = force_[begin] - std::max(0.003 * max_force_, 4 * noise_);
     std::size_t last = begin;
     while (last < fall.trough && force_[last + 1] > level) ++last;
     return last + 1;
@@ -175,7 +179,8 @@ class Loading {
   const std::vector<double>& stage_;
   const std::vector<double>& force_;
   std::size_t points_;
-  double travel_, most_, noise_;  // up to the greatest force, that, and of a reading
+  // travel up to the maximum force, that force, noise of a reading
+  double travel_, max_force_, noise_;
   std::vector<Fall> falls_;
 };
 

@@ -1,4 +1,4 @@
-// Coefficients of friction that the literature gives, for pairs of materials that a case states.
+// Friction coefficients from the literature for the pair of materials that a case states.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,12 @@ struct Materials {
 
 struct LiteratureFriction {
   std::string_view specimen, support;
-  double low, high;         // [1] least and greatest
-  std::string_view source;  // the measurements
+  double low, high;         // [1] range of the measurements
+  std::string_view source;  // reference of the measurements
 };
 
-// Source:     Table 1 of Fang, Kochiyama & Kesari (2021) and what it cites.
-// Fails:      none where the table has no such pair.
+// The friction coefficient of a pair of materials; empty if the table does not contain the pair.
+// Source:     Table 1 of Fang, Kochiyama & Kesari (2021) and its references.
 std::optional<LiteratureFriction> friction_in_literature(const Materials& materials);
 
 }  // namespace flexslip

@@ -50,20 +50,20 @@ class Spikes {
   }
 
  private:
-  // Does the force rise from one point to a later one by no more than the load train makes it?
+  // True if the load train allows the rise of the force between the two points.
   bool can_follow(std::size_t before, std::size_t after) const {
     const double travel = std::max(stage_[after] - stage_[before], 0.0);
     return force_[after] - force_[before] <= stiffness_ * travel + noise_;
   }
 
-  // The point that can follow that before the rise again; the rise itself if none does soon.
+  // The first point, soon after the rise, that can follow the point before it; otherwise the rise.
   std::size_t end_of_peak(std::size_t rise) const {
     for (std::size_t end = rise + 1; end < force_.size() && end - rise <= longest_spike; ++end)
       if (can_follow(rise - 1, end) && force_[end - 1] - force_[end] > noise_) return end;
     return rise;
   }
 
-  // The first of the points before a rise that lie below what it comes back to; the rise itself if there are none.
+  // The first point below the later force before a rise; the rise itself if there is none.
   std::size_t begin_of_dip(std::size_t rise) const {
     for (std::size_t begin = rise - 1; begin > 0 && rise - begin <= longest_spike; --begin)
       if (can_follow(begin - 1, rise) && force_[begin - 1] - force_[begin] > noise_) return begin;
@@ -72,7 +72,7 @@ class Spikes {
 
   const std::vector<double>& stage_;
   const std::vector<double>& force_;
-  double noise_, stiffness_;  // [N] that a step may differ by; [N/m]
+  double noise_, stiffness_;  // [N] allowed difference of a step; [N/m]
 };
 
 }  // namespace
@@ -89,7 +89,7 @@ class StrayPositions {
     std::vector<double> steps;
     for (std::size_t i = 1; i < stage.size(); ++i)
       if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
-    usual_ = steps.empty() ? 0 : median_of(std::move(steps));
+    typical_step_ = steps.empty() ? 0 : median_of(std::move(steps));
   }
 
   std::vector<std::size_t> found() const {
@@ -110,26 +110,29 @@ class StrayPositions {
   }
 
  private:
-  static constexpr double far_ = 20;  // [usual step]
+  static constexpr double min_jump = 20;  // [typical step]
 
   double step_to(std::size_t i) const { return i == 0 ? 0.0 : std::abs(stage_[i] - stage_[i - 1]); }
 
-  bool jumps_to(std::size_t i) const { return usual_ > 0 && step_to(i) > far_ * std::max(usual_, step_to(i - 1)); }
-
-  // Is it back at a point where it was before the jump, or where its usual steps since have led it?
-  bool is_back(std::size_t jump, std::size_t point) const {
-    constexpr double slack = 3;
-    return std::abs(stage_[point] - stage_[jump - 1]) <= slack * usual_ * static_cast<double>(point + 1 - jump);
+  bool jumps_to(std::size_t i) const {
+    return typical_step_ > 0 && step_to(i) > min_jump * std::max(typical_step_, step_to(i - 1));
   }
 
-  // The point at which it is back soon; the jump itself if it is not.
+  // True if the stage is where it was before the jump, or where typical steps lead since.
+  bool is_back(std::size_t jump, std::size_t point) const {
+    constexpr double slack = 3;
+    return std::abs(stage_[point] - stage_[jump - 1]) <= slack * typical_step_ * static_cast<double>(point + 1 - jump);
+  }
+
+  // The point at which it returns soon; the jump itself if it does not.
   std::size_t end_of_stray(std::size_t jump) const {
     for (std::size_t end = jump + 1; end < stage_.size() && end - jump <= longest_spike; ++end)
       if (is_back(jump, end)) return end;
     return jump;
   }
 
-  // Likewise after it said one and the same, and the force went on between what it is before and after, and a tenth of that beyond.
+  // The point at which it returns after a run of equal values. The force must lie between its
+  // values before and after, extended by a tenth.
   std::size_t end_of_one_word(std::size_t jump) const {
     std::size_t end = jump;
     while (end < stage_.size() && stage_[end] == stage_[jump]) ++end;
@@ -143,11 +146,11 @@ class StrayPositions {
   }
 
   bool jumps_back_at(std::size_t end, std::size_t jump) const {
-    return step_to(end) > far_ * usual_ && is_back(jump, end);
+    return step_to(end) > min_jump * typical_step_ && is_back(jump, end);
   }
 
   std::span<const double> stage_, force_;
-  double usual_;  // step
+  double typical_step_;  // median
 };
 
 }  // namespace
@@ -162,7 +165,7 @@ std::vector<std::size_t> find_halts(const std::vector<double>& stage) {
     if (stage[i] != stage[i - 1]) steps.push_back(std::abs(stage[i] - stage[i - 1]));
   if (steps.empty()) return {};
   const double one_place = median_of(std::move(steps)) / 200;
-  std::vector<std::size_t> begins{0};  // of each place
+  std::vector<std::size_t> begins{0};  // first row of each position
   for (std::size_t i = 1; i < stage.size(); ++i)
     if (std::abs(stage[i] - stage[begins.back()]) > one_place) begins.push_back(i);
   begins.push_back(stage.size());
@@ -181,13 +184,13 @@ std::vector<std::size_t> find_halts(const std::vector<double>& stage) {
 
 namespace {
 
-// Where the force is at its end; those at which it stays there follow.
+// The interval in which the force stays at its maximum.
 struct Plateau {
   std::size_t first, last;
-  double band;  // [N] within which it stays
+  double band;  // [N] allowed range of the force
 };
 
-// Would the force have risen by far more than the band, and by a hundredth of all, had it gone on as before?
+// True if the earlier slope predicts a rise far above the band and a hundredth of the maximum.
 bool would_have_risen(const Record& record, const Plateau& plateau, std::size_t points_before) {
   const auto& [stage, deflection, force] = record;
   if (plateau.first < points_before) return false;
@@ -205,7 +208,7 @@ std::size_t points_before_wrap(std::span<const double> force) {
   constexpr double nearly = 0.9;
   double far = 0;
   for (const double each : force) far = std::max(far, nearly * std::abs(each));
-  constexpr std::size_t before = 3;  // points that lead there: a glitch comes from nowhere
+  constexpr std::size_t before = 3;  // points that approach the limit: a glitch has none
   for (std::size_t i = before; i < force.size(); ++i) {
     if (!(std::min(std::abs(force[i - 1]), std::abs(force[i])) > far && force[i - 1] * force[i] < 0)) continue;
     const auto lead = force.subspan(i - before, before);
@@ -224,18 +227,18 @@ std::size_t points_before_overload(const Record& record) {
   double resolution = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i <= first; ++i)
     if (force[i] != force[i - 1]) resolution = std::min(resolution, std::abs(force[i] - force[i - 1]));
-  // Five readings so close to the greatest are hardly met by noise, and what yields is as noisy as it was on the rise.
-  constexpr std::size_t few = 5;
-  constexpr double of_noise = 0.5, nearly = 0.9;
+  // Noise rarely puts five readings so close to the maximum. A yielding specimen keeps its noise.
+  constexpr std::size_t min_points = 5;
+  constexpr double noise_share = 0.5, nearly = 0.9;
   const auto rise = static_cast<std::size_t>(
       std::find_if(force.begin(), force.end(), [&](double each) { return each > nearly * *greatest; }) - force.begin());
-  const double band = of_noise * force_noise(rise >= least_noise_points ? first_points(record, rise) : record);
+  const double band = noise_share * force_noise(rise >= least_noise_points ? first_points(record, rise) : record);
   Plateau plateau{first, first, std::max(band, resolution)};
   while (plateau.first > 0 && force[plateau.first - 1] >= *greatest - band) --plateau.first;
   while (plateau.last + 1 < force.size() && force[plateau.last + 1] >= *greatest - band) ++plateau.last;
   const std::size_t count = plateau.last + 1 - plateau.first;
-  // As it rose before over a stretch that is short beside a smooth top.
-  const bool ends = count >= few && would_have_risen(record, plateau, std::max(few, count / 4));
+  // Compared with the slope over an interval that is short relative to a smooth maximum.
+  const bool ends = count >= min_points && would_have_risen(record, plateau, std::max(min_points, count / 4));
   return ends ? plateau.first + 1 : force.size();
 }
 

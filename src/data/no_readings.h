@@ -1,4 +1,5 @@
-// Rows of a record that no specimen can have made: spikes, dropouts, lost packets, and what lies beyond the end of the load cell.
+// Invalid readings of a record: spikes, dropouts, lost packets, and readings beyond the range of
+// the load cell.
 #pragma once
 
 #include <cstddef>
@@ -9,34 +10,43 @@
 
 namespace flexslip {
 
-// Points whose force is none of the specimen's: it rises by more than the load train could make it rise while the stage moved so far, and comes back
-// within three points; or comes back so, after it fell.
-// Domain:     at least 11 points, in loading; stiffness > 0 [N/m], of the load train, infinite if it is none: then three times the steepest rise of the smooth
-//             curve stands for it.
-// Fails:      none where it would be more than a twentieth of the points: such a force shakes, and its readings are what they are.
-// Method:     beyond six standard deviations of a step, by the noise where the record is quiet and by what half of all steps exceed.
+// Points with an invalid force. The force leaves its course, upwards or downwards, and returns
+// within three points. Its rise exceeds what the load train allows for the stage travel.
+// Domain:     at least 11 points, in loading; stiffness [N/m] > 0 of the load train. If it is
+//             infinite, three times the steepest rise of the smooth curve replaces it.
+// Fails:      empty if more than a twentieth of the points qualify: the force then fluctuates, and
+//             its readings are valid.
+// Method:     the threshold is six standard deviations of a step, from the noise of quiet parts and
+//             from the median step.
 std::vector<std::size_t> find_spikes(const Record& record, double stiffness);
 
-// Points whose position is none of the stage's: it jumps there, by more than 20 of its usual steps and of those beside, and is back where it was within
-// three points; or after however many that all say the same, while the force goes on as beside: a word of the logger for what it could not read.
-// Domain:     columns of one length, in any unit.
-// Fails:      none where they would be more than a twentieth of the points, or a half by such a word: such a stage goes to and fro.
+// Points with an invalid position. It jumps by more than 20 typical steps and 20 neighbouring
+// steps, and returns within three points. A longer excursion is invalid if all its positions are
+// equal while the force continues: the logger then wrote a code for a missing value.
+// Domain:     columns of equal length, in any unit.
+// Fails:      empty if more than a twentieth of the points qualify, or more than half with such a
+//             code: the stage then moves to and fro.
 std::vector<std::size_t> find_stray_positions(std::span<const double> stage, std::span<const double> force);
 
-// Readings while the stage halts, but the first of each place; rising.
-// Domain:     a stage in any unit.
-// Method:     points within 0.5 % of the median step of the first of them are at one place. It is a hold if they are five or more, and
-//             more than three times as many as are at a place in the median: where several readings are taken at each, all of them count.
+// Readings taken while the stage is stationary, except the first at each position; rising.
+// Domain:     stage in any unit.
+// Method:     points within 0.5 % of the median step of the first one share a position. They form a
+//             hold if they are at least five and more than three times the median number per
+//             position. If several readings are taken at every position, all of them count.
 std::vector<std::size_t> find_halts(const std::vector<double>& stage);
 
-// How many points lie before a force leaps from nearly its greatest magnitude to as much of the other sign, as no specimen pulls: a counter that is full
-// begins anew. Three points lead there; a glitch to and fro comes from nowhere. All points if it never does.
+// The number of points before the counter of the load cell overflows; all points if it never does.
+// An overflow is a jump from nearly the largest magnitude to an equally large force of the other
+// sign, which no specimen causes. At least three points must approach the limit, which
+// distinguishes an overflow from a glitch.
 std::size_t points_before_wrap(std::span<const double> force);
 
-// How many points a load cell shows before it is at its end: where the force rises and then stays within half of its noise of its greatest value for five
-// points or more, in which it would have risen by far more than that had it gone on. What yields is as noisy as before, and a smooth top bends into its
-// flat part: they are none. Or where its counter wraps (points_before_wrap). All points if it never does.
-// Domain:     columns of one length.
+// The number of points before the load cell saturates or its counter overflows
+// (points_before_wrap); all points if it never does. Saturation is a rise that ends in five or more
+// points within half the noise of the maximum, where the earlier slope predicts a far larger rise.
+// A specimen that yields keeps its noise, and a smooth maximum bends gradually: neither is
+// saturation.
+// Domain:     columns of equal length.
 std::size_t points_before_overload(const Record& record);
 
 }  // namespace flexslip

@@ -22,11 +22,13 @@ namespace flexslip {
 namespace {
 
 constexpr std::size_t half_window =
-    10;  // steps either side: 21 hold a slope to 0.3 σ and are short against a curve's bend
-constexpr std::size_t noise_window = 30;   // steps: long enough for a scale to 15 %, short enough to fit between slips
-constexpr std::size_t noise_stride = 5;    // steps from window to window
-constexpr double quiet_fraction = 0.1;     // of the windows: what a test that slips half the time still leaves
-constexpr std::size_t min_residuals = 10;  // below that a scale is a guess
+    10;  // steps on either side: 21 determine a slope to 0.3 σ, with little effect of curvature
+// steps: a scale to 15 %, and short enough to fit between slips
+constexpr std::size_t noise_window = 30;
+constexpr std::size_t noise_stride = 5;  // steps between windows
+// of the windows: a test that slips half the time has them
+constexpr double quiet_fraction = 0.1;
+constexpr std::size_t min_residuals = 10;  // the minimum for a scale
 
 void require_one_length(std::span<const double> a, std::span<const double> b) {
   if (a.size() == b.size()) return;
@@ -58,7 +60,7 @@ std::vector<double> mapped(std::span<const double> values, Operation operation) 
   return result;
 }
 
-// The slope of the force over one step of the stage, and what it weighs: a step of no travel tells nothing.
+// The slope of the force over one step of the stage, and its weight: the travel.
 struct StepSlope {
   double slope;   // [N/m]
   double weight;  // [m]
@@ -73,14 +75,15 @@ std::vector<StepSlope> step_slopes(const Record& record) {
   return steps;
 }
 
-// The middle slopes of windows that move along the steps, each sorted from the order of the one before.
+// The median slopes of moving windows; each sort starts from the order of the previous window.
 class MiddleSlopes {
  public:
-  // Domain:     so many steps either side of every centre, at most half_window.
+  // Domain:     at most half_window, with this many steps on either side of each centre.
   MiddleSlopes(std::span<const StepSlope> steps, std::size_t half) : steps_(steps), half_(half) {}
 
-  // The g that minimises Σ weight |slope - g|, a weighted median, of a window whose slopes are straightened by a bend [N/m per step] first: without
-  // that, the median of a curve that bends by more than its noise is the middle step itself, noise and all.
+  // The weighted median g, which minimises Σ weight |slope - g|, of slopes corrected by a bend [N/m
+  // per step]. Without the correction the median of a strongly curved trend is the middle step
+  // itself, with its noise.
   double about(std::size_t centre, double bend) {
     effort_spent += 1;
     const std::span<const StepSlope> window = steps_.subspan(centre - half_, 2 * half_ + 1);
@@ -99,7 +102,7 @@ class MiddleSlopes {
       for (; to > 0 && slopes[order_[to - 1]] > slopes[next]; --to) order_[to] = order_[to - 1];
       order_[to] = next;
     }
-    if (!(total > 0)) return 0;  // the stage stood still
+    if (!(total > 0)) return 0;  // the stage is stationary
     double median = slopes[order_[0]], below = 0;
     for (std::size_t i = 0; i < n && below < 0.5 * total; ++i) {
       median = slopes[order_[i]];
@@ -109,7 +112,7 @@ class MiddleSlopes {
   }
 
  private:
-  // The order of the window before, of which the first step goes and one comes at the end.
+  // Keeps the order of the previous window: the first step leaves, one step is appended.
   void move_to(std::size_t centre) {
     const std::size_t n = 2 * half_ + 1;
     if (centre == centre_ + 1) {
@@ -122,11 +125,12 @@ class MiddleSlopes {
 
   std::span<const StepSlope> steps_;
   std::size_t half_;
-  std::size_t centre_ = std::numeric_limits<std::size_t>::max() - 1;  // of no window yet
+  std::size_t centre_ = std::numeric_limits<std::size_t>::max() - 1;  // before the first window
   std::array<std::size_t, 2 * half_window + 1> order_;
 };
 
-// What the quietest tenth of the windows shows of the true scale, for Gaussian noise: fitted to simulations of 30 to 3000 points.
+// The ratio of the quietest tenth of the windows to the true scale for Gaussian noise, fitted to
+// simulations of 30 to 3000 points.
 double shown_by_quietest(std::size_t windows) {
   return 0.70 + 0.30 * elementary::exp(-0.1 * static_cast<double>(windows));
 }
@@ -225,14 +229,15 @@ std::vector<double> smooth_steps(const Record& record) {
   if (n == 0) return {};
 
   const std::size_t h = std::min(half_window, (n - 1) / 2);
-  const std::size_t head = h, tail = n - 1 - h;  // the first and the last step with a window of h around it
+  const std::size_t head = h, tail = n - 1 - h;  // the first and the last step with a full window
   std::vector<double> rough(n);
   MiddleSlopes unbent(slopes, h), straightened(slopes, h);
   for (std::size_t i = head; i <= tail; ++i) rough[i] = unbent.about(i, 0);
 
   std::vector<double> smooth(n);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t centre = std::clamp(i, head, tail);  // at the ends the outermost window is continued
+    // at the ends the outermost window is used
+    const std::size_t centre = std::clamp(i, head, tail);
     const std::size_t from = centre - std::min(h, centre - head), to = std::min(centre + h, tail);
     const double bend = to > from ? (rough[to] - rough[from]) / static_cast<double>(to - from) : 0;
     const double ahead = static_cast<double>(i) - static_cast<double>(centre);
@@ -244,7 +249,8 @@ std::vector<double> smooth_steps(const Record& record) {
 double resolution_of(std::vector<double> readings) {
   std::sort(readings.begin(), readings.end());
   const double rounding =
-      1e-12 * std::max(std::abs(readings.front()), std::abs(readings.back()));  // decimal fractions, subtracted
+      // the rounding of decimal fractions
+      1e-12 * std::max(std::abs(readings.front()), std::abs(readings.back()));
   double smallest = std::numeric_limits<double>::infinity();
   std::vector<double> gaps;
   for (std::size_t i = 1; i < readings.size(); ++i) {
@@ -254,8 +260,9 @@ double resolution_of(std::vector<double> readings) {
     gaps.push_back(gap);
   }
   if (gaps.empty()) return 0;
-  if (gaps.size() + 1 < readings.size()) return smallest;  // two are alike
-  // Gaps of three sizes or more that are all whole numbers of one step: a straight line without noise has one.
+  if (gaps.size() + 1 < readings.size()) return smallest;  // two are equal
+  // True if at least three sizes of gaps are all multiples of the step: a noiseless straight line
+  // has a single size.
   const auto are_steps_of = [&](double step) {
     std::set<double> sizes;
     for (const double gap : gaps) {
@@ -266,9 +273,9 @@ double resolution_of(std::vector<double> readings) {
     }
     return sizes.size() >= 3;
   };
-  constexpr std::size_t enough = 20;
-  constexpr int most = 10;  // of steps in the smallest gap
-  for (int parts = 1; gaps.size() >= enough && parts <= most; ++parts)
+  constexpr std::size_t min_values = 20;
+  constexpr int max_parts = 10;  // steps in the smallest gap
+  for (int parts = 1; gaps.size() >= min_values && parts <= max_parts; ++parts)
     if (are_steps_of(smallest / parts)) return smallest / parts;
   return 0;
 }
@@ -293,7 +300,7 @@ double StepNoise::over(std::size_t steps) const {
     for (std::size_t j = i; j < i + steps; ++j) residual[i] -= smooth_[j];
   }
 
-  // Windows in which the reading never changes show a load cell asleep, not a quiet one.
+  // Windows with a constant reading indicate a frozen load cell; they are not quiet.
   const std::size_t width = std::min(noise_window, residual.size());
   std::vector<double> scales;
   std::vector<double> deviations(width);
@@ -309,7 +316,7 @@ double StepNoise::over(std::size_t steps) const {
   std::sort(scales.begin(), scales.end());
   const double quietest = quantile_in_order(scales, quiet_fraction);
 
-  // Two readings rounded to a resolution differ by it with a standard deviation of resolution/√6.
+  // The difference of two rounded readings has a standard deviation of resolution/√6.
   return std::max(quietest / shown_by_quietest(windows), resolution_ / std::sqrt(6.0));
 }
 
@@ -337,7 +344,7 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   if (!(travel > 0)) return {};
 
   constexpr double of_travel = 0.25, of_noise = 5, of_way = 0.5;
-  const double least_at_first = of_travel * travel;
+  const double min_travel_at_first = of_travel * travel;
   std::optional<double> noise;
   const auto is_beyond_noise = [&](double way) {
     if (!noise) noise = stage_noise(stage);
@@ -347,7 +354,7 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   std::vector<Leg> legs;
   std::size_t first = 0;
   std::size_t lowest = 0;                            // since the last turning point
-  std::size_t highest = 0;                           // likewise
+  std::size_t highest = 0;                           // since the last turning point
   double low = stage.front(), high = stage.front();  // so far
   const auto turn = [&](std::size_t at, Direction ended) {
     legs.push_back({first, at + 1, ended});
@@ -360,8 +367,8 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
     if (stage[i] > stage[highest]) highest = i;
     low = std::min(low, stage[i]);
     high = std::max(high, stage[i]);
-    const double enough = std::max(least_at_first, of_way * (high - low));
-    const auto has_turned = [&](double way) { return way > travel || (way > enough && is_beyond_noise(way)); };
+    const double first_travel = std::max(min_travel_at_first, of_way * (high - low));
+    const auto has_turned = [&](double way) { return way > travel || (way > first_travel && is_beyond_noise(way)); };
     const bool rose = has_turned(stage[i] - stage[lowest]);
     const bool fell = has_turned(stage[highest] - stage[i]);
     if (!started) {
@@ -384,9 +391,9 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
 }
 
 std::vector<double> medians_of_five(std::span<const double> values) {
-  constexpr std::size_t enough = 30, count = 5, middle = count / 2;
+  constexpr std::size_t min_values = 30, count = 5, middle = count / 2;
   std::vector<double> medians(values.begin(), values.end());
-  if (values.size() < enough) return medians;
+  if (values.size() < min_values) return medians;
   for (std::size_t i = 0; i < values.size(); ++i) {
     std::array<double, count> sorted{};
     std::copy_n(
@@ -411,7 +418,8 @@ Signs find_signs(std::span<const double> displacement, std::span<const double> f
   const auto by_compression = [=](double a, double b) { return force_sign * a < force_sign * b; };
   auto least = greatest == calm.begin() ? std::min_element(greatest, calm.end(), by_compression)
                                         : std::min_element(calm.begin(), greatest, by_compression);
-  // Of rows that bear as little, some on a way back before the test, the last before the greatest.
+  // The last row with a small force before the maximum, because earlier ones may belong to a return
+  // of the stage.
   constexpr double as_little = 0.05;  // [rise]
   const double little = as_little * std::abs(*greatest - *least), fewest = *least;
   for (auto row = least; row < greatest; ++row)

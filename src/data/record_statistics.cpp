@@ -29,14 +29,14 @@ WidestStep widest_step(const std::vector<double>& stage) {
 }
 
 Sinking sinking(const std::vector<double>& force, const std::vector<Drop>& drops) {
-  constexpr std::size_t enough = 20;
-  if (force.size() < enough) return {};
+  constexpr std::size_t min_points = 20;
+  if (force.size() < min_points) return {};
   const double greatest = *std::max_element(force.begin(), force.end());
   if (!(greatest > 0)) return {};
   const std::vector<double> smooth = medians_of_five(force);
   Sinking deepest;
   std::size_t top = 0;
-  double by_drops = 0;  // since then
+  double by_drops = 0;  // since the maximum
   auto drop = drops.begin();
   for (std::size_t i = 0; i < smooth.size(); ++i) {
     for (; drop != drops.end() && drop->after <= i; ++drop) by_drops += drop->force_fall;
@@ -50,12 +50,12 @@ Sinking sinking(const std::vector<double>& force, const std::vector<Drop>& drops
   return deepest;
 }
 
-// What changes in a drop beyond what changed in the rows before it.
+// The changes during a drop, beyond the trend of the rows before it.
 struct InDrop {
-  double farther;  // [m] the specimen bends
-  double leap;     // [m] the stage moves
-  double way;      // [m] the stage moves as before
-  double relief;   // [N] of the load train
+  double farther;     // [m] additional deflection
+  double leap;        // [m] additional movement of the stage
+  double travel;      // [m] movement of the stage at its earlier rate
+  double force_drop;  // [N] decrease of the force
 };
 
 std::vector<InDrop> changes_in_drops(const Record& record, const std::vector<Drop>& drops) {
@@ -75,8 +75,8 @@ std::vector<InDrop> changes_in_drops(const Record& record, const std::vector<Dro
     if (!(beyond(record.force) < 0)) continue;
     all.push_back({.farther = beyond(record.deflection),
                    .leap = beyond(record.stage),
-                   .way = usual(record.stage),
-                   .relief = -beyond(record.force)});
+                   .travel = usual(record.stage),
+                   .force_drop = -beyond(record.force)});
   }
   return all;
 }
@@ -89,13 +89,13 @@ TrainInDrops train_in_drops(const Record& record, const std::vector<Drop>& drops
   std::vector<double> compliances;  // [m/N]
   double leaps = 0, reliefs = 0, squares = 0;
   for (const InDrop& drop : changes) {
-    compliances.push_back(drop.farther / drop.relief);
-    train.misfits += std::abs(drop.farther - stated * drop.relief) > 0.5 * stated * drop.relief + drop.way;
-    leaps += drop.leap * drop.relief;
-    reliefs += drop.relief * drop.relief;
+    compliances.push_back(drop.farther / drop.force_drop);
+    train.misfits += std::abs(drop.farther - stated * drop.force_drop) > 0.5 * stated * drop.force_drop + drop.travel;
+    leaps += drop.leap * drop.force_drop;
+    reliefs += drop.force_drop * drop.force_drop;
   }
   for (const InDrop& drop : changes) {
-    const double rest = drop.leap - leaps / reliefs * drop.relief;
+    const double rest = drop.leap - leaps / reliefs * drop.force_drop;
     squares += rest * rest;
   }
   train.compliance = median_of(compliances);

@@ -1,4 +1,5 @@
-// What a record shows of how it was taken, and of its drops, without mechanics: statistics from which findings are read (finding/findings.cpp).
+// Statistics of the sampling and the drops of a record, without mechanics. Findings use them
+// (finding/findings.cpp).
 #pragma once
 
 #include <cstddef>
@@ -11,42 +12,50 @@
 
 namespace flexslip {
 
-// The farthest that the stage moves from one row to the next.
+// The largest movement of the stage between successive rows.
 struct WidestStep {
-  std::size_t behind = 0;      // point before it
+  std::size_t behind = 0;      // the point before it
   double length = 0;           // [m]
-  double usual = 0;            // [m] median of all steps
-  double share_of_travel = 0;  // [1] of the way from the first point to the last
+  double usual = 0;            // [m] median step
+  double share_of_travel = 0;  // [1] of the distance between the first and the last point
 };
 
-// The farthest that the force, of medians of five rows, falls below what it was before, drops apart; it may rise again.
+// The largest decrease of the force, drops excluded. The force is smoothed by medians of five rows
+// and may recover.
 struct Sinking {
-  std::size_t from = 0;  // point at which it begins to fall
-  double share = 0;  // [1] of the greatest force; 0 of a record of fewer than 20 points, or without a force above zero
+  std::size_t from = 0;  // the point at which the decrease begins
+  // [1] of the maximum force; 0 with fewer than 20 points or without a positive force
+  double share = 0;
 };
 
-// What changes in drops beyond what changed in the rows before them. A load train of a stiffness k gives back (fall of the force)/k, which bends
-// the specimen farther while the stage moves on evenly.
+// The changes during drops, beyond the trend of the rows before them. A load train of stiffness k
+// recovers (force drop)/k, which bends the specimen while the stage moves uniformly.
 struct TrainInDrops {
-  std::size_t drops = 0;  // that tell: with a row since the drop before, and a force that falls beyond its course
+  // usable drops: with a row after the preceding drop, and a force that drops below its trend
+  std::size_t drops = 0;
   std::size_t misfits =
-      0;  // in which what the specimen bends farther is off by more than half of fall/k, and by more than the stage moves meanwhile
-  double compliance = 0;  // [m/N] median of (what the specimen bends farther)/fall
+      // Drops whose change of deflection differs from drop/k by more than half of it and by more
+      // than the stage movement.
+      0;
+  double compliance = 0;  // [m/N] median of (change of deflection)/drop
   double leap =
-      0;  // [1] what the stage leaps ahead, in parts of fall/k: 0 of a stage, 1 of a deflection that was taken for one
-  double leap_error = not_a_number;  // [1] standard error, of two drops or more
+      // [1] Advance of the stage, relative to drop/k: 0 for a stage, 1 for a deflection mistaken
+      // for a stage.
+      0;
+  double leap_error = not_a_number;  // [1] standard error, with two or more drops
 };
 
 struct RecordStatistics {
   RoundedDrops rounded{};
-  double rows_between_drops =
-      not_a_number;  // median number of rows from one drop to the next; NaN of fewer than three drops
+  // Median number of rows between drops; NaN with fewer than three drops.
+  double rows_between_drops = not_a_number;
   WidestStep widest_step{};
   Sinking sinking{};
   TrainInDrops train{};
 };
 
-// Domain:     a record without faults (check_record); drops of it, in order; load_train_stiffness [N/m] > 0, may be infinite: then leap is not valid.
+// Domain:     a record without faults (check_record); its drops, in order; load_train_stiffness
+//             [N/m] > 0. If that is infinite, leap is invalid.
 RecordStatistics statistics_of(const Record& record, const std::vector<Drop>& drops, double load_train_stiffness);
 
 }  // namespace flexslip

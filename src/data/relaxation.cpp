@@ -29,7 +29,7 @@ std::vector<StageRest> find_rests(const std::vector<double>& displacement, std::
 
 std::optional<Relaxation> relaxation_at(const std::vector<StageRest>& rests, std::size_t rows_of_loading,
                                         double noise) {
-  double rows = 0, fall = 0, variance = 0, impulse = 0;  // the last [N rows]
+  double rows = 0, fall = 0, variance = 0, impulse = 0;  // impulse of the last: [N rows]
   for (const StageRest& rest : rests) {
     const auto length = static_cast<double>(rest.last - rest.first);
     rows += length;

@@ -1,4 +1,4 @@
-// What the force loses while the stage rests: the specimen relaxes, or its rig.
+// The force lost while the stage is stationary, because the specimen or the rig relaxes.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,31 @@
 
 namespace flexslip {
 
-// The stage stays at one place for rows [first, last].
+// The rows [first, last] with the stage at one position.
 struct StageRest {
   std::size_t first, last;
-  double fall;   // [N] from the force of the first row to the mean of the last quarter
-  double force;  // [N] that the specimen carries there, from its own zero
+  double fall;   // [N] force of the first row minus mean of the last quarter
+  double force;  // [N] force on the specimen, corrected for the zero
 };
 
 struct Relaxation {
-  std::size_t rests, rows;  // of the rows, those after the first of each rest
-  Estimate share;           // [1] of the force, lost in all rests together
-  double over_loading;      // [1] of the force, lost in the whole loading at the same rate
+  std::size_t rests, rows;  // `rows` excludes the first row of each rest
+  Estimate share;           // [1] relative loss of force in all rests together
+  double over_loading;      // [1] relative loss during the whole loading at the same rate
 };
 
-// The rests of a record, as find_halts tells them; `force` is that of the column.
-// Domain:     columns of one length, the displacement in any unit.
+// The rests of a record, found by find_halts; `force` is the force column.
+// Domain:     columns of equal length, the displacement in any unit.
 std::vector<StageRest> find_rests(const std::vector<double>& displacement, std::span<const double> force);
 
-// Domain:     a loading of so many rows, taken at a constant rate; noise [N] >= 0 of one force.
-// Fails:      nothing where the falls are less than three of their standard errors, or no rest carries a force.
-// Max error:  a loading loses 0.5 to 2.2 times over_loading in nine of ten cases, for a standard linear solid as slow as 5 to 50 % of the record and
-//             for relaxation with the logarithm of time (bench/relaxation.py).
-// Method:     a force falls in proportion to itself and to time.
+// The relaxation rate of a record.
+// Domain:     a loading of rows_of_loading rows at a constant rate; noise [N] >= 0 of one force
+//             reading.
+// Fails:      empty if the losses are below three standard errors, or if no rest carries a force.
+// Max error:  in nine of ten cases the loading loses 0.5 to 2.2 times over_loading. This holds for
+//             a standard linear solid with a time constant of 5 to 50 % of the record, and for
+//             logarithmic relaxation (bench/relaxation.py).
+// Method:     the loss is proportional to the force and to time.
 std::optional<Relaxation> relaxation_at(const std::vector<StageRest>& rests, std::size_t rows_of_loading, double noise);
 
 }  // namespace flexslip

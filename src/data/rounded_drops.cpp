@@ -12,22 +12,22 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t beside = 2;  // steps before and after a drop that are compared
+constexpr std::size_t compared = 2;  // compared steps on either side of a drop
 
-// A drop, by what its steps fall beyond the smooth curve [N].
+// A drop and the falls of its neighbouring steps relative to the smooth trend [N].
 struct Rounded {
-  std::array<double, beside> before, after;  // the nearest step first
+  std::array<double, compared> before, after;  // the nearest step first
   double fall;
 
   double longer() const { return sum(after) - sum(before); }
-  static double sum(const std::array<double, beside>& steps) {
+  static double sum(const std::array<double, compared>& steps) {
     return std::accumulate(steps.begin(), steps.end(), 0.0);
   }
 };
 
-// What some part of the drops is of their falls, all together.
+// The ratio of a part of the drops to their falls, for all drops together.
 struct Share {
-  double value, scatter;  // [1] standard error by how it differs between them
+  double value, scatter;  // [1] standard error from the scatter between drops
 };
 
 template <class Part>
@@ -43,21 +43,21 @@ Share share_of(const std::vector<Rounded>& drops, Part part) {
 }
 
 std::vector<Rounded> drops_of(const Record& record) {
-  constexpr std::size_t fewest = 30;  // as find_drops has it
+  constexpr std::size_t min_count = 30;  // as in find_drops
   std::vector<Rounded> drops;
-  if (record.force.size() < fewest) return drops;
+  if (record.force.size() < min_count) return drops;
   const std::vector<double> smooth = smooth_steps(record);
-  constexpr double surely = 5;  // standard deviations of a step
+  constexpr double min_errors = 5;  // standard deviations of a step
   const double noise = StepNoise(record, smooth).over(1);
   std::vector<double> fall;  // of each step
   for (std::size_t i = 0; i < smooth.size(); ++i)
     fall.push_back(std::max(smooth[i], 0.0) - (record.force[i + 1] - record.force[i]));
-  for (std::size_t i = beside; i + beside < fall.size(); ++i) {
+  for (std::size_t i = compared; i + compared < fall.size(); ++i) {
     const auto at = fall.begin() + static_cast<std::ptrdiff_t>(i);
-    if (!(record.force[i + 1] < record.force[i]) || !(*at > surely * noise)) continue;
-    if (*std::max_element(at - beside, at + beside + 1) > *at) continue;
+    if (!(record.force[i + 1] < record.force[i]) || !(*at > min_errors * noise)) continue;
+    if (*std::max_element(at - compared, at + compared + 1) > *at) continue;
     Rounded drop{{}, {}, *at};
-    for (std::size_t k = 0; k < beside; ++k) {
+    for (std::size_t k = 0; k < compared; ++k) {
       drop.before[k] = fall[i - k - 1];
       drop.after[k] = fall[i + k + 1];
     }
@@ -66,21 +66,22 @@ std::vector<Rounded> drops_of(const Record& record) {
   return drops;
 }
 
-// [1] The same of snaps at any time between two rows, behind a low-pass.
+// [1] The expected statistic for snaps at random times between two rows, after a low-pass.
 double longer_by_lag(double rows) {
   constexpr int snaps = 64;
   double longer = 0, all = 0;
   for (int snap = 0; snap < snaps; ++snap) {
-    const double first = (snap + 0.5) / snaps;   // [rows] from the snap to the next row
-    std::array<double, 2 * beside + 2> steps{};  // the first that falls is in the middle, or beside it
+    const double first = (snap + 0.5) / snaps;  // [rows] from the snap to the next row
+    // the first falling step is in the middle or next to it
+    std::array<double, 2 * compared + 2> steps{};
     double left = 1;
-    for (std::size_t k = 0; beside + k < steps.size(); ++k) {
+    for (std::size_t k = 0; compared + k < steps.size(); ++k) {
       const double then = elementary::exp(-(first + static_cast<double>(k)) / rows);
-      steps[beside + k] = left - then;
+      steps[compared + k] = left - then;
       left = then;
     }
-    const std::size_t steepest = steps[beside] >= steps[beside + 1] ? beside : beside + 1;
-    for (std::size_t k = 1; k <= beside; ++k) longer += steps[steepest + k] - steps[steepest - k];
+    const std::size_t steepest = steps[compared] >= steps[compared + 1] ? compared : compared + 1;
+    for (std::size_t k = 1; k <= compared; ++k) longer += steps[steepest + k] - steps[steepest - k];
     all += steps[steepest];
   }
   return longer / all;
@@ -89,8 +90,8 @@ double longer_by_lag(double rows) {
 double lag_of(const std::vector<Rounded>& drops) {
   const Share share = share_of(drops, [](const Rounded& drop) { return drop.longer(); });
   const auto count = static_cast<double>(drops.size());
-  constexpr double of_one =
-      0.15;  // [1] by when it comes between two rows; three that agree by chance are not as sure as they look
+  // [1] due to the time between two rows; the scatter of three drops can be small by chance
+  constexpr double of_one = 0.15;
   const double error = elementary::length(share.scatter, of_one / std::sqrt(count));
   constexpr double no_lag = 0.1;
   if (!(share.value - (1.3 + 1 / count) * error > no_lag)) return 0;
@@ -99,23 +100,24 @@ double lag_of(const std::vector<Rounded>& drops) {
   return halved_until(fine, lags, [&](double lag) { return longer_by_lag(lag) > share.value; }).low;
 }
 
-// In the steps next to it a drop falls on by a third of its own or more, and by about as much on either side: behind a low-pass less is before it.
+// The width of a symmetric filter. The adjacent steps on both sides fall by at least a third of the
+// drop, and equally; a low-pass acts less before the drop.
 double spread_of(const std::vector<Rounded>& drops) {
   const Share before = share_of(drops, [](const Rounded& drop) { return drop.before.front(); });
   const Share after = share_of(drops, [](const Rounded& drop) { return drop.after.front(); });
-  constexpr double surely = 2, one_row = 1.0 / 3, alike = 0.8;
-  const auto is_spread = [&](const Share& share) { return share.value - surely * share.scatter > one_row; };
+  constexpr double min_errors = 2, one_row = 1.0 / 3, alike = 0.8;
+  const auto is_spread = [&](const Share& share) { return share.value - min_errors * share.scatter > one_row; };
   if (!is_spread(before) || !is_spread(after) || before.value < alike * after.value) return 0;
   const Share all =
       share_of(drops, [](const Rounded& drop) { return Rounded::sum(drop.before) + Rounded::sum(drop.after); });
   return 1 + std::max(all.value, before.value + after.value);
 }
 
-// Does the force differ less from one row to the next than white noise would, beside what it differs over three?
+// True if the force varies less from row to row, relative to three rows, than for white noise.
 bool is_smooth_from_row_to_row(const Record& record) {
   const std::vector<double> smooth = smooth_steps(record);
   const StepNoise noise(record, smooth);
-  constexpr double of_white = 1.4;  // 1 without a filter, 1.7 behind the mildest
+  constexpr double of_white = 1.4;  // 1 without a filter, 1.7 for the mildest filter
   return noise.over(3) > of_white * noise.over(1);
 }
 
@@ -123,8 +125,8 @@ bool is_smooth_from_row_to_row(const Record& record) {
 
 RoundedDrops rounded_drops(const Record& record) {
   const std::vector<Rounded> drops = drops_of(record);
-  constexpr std::size_t fewest = 3;
-  if (drops.size() < fewest) return {drops.size(), 0, 0};
+  constexpr std::size_t min_count = 3;
+  if (drops.size() < min_count) return {drops.size(), 0, 0};
   const double spread = spread_of(drops);
   return {drops.size(), lag_of(drops), spread > 0 && is_smooth_from_row_to_row(record) ? spread : 0};
 }

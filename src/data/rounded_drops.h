@@ -1,4 +1,4 @@
-// Drops that a force follows too slowly, as a low-pass of the load cell or a loop of the machine rounds them off; or that a filter has spread to both sides.
+// Drops that are smoothed by a slow load cell (a causal low-pass) or by a symmetric filter.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,30 @@
 namespace flexslip {
 
 struct RoundedDrops {
-  std::size_t drops;  // told by so many
-  // [rows] Time constant of the low-pass that would round them so; 0: they are not rounded, or too few tell.
+  std::size_t drops;  // number of usable drops
+  // [rows] Time constant of the equivalent low-pass; 0 if drops are sharp, or too few are usable.
   double lag;
-  double
-      spread;  // [rows] over which a filter that looks both ways has spread a drop; 0: over less than two, or too few tell
+  // [rows] Half width of the equivalent symmetric filter; 0 if below two, or if too few drops are
+  // usable.
+  double spread;
 };
 
+// The smoothing of the drops of a record.
 // Domain:     one loading without faults (check_record).
-// Method:     Where friction makes the force fall slowly it does so before a snap; after it the force rises. Behind a low-pass it falls on. Of the steps that fall by
-//             more than five standard deviations below the smooth curve, the deepest of its neighbours each: how much more the two after it fall
-//             than the two before, over its own fall, all of them together. Rounded, if that is above a tenth by 1.3 + 1/drops of its error, of
-//             three drops or more. The lag is that of which a snap at any time between two rows gives as much.
-//             Behind a filter that looks both ways it falls on before and after it: spread, if that is above a third of its own fall in the step to
-//             either side, by twice its error, and about as much on both. Friction that decreases slowly can make a fall as gentle,
-//             but leaves the noise white: the force must also differ less from row to row, beside what it does over three.
-// Accuracy:   of 30 simulated records each at a lag of 0, 1 and 2 rows at most 1, at least 10 and at least 20 are told, their mean lag to 40 %
-//             (tests/data). The bounds are empirical.
+// Max error:  of 30 simulated records each at a lag of 0, 1 and 2 rows, at most 1, at least 10 and
+//             at least 20 are detected. The mean lag is right to 40 % (tests/data). The limits are
+//             empirical.
+// Method:     the statistics use every step that falls more than five standard deviations below the
+//             smooth trend and is deeper than its neighbours.
+//             Low-pass: the force continues to fall after a drop. (With friction alone it falls
+//             slowly before a snap and rises after it.) The statistic is the fall of the two steps
+//             after minus the two before, over the drop, for all drops together. It must exceed a
+//             tenth by 1.3 + 1/drops of its error, with three drops or more. The lag is the one
+//             that explains it for a snap at a random time between two rows.
+//             Symmetric filter: each adjacent step falls by more than a third of the drop, by twice
+//             the error, and both about equally. Slowly decreasing friction can look the same but
+//             leaves the noise white. The force must therefore also vary less from row to row than
+//             over three rows.
 RoundedDrops rounded_drops(const Record& record);
 
 }  // namespace flexslip

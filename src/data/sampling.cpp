@@ -22,9 +22,11 @@ double greatest_of(std::span<const double> force) {
   return greatest;
 }
 
-// The step of a force: the least difference of two forces that is not rounding. 0 for a force that does not change.
+// The step of a force: the smallest difference of two forces above rounding. 0 for a constant
+// force.
 double step_of(std::vector<double> force, double greatest) {
-  constexpr double rounding = 1e-9;  // [greatest force] more than doubles round, less than a converter tells
+  // [maximum force] above the rounding of doubles, below the step of a converter
+  constexpr double rounding = 1e-9;
   std::sort(force.begin(), force.end());
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t i = 1; i < force.size(); ++i)
@@ -32,13 +34,13 @@ double step_of(std::vector<double> force, double greatest) {
   return std::isfinite(step) ? step : 0;
 }
 
-// True if the changes are not those of a coarse converter, which are a few of its steps.
+// True if the changes exceed a few steps of a coarse converter.
 bool are_fine(std::vector<double> changes, double step) {
   constexpr double few = 4;
   return !changes.empty() && median_of(std::move(changes)) > few * step;
 }
 
-// Whether equal forces one after the other are held values; all of them are where a specimen bears a load.
+// True if equal successive forces are held values. Equal forces count only under load.
 bool holds_values(std::span<const double> force, double loaded, double step) {
   std::vector<double> changes;
   std::size_t steps = 0, equal = 0;
@@ -54,11 +56,13 @@ bool holds_values(std::span<const double> force, double loaded, double step) {
   return 4 * equal >= steps && are_fine(std::move(changes), step);
 }
 
-// The largest second difference of rows that are interpolated between readings; nothing if the record has no such rows.
-// A force in steps as coarse as its noise is straight over many rows, too. It bends by one step more often than by none.
-// In a file of few digits rounding bends interpolated rows by one digit about as often as by none, and never by two.
+// The largest second difference of rows interpolated between readings; empty if the record has
+// none.
+// A force in steps as coarse as its noise is also straight over many rows, but it bends by one step
+// more often than by none. In a file with few digits, rounding bends interpolated rows by one digit
+// about as often as by none, and never by two.
 std::optional<double> bend_of_interpolated(const std::vector<double>& bends, double step, double greatest) {
-  constexpr double rounding = 1e-7;  // [greatest force] more than a file of eight digits rounds
+  constexpr double rounding = 1e-7;  // [maximum force] above the rounding of eight digits
   constexpr double share = 0.1;      // of the rows
   const auto count = [&](double from, double to) {
     return static_cast<double>(
@@ -74,17 +78,17 @@ std::optional<double> bend_of_interpolated(const std::vector<double>& bends, dou
   if (count(-1, exact) - count(exact, by_one) > enough && others_are_fine(exact)) return exact;
   const double straight = count(-1, by_one), by_two = count(by_one, by_one + 2 * step);
   const bool is_rounded = count(0.5 * step, by_one) > share * straight;
-  constexpr double at_most = 4;  // times as many would bend by two steps for noise as coarse as the step, or finer
+  constexpr double at_most = 4;  // [1] ratio of straight triples to triples bent by two steps, for noise
   if (is_rounded && straight - at_most * by_two > enough && others_are_fine(by_one)) return by_one;
   return {};
 }
 
-// Where a record goes straight on from row to row, to the last digits, there is no noise: its readings are where it bends, or the row
-// beside. Empty: it does not.
+// The rows at which the record bends, or their neighbours: its readings, if the rows between are
+// straight to the last digits. Empty if they are not.
 std::vector<std::size_t> readings_of(std::span<const double> displacement, const std::vector<double>& force,
                                      double greatest, double loaded) {
   const auto bend_at = [&](std::size_t i) { return std::abs(force[i - 1] - 2 * force[i] + force[i + 1]); };
-  // While the stage stands nothing lies between readings: all such rows are.
+  // While the stage is stationary nothing is interpolated: all rows are readings.
   const auto stands_at = [&](std::size_t i) {
     return displacement[i - 1] == displacement[i] || displacement[i] == displacement[i + 1];
   };
@@ -101,26 +105,26 @@ std::vector<std::size_t> readings_of(std::span<const double> displacement, const
       continue;
     }
     if (!bends_at(i)) continue;
-    // A reading between two rows bends both: the one that is not on the way of a fall counts.
+    // An outlier affects both neighbouring differences; keep the one that is not part of a drop.
     const bool bends_next = i + 2 < force.size() && bends_at(i + 1);
     const bool falls_then = bends_next && force[i + 2] < force[i + 1];
     readings.push_back(bends_next && !falls_then ? i + 1 : i);
     if (bends_next) ++i;
   }
-  constexpr std::size_t min_readings = 100;  // what bends more rarely may be straight by itself
+  constexpr std::size_t min_readings = 100;  // a record with fewer bends may simply be straight
   if (readings.size() < min_readings) return {};
   readings.push_back(force.size() - 1);
   return readings;
 }
 
-// The values at some rows.
+// The values at the given rows.
 std::vector<double> values_at(const std::vector<std::size_t>& rows, std::span<const double> values) {
   std::vector<double> picked;
   for (const std::size_t row : rows) picked.push_back(values[row]);
   return picked;
 }
 
-// Of the rows those that a test keeps, by their place among them; how many it does not.
+// Keeps the rows that pass a test, given by their index, and returns the number of the others.
 template <class Kept>
 std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
   std::vector<std::size_t> kept;
@@ -151,15 +155,15 @@ void Sampling::leave_out_at_rest(const std::vector<std::size_t>& points) {
 
 namespace {
 
-// From the contact to the last load: what lies between the first and the last force that differs from that of the first rows, and a part of as many
-// rows before and after.
+// The loaded part: between the first and the last force that differs from the force of the first
+// rows, extended by a fraction of its length on both sides.
 struct Loaded {
   std::size_t first, last;
 };
 
 Loaded loaded_of(std::span<const double> force) {
   constexpr double of_greatest = 0.05;
-  constexpr std::size_t beside = 10;  // one in so many rows
+  constexpr std::size_t beside = 10;  // a tenth of the loaded rows
   std::vector<double> change = medians_of_five(force);
   const double at_first = force.empty() ? 0 : change[std::min<std::size_t>(2, change.size() - 1)];
   for (double& value : change) value -= at_first;
@@ -175,15 +179,16 @@ Loaded loaded_of(std::span<const double> force) {
 }
 
 void thin(Sampling& sampling, std::span<const double> displacement, std::span<const double> all_force,
-          std::size_t most) {
-  if (sampling.rows.size() <= most) return;
+          std::size_t max_rows) {
+  if (sampling.rows.size() <= max_rows) return;
   sampling.leave_out_at_rest(find_halts(values_at(sampling.rows, displacement)));
-  if (sampling.rows.size() <= most) return;
+  if (sampling.rows.size() <= max_rows) return;
   const std::vector<double> force = values_at(sampling.rows, all_force);
-  constexpr std::size_t part_unloaded = 10;  // of the rows that count, before and after the load each
+  // a tenth of the rows that count, before and after the load each
+  constexpr std::size_t part_unloaded = 10;
   const auto [first, last] = loaded_of(force);
-  const std::size_t few = std::min(most / part_unloaded, force.size() - (last - first));
-  sampling.stride = (last - first + most - 2 * few - 1) / (most - 2 * few);
+  const std::size_t few = std::min(max_rows / part_unloaded, force.size() - (last - first));
+  sampling.stride = (last - first + max_rows - 2 * few - 1) / (max_rows - 2 * few);
   const std::size_t beside = few * sampling.stride;
   const std::size_t begin = first - std::min(first, beside), end = std::min(last + beside, force.size());
   sampling.unloaded = force.size() - (end - begin);
@@ -197,7 +202,7 @@ void thin(Sampling& sampling, std::span<const double> displacement, std::span<co
 
 }  // namespace
 
-Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most) {
+Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t max_rows) {
   Sampling sampling{std::vector<std::size_t>(force.size()), force.size(), 0, 0, 0, 0, 1};
   auto& rows = sampling.rows;
   std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -216,7 +221,7 @@ Sampling sampling_of(std::span<const double> displacement, std::span<const doubl
   if (const auto readings = readings_of(values_at(rows, displacement), forces, greatest, loaded); !readings.empty())
     sampling.interpolated =
         leave_out(rows, [&](std::size_t i) { return std::binary_search(readings.begin(), readings.end(), i); });
-  thin(sampling, displacement, force, most);
+  thin(sampling, displacement, force, max_rows);
   return sampling;
 }
 

@@ -1,4 +1,4 @@
-// Which rows of a record say something new: loggers repeat rows, hold values, and interpolate between readings.
+// The rows of a record that carry information: loggers repeat rows, hold values, and interpolate.
 #pragma once
 
 #include <cstddef>
@@ -8,33 +8,40 @@
 namespace flexslip {
 
 struct Sampling {
-  std::vector<std::size_t> rows;     // those that count, rising
-  std::size_t end;                   // after the last row of the record
-  std::size_t repeated;              // rows that say what the row before says
-  std::size_t held;                  // rows whose force is that of the row before, while the displacement has moved on
-  std::size_t interpolated;          // rows between readings
-  std::size_t unloaded;              // rows far before and after the load, of a record with too many
-  std::size_t stride;                // of the rest one in so many counts
-  std::size_t at_rest = 0;           // read while the stage halted, left out by whoever looked for them (no_readings.h)
-  std::size_t last_at_rest = 0;      // the last of those rows
-  std::vector<std::size_t> halts{};  // the row before each halt, rising
-  std::size_t spikes = 0;            // readings that are none (no_readings.h), left out by whoever looked for them
+  std::vector<std::size_t> rows;  // the rows that count, rising
+  std::size_t end;                // after the last row of the record
+  std::size_t repeated;           // rows equal to the preceding row
+  // rows with the force of the preceding row and a new displacement
+  std::size_t held;
+  std::size_t interpolated;  // rows interpolated between readings
+  // rows far before and after the load, omitted from a long record
+  std::size_t unloaded;
+  std::size_t stride;  // of the other rows, every stride-th counts
+  // rows omitted because the stage was stationary (no_readings.h)
+  std::size_t at_rest = 0;
+  std::size_t last_at_rest = 0;      // the last of these rows
+  std::vector<std::size_t> halts{};  // the row before each stop, rising
+  std::size_t spikes = 0;            // invalid readings that were omitted (no_readings.h)
 
-  // Of the points [first, last), counted from first, those after which the stage halted (find_drops).
+  // The points of [first, last), counted from first, after which the stage stops (find_drops).
   std::vector<std::size_t> halts_between(std::size_t first, std::size_t last) const;
 
-  // Leaves out rows at rest, given by their places among the rows that count, rising.
+  // Omits rows at which the stage is stationary, given by their indices in `rows`, rising.
   void leave_out_at_rest(const std::vector<std::size_t>& points);
 };
 
-// Domain:     columns of one length; most >= 1: no more rows count.
-// Method:     Repeated rows never count. Held rows do not count if they are a quarter of the rows above a twentieth of the greatest force, and
-//             the median change of the force is more than four of its steps: a coarse converter repeats values, too, and means them.
-//             A record is interpolated if exactly straight triples of rows exceed the triples that bend by up to one step of the force
-//             by a tenth of the rows, and the other triples bend by more than four steps in the median. Only the rows where such a
-//             record bends count, if they are a hundred. Where more than `most` rows are left, rows at rest do not count. Of the rows
-//             before and after the load the nearest count, up to a tenth of `most` each. Of the rest, one row in so many counts, and
-//             the greatest force.
-Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t most);
+// The rows to evaluate: at most max_rows.
+// Domain:     columns of equal length; max_rows >= 1.
+// Method:     repeated rows never count. Held rows do not count if two conditions hold: they are a
+//             quarter of the rows above a twentieth of the maximum force, and the median change of
+//             the force exceeds four steps. (A coarse converter repeats values that are real.)
+//             Interpolated: the exactly straight triples of rows outnumber those that bend by up to
+//             one step by a tenth of the rows. The other triples must bend by more than four steps
+//             in the median. Then only the rows where the record bends count, if they are at least
+//             a hundred.
+//             Above max_rows, rows with a stationary stage are omitted. Of the rows before and
+//             after the load only the nearest count, up to a tenth of max_rows each. Of the rest,
+//             every stride-th row counts, and the maximum force.
+Sampling sampling_of(std::span<const double> displacement, std::span<const double> force, std::size_t max_rows);
 
 }  // namespace flexslip

@@ -1,16 +1,17 @@
-// Between the reduced variables of the core and SI: the only place where the two meet.
+// Conversion between SI and the reduced variables of the core; the only place where the two meet.
 //
-// A reduced quantity is one divided by its unit: lengths by the span L, forces by EI/L^2, stiffnesses by EI/L^3, energies
-// by EI/L. A whole measured curve is a Record or a ReducedRecord (record.h), two types that only pass into each other
-// through a Scales, so that one cannot be taken for the other.
+// A reduced quantity is a quantity divided by its unit: L for lengths, EI/L^2 for forces, EI/L^3
+// for stiffnesses, EI/L for energies. Record and ReducedRecord (record.h) are separate types that
+// only a Scales converts, so neither can be mistaken for the other.
 #pragma once
 
 namespace flexslip {
 
 class Scales {
  public:
-  // Units:  span in [m], bending stiffness EI in [N m^2].
-  // Domain: both positive and finite, and so the four units made of them; std::invalid_argument with the value otherwise.
+  // Units:      span in [m], bending stiffness EI in [N m^2].
+  // Domain:     both positive and finite, as are the derived units; std::invalid_argument with the
+  //             value otherwise.
   Scales(double span, double bending_stiffness);
 
   double span() const { return span_; }                            // [m]

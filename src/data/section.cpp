@@ -19,7 +19,7 @@ double depth_of(const RectangularSection& rectangle) { return rectangle.height; 
 
 constexpr double poisson = 0.3;
 
-// I/(κ A) [m^2], κ as Cowper has it.
+// I/(κ A) [m^2] with Cowper's κ.
 double moment_over_shear_area(const RoundSection& round) {
   const double k = 6 * (1 + poisson) / (7 + 6 * poisson);
   return round.diameter * round.diameter / 16 / k;

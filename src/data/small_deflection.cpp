@@ -18,14 +18,16 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_on_a_line = 3;  // of a line that shows whether it is one
-constexpr double max_correlation = 0.95;  // beyond it the stretch is too short to tell
-constexpr double least_rise = 0.25;       // [greatest force] of a stretch that is looked for
-constexpr double errors_off = 3;          // of a slope, by which the steepest of many is steep by chance
-constexpr double alike = 1e-6;            // [slope] of stretches that differ by less the longest counts
-constexpr double levels = 50;             // of the force, between which stretches begin and end
-constexpr double largest_error = 0.5;     // [stiffness] beyond it a record tells none
-constexpr double max_deflection = 0.1;    // [span] beyond it a deflection is not small, where the span is known
+constexpr std::size_t min_on_a_line = 3;  // points, the minimum that can show curvature
+constexpr double max_correlation = 0.95;  // beyond it the region is too short
+constexpr double min_rise = 0.25;         // [maximum force] length of a candidate
+// of a slope, above which the steepest of many is not steep by chance
+constexpr double chance_errors = 3;
+constexpr double same_slope = 1e-6;    // [slope] within it, the longest candidate is chosen
+constexpr double levels = 50;          // of the force, at which candidates begin and end
+constexpr double largest_error = 0.5;  // [stiffness] beyond it the status is uncertain
+// [span] limit of a small deflection, if the span is known
+constexpr double max_deflection = 0.1;
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
 constexpr double clearly = 3;                               // errors
 
@@ -33,12 +35,12 @@ struct PointRange {
   std::size_t first, last;  // [first, last)
 };
 
-// [N] Error of a force reading, by its neighbours: few rows on a curve tell it, which force_noise takes for straight. Of a force that often repeats itself
-// they tell none.
+// [N] Error of a force reading, from second differences, which allow for the curvature of short
+// records. They give 0 if the force often repeats; then force_noise.
 double noise_of(const Record& record) {
-  constexpr std::size_t least_of_force_noise = 11;
-  const double told = noise_of_second_differences(second_differences(record.force));
-  return told > 0 || record.force.size() < least_of_force_noise ? told : force_noise(record);
+  constexpr std::size_t min_points = 11;
+  const double noise = noise_of_second_differences(second_differences(record.force));
+  return noise > 0 || record.force.size() < min_points ? noise : force_noise(record);
 }
 
 // The line through points [first, last).
@@ -49,7 +51,7 @@ std::optional<LinearRegion> line_of(const Record& record, std::size_t first, std
   const auto w = std::span(record.deflection).subspan(first, n);
   const CommonLine line = common_line(std::span(record.stage).subspan(first, n), F, w);
   if (std::isnan(line.slope)) return std::nullopt;
-  // Where a load train turns errors of the force into such of the deflection, both are off the line.
+  // The load train turns errors of the force into errors of the deflection; both affect the line.
   const double least = noise / (line.z.slope * line.z.slope * std::sqrt(line.y.sum_xx));
   const double scatter = std::max(slope_error(line, correlation_lost_to_line(line.residuals), max_correlation), least);
   const double share = 1 - line.z.slope;
@@ -64,24 +66,24 @@ std::optional<LinearRegion> line_of(const Record& record, std::size_t first, std
                       .load_train_share = share};
 }
 
-std::optional<LinearRegion> straight_in(const Record& record, std::size_t points, double most, ForceWindow window,
-                                        double noise, double load_train_error) {
+std::optional<LinearRegion> region_in(const Record& record, std::size_t points, double max_force, ForceWindow window,
+                                      double noise, double load_train_error) {
   const auto force = std::span(record.force).first(points);
   std::size_t last = 0;
-  while (last < points && force[last] <= window.up_to * most) ++last;
+  while (last < points && force[last] <= window.up_to * max_force) ++last;
   std::size_t first = last;
-  while (first > 0 && force[first - 1] >= window.from * most) --first;
-  // A window that the record does not leave above is not covered; the one up to the greatest force is left by none.
+  while (first > 0 && force[first - 1] >= window.from * max_force) --first;
+  // A window is covered only if the record extends beyond it, except one up to the maximum force.
   if (last - first < min_on_a_line || (last == points && window.up_to < 1)) return std::nullopt;
-  auto straight = line_of(record, first, last, noise, load_train_error);
-  if (straight) straight->window = window;
-  return straight;
+  auto linear = line_of(record, first, last, noise, load_train_error);
+  if (linear) linear->window = window;
+  return linear;
 }
 
-// Sums over the first points of a record, of which those of any stretch are differences.
-class Stretches {
+// Cumulative sums over the points of a record; the sums of a region are their differences.
+class RegionSums {
  public:
-  Stretches(const Record& record, std::size_t points, double noise) : noise_(noise) {
+  RegionSums(const Record& record, std::size_t points, double noise) : noise_(noise) {
     const auto stage = std::span(record.stage).first(points), force = std::span(record.force).first(points),
                deflection = std::span(record.deflection).first(points);
     const std::array middle{mean_of(stage), mean_of(force), mean_of(deflection)};
@@ -98,8 +100,9 @@ class Stretches {
     }
   }
 
-  // The slope of points [first, last) less what may be chance, by the errors of line_of; none where force or deflection do not rise.
-  std::optional<double> least_slope(std::size_t first, std::size_t last) const {
+  // The slope of points [first, last) minus its chance part, with the errors of line_of. Empty if
+  // force or deflection does not rise.
+  std::optional<double> lower_slope(std::size_t first, std::size_t last) const {
     const auto n = static_cast<double>(last - first);
     Sums of = sums_[last];
     for (std::size_t k = 0; k < of.size(); ++k) of[k] -= sums_[first][k];
@@ -109,7 +112,7 @@ class Stretches {
     if (!(sum_xx > 0 && force > 0 && deflection > 0)) return std::nullopt;
     const double slope = force / deflection, offset = (y - slope * z) / n;
     const double squares = yy - 2 * slope * yz + slope * slope * zz - n * offset * offset;
-    // Products of neighbours; that of the first point with the one before it is not among them.
+    // Products of neighbouring residuals, without the pair that crosses the start.
     const auto lies = [&](std::size_t i) { return points_[i].y - slope * points_[i].z; };
     const double before = first > 0 ? lies(first) * lies(first - 1) : 0;
     const double lagged =
@@ -117,12 +120,12 @@ class Stretches {
     const double shown = squares > 0 ? lagged / squares : 0;
     const double rho = std::clamp(shown + (2 + 4 * shown) / n, 0.0, max_correlation);
     const double scatter = std::sqrt(std::max(squares, 0.0) / (n - 2) * (1 + rho) / (1 - rho));
-    return slope - errors_off * std::max(scatter, noise_ / deflection) / (deflection * std::sqrt(sum_xx));
+    return slope - chance_errors * std::max(scatter, noise_ / deflection) / (deflection * std::sqrt(sum_xx));
   }
 
  private:
   struct Point {
-    double x, y, z;  // [m], [N], [m] from the middles
+    double x, y, z;  // [m], [N], [m] from the means
   };
   using Sums = std::array<double, 12>;
   std::vector<Point> points_;
@@ -130,29 +133,30 @@ class Stretches {
   double noise_;
 };
 
-// The points up to the first drop that begins high enough for a stretch before it.
-std::size_t points_before_teeth(const Record& record, std::size_t points, double most,
+// The points up to the first drop that starts high enough for a region before it.
+std::size_t points_before_teeth(const Record& record, std::size_t points, double max_force,
                                 const std::vector<std::size_t>& halts) {
   const Drops found = find_drops(first_points(record, points), {.halts = halts});
   if (found.status != DropStatus::ok) return points;
   for (const Drop& drop : found.drops)
-    if (record.force[drop.before] - record.force.front() >= least_rise * most) return drop.before + 1;
+    if (record.force[drop.before] - record.force.front() >= min_rise * max_force) return drop.before + 1;
   return points;
 }
 
-std::optional<LinearRegion> steepest(const Record& record, std::size_t points, double most, double noise,
+std::optional<LinearRegion> steepest(const Record& record, std::size_t points, double max_force, double noise,
                                      const SmallDeflectionOptions& options) {
-  points = points_before_teeth(record, points, most, options.halts);
-  const Stretches stretches(record, points, noise);
+  points = points_before_teeth(record, points, max_force, options.halts);
+  const RegionSums sums(record, points, noise);
   const auto& force = record.force;
-  // Stretches begin and end at the points at which the force gets to a level, and at their neighbours: one row alone may lie between two levels.
+  // Regions begin and end where the force reaches a level, and at neighbouring points, because a
+  // single row may lie between two levels.
   std::vector<std::size_t> ends{0};
   const auto add = [&](std::size_t point) {
     if (point > ends.back()) ends.push_back(point);
   };
-  double level = std::floor(levels * force.front() / most);
+  double level = std::floor(levels * force.front() / max_force);
   for (std::size_t i = 1; i < points; ++i)
-    if (const double at = std::floor(levels * force[i] / most); at > level) {
+    if (const double at = std::floor(levels * force[i] / max_force); at > level) {
       for (const std::size_t point : {i - 1, i, i + 1}) add(point);
       level = at;
     }
@@ -162,19 +166,19 @@ std::optional<LinearRegion> steepest(const Record& record, std::size_t points, d
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = ends.size(); j-- > i;) {
       const std::size_t first = ends[i], last = ends[j];
-      if (last < first + min_on_a_line || force[last - 1] - force[first] < least_rise * most) continue;
-      const auto slope = stretches.least_slope(first, last);
-      if (!slope || *slope <= steepness * (1 + alike)) continue;
+      if (last < first + min_on_a_line || force[last - 1] - force[first] < min_rise * max_force) continue;
+      const auto slope = sums.lower_slope(first, last);
+      if (!slope || *slope <= steepness * (1 + same_slope)) continue;
       best = PointRange{first, last};
       steepness = *slope;
     }
   if (!best) return std::nullopt;
-  auto straight = line_of(record, best->first, best->last, noise, options.load_train_error);
-  if (straight) straight->window = {std::max(force[best->first] / most, 0.0), force[best->last - 1] / most};
-  return straight;
+  auto linear = line_of(record, best->first, best->last, noise, options.load_train_error);
+  if (linear) linear->window = {std::max(force[best->first] / max_force, 0.0), force[best->last - 1] / max_force};
+  return linear;
 }
 
-// The force where the deflection first reaches a value.
+// The force at which the deflection first reaches a value.
 std::optional<double> force_at(const Record& record, std::size_t points, double deflection) {
   const auto& w = record.deflection;
   for (std::size_t i = 1; i < points; ++i) {
@@ -199,15 +203,15 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
   return Chord{normal_estimate(slope, error), from, to, beam_bending_stiffness(slope, span) / second_moment(section)};
 }
 
-// What supports and friction explain of a straight part that is steeper than the chord.
-double explained(const Chord& chord, double origin, const LinearRegion& straight, const Record& record,
+// [1] How much steeper than the chord supports and friction can make the linear region.
+double explained(const Chord& chord, double origin, const LinearRegion& linear, const Record& record,
                  const BeamGeometry& geometry, const Steepening& steepening) {
-  if (!steepening) return max_steepening(geometry, straight.middle(record) - origin);
+  if (!steepening) return max_steepening(geometry, linear.middle(record) - origin);
   return steepening({origin + chord.deflection_from, origin + chord.deflection_to},
-                    {record.deflection[straight.first], record.deflection[straight.last - 1]});
+                    {record.deflection[linear.first], record.deflection[linear.last - 1]});
 }
 
-// [1] Of the travel of the stage up to a point.
+// [1] Fraction of the stage travel up to a point.
 double load_train_share(const Record& record, std::size_t point) {
   const double travel = record.stage[point] - record.stage.front();
   return travel > 0 ? 1 - (record.deflection[point] - record.deflection.front()) / travel : 0;
@@ -218,12 +222,13 @@ double load_train_share(const Record& record, std::size_t point) {
 std::optional<double> standard_roller_radius(const BeamGeometry& geometry) {
   constexpr double thinnest = 1e-3, thin = 3e-3;          // [m] of the bars of ISO 178
   constexpr double radius_of_thin = 2e-3, radius = 5e-3;  // [m]
-  constexpr double least_spans = 8;                       // of the thinnest bar, 16 times as long as thick
-  constexpr double spans_of_small = 20;                   // ASTM C1161, size A: 1 mm on 20 mm
+  // for the thinnest bar, whose span is 16 times its thickness
+  constexpr double min_spans = 8;
+  constexpr double spans_of_small = 20;  // ASTM C1161, size A: 1 mm on 20 mm
   if (!geometry.span || geometry.support_radius) return std::nullopt;
   const double thickness = geometry.section ? depth(*geometry.section) : radius;  // [m]
   const double usual = thickness > thin ? radius : radius_of_thin;
-  const bool is_bar = geometry.section && thickness > thinnest && *geometry.span >= least_spans * usual;
+  const bool is_bar = geometry.section && thickness > thinnest && *geometry.span >= min_spans * usual;
   return is_bar ? usual : std::min(usual, *geometry.span / spans_of_small);
 }
 
@@ -252,22 +257,22 @@ std::optional<LinearRegion> find_linear_region(const Record& record, const BeamG
   if (geometry.span) require(*geometry.span > 0 && std::isfinite(*geometry.span), "span", *geometry.span);
   if (record.force.size() < min_on_a_line) return std::nullopt;
   auto small = std::max_element(record.force.begin(), record.force.end()) - record.force.begin() + 1;
-  if (geometry.span)  // the points before the deflection is large
+  if (geometry.span)  // only points with a small deflection
     small = std::find_if(record.deflection.begin(), record.deflection.begin() + small,
                          [limit = max_deflection * *geometry.span](double w) { return w > limit; }) -
             record.deflection.begin();
   const auto points = static_cast<std::size_t>(small);
   if (points < min_on_a_line) return std::nullopt;
-  const double most = *std::max_element(record.force.begin(), record.force.begin() + small);
-  if (!(most > 0)) return std::nullopt;
+  const double max_force = *std::max_element(record.force.begin(), record.force.begin() + small);
+  if (!(max_force > 0)) return std::nullopt;
   const double noise = noise_of(record);
-  auto straight = options.window ? straight_in(record, points, most, *options.window, noise, options.load_train_error)
-                                 : steepest(record, points, most, noise, options);
-  if (!straight) return straight;
-  straight->window_force = most;
-  straight->origin_before_record = std::max(record.deflection.front() - straight->origin, 0.0);
-  straight->origin += straight->origin_before_record;
-  return straight;
+  auto linear = options.window ? region_in(record, points, max_force, *options.window, noise, options.load_train_error)
+                               : steepest(record, points, max_force, noise, options);
+  if (!linear) return linear;
+  linear->window_force = max_force;
+  linear->origin_before_record = std::max(record.deflection.front() - linear->origin, 0.0);
+  linear->origin += linear->origin_before_record;
+  return linear;
 }
 
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
@@ -275,7 +280,7 @@ SmallDeflection small_deflection(const Record& record, const BeamGeometry& geome
   return small_deflection(record, find_linear_region(record, geometry, options), geometry, options);
 }
 
-SmallDeflection small_deflection(const Record& record, const std::optional<LinearRegion>& straight,
+SmallDeflection small_deflection(const Record& record, const std::optional<LinearRegion>& linear,
                                  const BeamGeometry& geometry, const SmallDeflectionOptions& options) {
   SmallDeflection result{};
   result.status = SmallDeflectionStatus::no_straight_part;
@@ -283,17 +288,17 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   const auto greatest =
       static_cast<std::size_t>(std::max_element(record.force.begin(), record.force.end()) - record.force.begin());
   if (!(record.force[greatest] > 0)) return result;
-  const double share = straight ? straight->load_train_share : load_train_share(record, greatest);
+  const double share = linear ? linear->load_train_share : load_train_share(record, greatest);
   result.load_train_share = share;
   if (share * options.load_train_error > largest_error * (1 - share) ||
-      (straight && straight->slope.standard_error > largest_error * straight->slope.value)) {
+      (linear && linear->slope.standard_error > largest_error * linear->slope.value)) {
     result.status = SmallDeflectionStatus::uncertain;
     return result;
   }
-  if (!straight) return result;
+  if (!linear) return result;
   const auto& section = geometry.section;
   const double L = geometry.span.value_or(0);
-  const double stiffness = straight->slope.value;
+  const double stiffness = linear->slope.value;
   if (geometry.span && section) result.modulus = beam_bending_stiffness(stiffness, L) / second_moment(*section);
   if (result.modulus && *result.modulus > options.greatest_modulus) {
     result.status = SmallDeflectionStatus::too_stiff;
@@ -301,15 +306,15 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   }
 
   result.status = SmallDeflectionStatus::ok;
-  result.window = straight->window;
-  result.window_force = straight->window_force;
-  result.first = straight->first;
-  result.last = straight->last;
-  result.stiffness = straight->slope;
-  const Estimate contact = options.contact.value_or(normal_estimate(straight->origin, straight->origin_error(record)));
+  result.window = linear->window;
+  result.window_force = linear->window_force;
+  result.first = linear->first;
+  result.last = linear->last;
+  result.stiffness = linear->slope;
+  const Estimate contact = options.contact.value_or(normal_estimate(linear->origin, linear->origin_error(record)));
   result.origin = contact.value;
   result.origin_error = contact.standard_error;
-  result.origin_before_record = options.contact ? 0 : straight->origin_before_record;
+  result.origin_before_record = options.contact ? 0 : linear->origin_before_record;
   const auto reached = [&](std::size_t point) {
     LoadPoint at{record.force[point], record.deflection[point] - result.origin, {}, {}};
     if (!geometry.span || !section) return at;
@@ -324,7 +329,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   result.bending_stiffness = beam_bending_stiffness(stiffness, L);
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
-  // A record that begins under a force that bends the specimen further than the chord's lower strain does not cover it.
+  // A record that begins beyond the lower strain of the chord does not cover it.
   if (result.origin_before_record < strain_from * L * L / (6 * depth(*section)))
     result.chord =
         chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
@@ -333,13 +338,12 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
   result.toe_excess = of_part.value / of_chord.value - 1;
   if (!(of_part.value - clearly * error > of_chord.value)) return result;
-  result.toe_excess_explained =
-      explained(*result.chord, result.origin, *straight, record, geometry, options.steepening);
-  // In a toe the force lies above the straight part.
+  result.toe_excess_explained = explained(*result.chord, result.origin, *linear, record, geometry, options.steepening);
+  // In a toe the force lies above the line of the linear region.
   constexpr double surely = 4;  // of the noise of a reading
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
-  result.chord_in_toe = *low > stiffness * (result.origin + from - straight->origin) + surely * noise_of(record) &&
+  result.chord_in_toe = *low > stiffness * (result.origin + from - linear->origin) + surely * noise_of(record) &&
                         of_part.value - clearly * error > (1 + result.toe_excess_explained) * of_chord.value;
   if (result.chord_in_toe) result.chord.reset();
   return result;

@@ -14,7 +14,7 @@ namespace flexslip::HWY_NAMESPACE {
 
 HWY_INLINE Lanes or_nan(LanesMask valid, Lanes value) { return choose(valid, value, Lanes(hn::NaN(DoubleTag()))); }
 
-// Each of these leaves NaN where a state is not of the common kind.
+// Each of these leaves NaN for states outside the common range.
 void common_states(const double* S, const double* q, std::size_t count, double* w, double* F) {
   for_each_lanes(S, q, count, [&](std::size_t i, std::size_t n, Lanes lengths, Lanes frictions) HWY_ATTR {
     const auto state = common_state<Lanes>(lengths, frictions, force_line(frictions));
@@ -61,7 +61,7 @@ FibrePoints::FibrePoints(std::span<const double> S, std::span<const double> q) :
     throw std::invalid_argument("there are " + std::to_string(S.size()) + " lengths, but " + std::to_string(q.size()) +
                                 " frictions");
   effort_spent += S.size();
-  bool valid = true;  // in one pass that can be done in vectors; which one is not, is asked afterwards
+  bool valid = true;  // one pass that can be vectorised; the index is searched afterwards
   for (std::size_t i = 0; i < S.size(); ++i) valid &= S[i] >= 1 && S[i] < infinity && std::abs(q[i]) <= largest_q;
   for (std::size_t i = 0; !valid && i < S.size(); ++i) try {
       fibre_state(S[i], q[i]);

@@ -1,7 +1,8 @@
-// Ψ, its derivatives and its inverse for arrays of states, on the widest vectors that the processor has, chosen when the program runs.
+// Ψ and its derivatives for arrays of states, vectorised for the processor on which the program
+// runs.
 //
-// Reduced variables as in elastica.h. Each answer depends on its own state alone, not on its neighbours or their number, and is the
-// same to the last bit on every processor and as that of elastica.h for the one state.
+// Reduced variables as in elastica.h. Each result depends on its own state alone. It is
+// bit-identical on every processor and to the scalar functions of elastica.h.
 #pragma once
 
 #include <array>
@@ -11,11 +12,11 @@
 
 namespace flexslip {
 
-// Where states are asked for: lengths and mobilised frictions in pairs.
+// Pairs of sliding length and mobilised friction.
 class FibrePoints {
  public:
-  // Domain:     arrays of one length, which outlive this; S >= 1, finite, and q in [-20, 20]; std::invalid_argument, naming the index,
-  //             otherwise.
+  // Domain:     arrays of equal length, which outlive this; S >= 1, finite, and q in [-20, 20];
+  //             std::invalid_argument with the index otherwise.
   FibrePoints(std::span<const double> S, std::span<const double> q);
 
   std::size_t size() const { return S_.size(); }
@@ -26,15 +27,15 @@ class FibrePoints {
   std::span<const double> S_, q_;
 };
 
-// Deflections and forces; both NaN where there is no state (beyond_branch).
+// Deflections and forces; both NaN without a state (beyond_branch).
 struct StateArrays {
   std::vector<double> w;  // [L]
   std::vector<double> F;  // [EI/L^2]
   explicit StateArrays(std::size_t n) : w(n), F(n) {}
 };
 
-// The same with their partial derivatives: with respect to S at fixed q, and to q at fixed S. These are NaN also at S = 1, where those to S
-// are infinite.
+// Deflections and forces with their partial derivatives, X_S at fixed q and X_q at fixed S. The
+// derivatives are also NaN at S = 1, where those with respect to S are infinite.
 struct SlopeArrays {
   std::vector<double> w, F;
   std::vector<double> w_S, w_q, F_S, F_q;
@@ -42,12 +43,13 @@ struct SlopeArrays {
   std::array<double*, 6> columns() { return {w.data(), F.data(), w_S.data(), w_q.data(), F_S.data(), F_q.data()}; }
 };
 
-// Max error:  as fibre_state, of which these are the values, bit by bit.
-// Cost:       about 35 ns a state on a processor with AVX2; beyond S = 2.16, q in [-1.2, 3] or near the end of the branch as much as
-//             fibre_state (docs/numerics.md).
+// Max error:  bit-identical to fibre_state.
+// Cost:       about 35 ns a state with AVX2. The cost of fibre_state for S > 2.16, q outside [-1.2,
+//             3] and near the end of the branch (docs/numerics.md).
 StateArrays fibre_states(const FibrePoints& points);
 
-// Likewise those of fibre_state_slopes. Cost: about 100 ns.
+// Max error:  bit-identical to fibre_state_slopes.
+// Cost:       about 100 ns a state.
 SlopeArrays fibre_states_slopes(const FibrePoints& points);
 
 }  // namespace flexslip

@@ -14,7 +14,7 @@
 namespace flexslip {
 namespace {
 
-// A step of Newton's iteration in σ = √(S - 1), in which w is nearly linear, and q.
+// A step of Newton's iteration in q and σ = √(S - 1), in which w is nearly linear.
 struct Step {
   double sigma, q;
 };
@@ -33,7 +33,7 @@ void require_forces(std::span<const double> w, std::span<const double> F) {
                                 std::to_string(F.size()) + " forces");
 }
 
-// What the table gives, and which of it comes from the scalar inverse instead.
+// The results from the table, and which points need the scalar inverse.
 struct TableInverse {
   InverseArrays states;
   std::vector<bool> exact;
@@ -62,13 +62,14 @@ TableInverse solve_on_table(std::span<const double> w, std::span<const double> F
     S[i] = 1 + 2.4 * w[i] * w[i];
     q[i] = std::clamp((F[i] / (48 * w[i]) - 1 + 7 * w[i] * w[i]) / (2.1 * w[i]), -1.0, 2.0);
   }
-  // A step below `small` leaves an error of the order of its square. 12 steps are twice what states within the table need.
+  // A step below `small` leaves an error of the order of its square. States within the table need
+  // at most 6 steps; 12 is the limit.
   constexpr double small = 1e-7;
-  constexpr double least_S = 1 + 1e-12;  // below, S has not enough digits to iterate with
-  constexpr double greatest_S = 1 + table_sigma * table_sigma;
+  constexpr double min_S = 1 + 1e-12;  // below, S has too few digits for the iteration
+  constexpr double max_S = 1 + table_sigma * table_sigma;
   for (int iteration = 0; iteration < 12 && !active.empty(); ++iteration) {
     std::erase_if(active, [&](std::size_t i) {
-      const bool inside = S[i] > least_S && S[i] < greatest_S && q[i] > table_q.least && q[i] < table_q.greatest;
+      const bool inside = S[i] > min_S && S[i] < max_S && q[i] > table_q.least && q[i] < table_q.greatest;
       if (!inside) solve_alone(i);
       return !inside;
     });

@@ -1,5 +1,6 @@
-// A row of a cell of the table (cell_table.cpp): eight coefficients of one polynomial side by side, in as many vectors as hold them. The same bits whatever
-// the width. Where Highway has no doubles for an instruction set, the compiler's own vectors stand instead (studio/instead/fibre/cell_row-inl.h).
+// A row of a table cell (cell_table.cpp): eight coefficients of one polynomial, in as many vectors
+// as needed. The bits do not depend on the vector width. If Highway has no doubles for an
+// instruction set, studio/instead/fibre/cell_row-inl.h uses the vectors of the compiler.
 //
 // Included once for each instruction set (Highway's foreach_target.h), hence no #pragma once.
 #if defined(FLEXSLIP_FIBRE_CELL_ROW_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -50,7 +51,8 @@ HWY_INLINE Row times_plus(const Row& a, InEachLane y, const Row& b) {
   return row;
 }
 
-// The sum of a vector's lanes, upper half upon lower half until one is left: in the same order whatever the width.
+// The sum of a vector's lanes. The upper half is added to the lower half repeatedly, so the order
+// does not depend on the width.
 template <class D>
 HWY_INLINE double folded([[maybe_unused]] D tag, hn::Vec<D> vector) {
 #if HWY_TARGET != HWY_SCALAR
@@ -75,7 +77,7 @@ HWY_INLINE double dot(const Row& a, const Row& b) {
   return folded(row_tag, product.part[0]);
 }
 
-// Powers of x, put together from x, x^2 and x^4 by the bits of the exponents.
+// Powers of x as products of x, x^2 and x^4, selected by the bits of the exponents.
 class PowersBy {
  public:
   HWY_INLINE explicit PowersBy(const double (&exponents)[terms_of_row]) {
@@ -102,7 +104,7 @@ class PowersBy {
   }
 
  private:
-  hn::Mask<RowTag> has_[3][row_vectors];  // whether the exponent has this bit
+  hn::Mask<RowTag> has_[3][row_vectors];  // true if the exponent has this bit
 };
 
 class Powers {

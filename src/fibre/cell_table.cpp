@@ -15,8 +15,9 @@
 #define FLEXSLIP_FIBRE_CELL_TABLE_CPP_
 namespace flexslip {
 
-// A cell in memory: a polynomial of degree 7 in each of x and y, its coordinates in [-1, 1] along x and q: eight rows, one for each power of y,
-// of the coefficients of 1, x, ..., x^7 for the first quantity and then those for the second. A row fills vectors of any width (cell_row-inl.h).
+// A cell in memory: a polynomial of degree 7 in x and y, the coordinates in [-1, 1] along x and q.
+// Each of eight rows belongs to a power of y. It has the coefficients of 1, x, ..., x^7 for the
+// first quantity, then for the second. A row fills vectors of any width (cell_row-inl.h).
 struct CellLayout {
   static constexpr std::size_t terms = terms_of_row;  // of each polynomial
   static constexpr std::size_t row = 2 * terms;
@@ -28,7 +29,7 @@ struct CellGrid {
   double x_scale, q_scale, q_least, x_cells, q_cells;
 };
 
-// Where points lie in the table: the number of the cell, and the coordinates in it.
+// The positions of points in the table: the cell number and the coordinates within the cell.
 inline constexpr std::size_t block = 64;
 struct Places {
   alignas(64) double along[block];
@@ -43,7 +44,7 @@ struct Places {
 HWY_BEFORE_NAMESPACE();
 namespace flexslip::HWY_NAMESPACE {
 
-// The coordinate of what is given, and the slope of X = x g there, from g and dg/dx.
+// Converts the argument to the coordinate, and g and dg/dx to the slope of X = x g.
 struct OfLength {
   template <class T>
   static HWY_INLINE T coordinate(T S) {
@@ -61,7 +62,7 @@ struct OfCoordinate {
   static HWY_INLINE double slope(double x, double g, double g_x) { return g + x * g_x; }
 };
 
-// Those of one point, or of one in each lane.
+// For one point, or one point per lane.
 template <class T>
 struct Place {
   T along, x, y, cell;
@@ -79,7 +80,7 @@ HWY_INLINE Place<T> place_of(const CellGrid& grid, T given, T friction) {
 template <class Of>
 HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double* q, std::size_t count,
                             Places& places) {
-  if (count == 1) {  // which vectors would take five times as long for
+  if (count == 1) {  // vectors would take five times as long
     const auto [along, x, y, cell] = place_of<Of, double>(grid, at[0], q[0]);
     places.along[0] = along, places.x[0] = x, places.y[0] = y, places.cell[0] = cell;
     return;
@@ -93,14 +94,14 @@ HWY_INLINE void find_places(const CellGrid& grid, const double* at, const double
   });
 }
 
-// One polynomial at y, in powers of x.
+// The polynomial at y, in powers of x.
 HWY_INLINE Row at_y(const double* rows, InEachLane y) {
   Row sum = load_row(rows + (CellLayout::terms - 1) * CellLayout::row);
   for (std::size_t r = CellLayout::terms - 1; r-- > 0;) sum = times_plus(sum, y, load_row(rows + r * CellLayout::row));
   return sum;
 }
 
-// The same with its derivative in y.
+// The same with the derivative in y.
 struct RowSlope {
   Row value, slope;
 };
@@ -119,7 +120,7 @@ HWY_INLINE const double* cell_at(const CellGrid& grid, const Places& places, std
   return grid.cells[static_cast<std::size_t>(places.cell[i])].load(std::memory_order_acquire);
 }
 
-// Calls f(i, places, j) for each point i, whose place is the j-th of some.
+// Calls f(i, places, j) for each point i, whose position is places[j].
 template <class Of, class Function>
 HWY_INLINE void for_each_place(const CellGrid& grid, const double* at, const double* q, std::size_t count,
                                const Function& f) {
@@ -208,7 +209,7 @@ double cosine(double x) { return elementary::sine_and_cosine(x).cosine; }
 
 double node(std::size_t j) { return cosine(std::numbers::pi * (static_cast<double>(j) + 0.5) / terms); }
 
-// From values at the Chebyshev nodes to the coefficients of powers.
+// The matrix from values at the Chebyshev nodes to the coefficients of powers.
 Matrix powers_from_values() {
   Matrix chebyshev{};  // T_k in powers
   chebyshev[0][0] = 1;
@@ -288,7 +289,7 @@ std::vector<double> CellTable::coefficients_of(std::size_t x_cell, std::size_t q
   return cell;
 }
 
-// Whether a point lies within the axes; if so its cell is there afterwards.
+// Builds the cell of a point; false if the point is outside the axes.
 bool CellTable::build(double at, double q) const {
   const CellGrid grid = grid_of(axes_, nullptr);
   const double along = (along_ == Along::length ? std::sqrt(at - 1) : at) * grid.x_scale;
@@ -304,7 +305,7 @@ bool CellTable::build(double at, double q) const {
   return true;
 }
 
-// The points without a value that lie within the axes: their cells were not yet there.
+// Builds cells for points without a value and returns those within the axes.
 std::vector<std::size_t> CellTable::built_for(const double* at, const double* q, std::span<const double> values) const {
   std::vector<std::size_t> built;
   for (std::size_t i = 0; i < values.size(); ++i)

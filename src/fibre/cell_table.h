@@ -1,7 +1,8 @@
-// Two quantities of the fibre tabulated over a coordinate x and the mobilised friction q, cell by cell, where they are asked for.
+// Two quantities tabulated over a coordinate x and the mobilised friction q, in cells that are
+// filled on demand.
 //
-// What is interpolated is X/x, smooth down to the straight fibre, where X vanishes as x does: by polynomials of degree 7 in each of x and q.
-// Reduced variables. A table may be asked from several threads at once.
+// The table interpolates X/x by polynomials of degree 7 in x and q. X/x is smooth down to the
+// straight specimen, where X vanishes in proportion to x. Reduced variables. Thread-safe.
 #pragma once
 
 #include <array>
@@ -17,11 +18,12 @@ namespace flexslip {
 
 class CellTable {
  public:
-  // What is given: the coordinate itself, or a length S of which it is √(S - 1). Slopes are those in what is given.
+  // The argument: the coordinate itself, or a length S with the coordinate √(S - 1). Slopes are
+  // with respect to the argument.
   enum class Along { coordinate, length };
 
   struct Axes {
-    double x_most;  // from 0
+    double x_most;  // x from 0 to x_most
     std::size_t x_cells;
     double q_least, q_most;
     std::size_t q_cells;
@@ -30,17 +32,18 @@ class CellTable {
   struct Pair {
     std::vector<double> first, second;
   };
-  // X/x of both quantities at points x[i], q[i]; NaN where there is no state. Of a cell, each x stands with so many q, one after the other.
+  // X/x of both quantities at points x[i], q[i]; NaN without a state. Within a cell, each x is
+  // paired with nodes_across successive q.
   static constexpr std::size_t nodes_across = 8;
   using Source = std::function<Pair(std::span<const double> x, std::span<const double> q)>;
 
-  // Cells of which the source has not all nodes, nor the far corner at the least q, have nothing.
+  // A cell is empty if the source lacks one of its nodes, or the far corner at the smallest q.
   CellTable(Along along, const Axes& axes, Source source);
 
-  // At `count` points; NaN beyond the axes (x = 0 among what is beyond) and where a cell has nothing.
+  // Values at `count` points; NaN outside the axes, at x = 0, and in empty cells.
   void values(const double* at, const double* q, std::size_t count, double* first, double* second) const;
 
-  // The same with slopes: first, second, then the slopes of the first along and in q, and those of the second.
+  // Values and slopes: first, second, the slopes of first (along and in q), the slopes of second.
   void slopes(const double* at, const double* q, std::size_t count, const std::array<double*, 6>& columns) const;
 
  private:
@@ -53,7 +56,7 @@ class CellTable {
   Along along_;
   Axes axes_;
   Source source_;
-  mutable Cells cells_;  // the last, all NaN: of points beyond the axes, and at first of all
+  mutable Cells cells_;  // the last is all NaN: for points outside the axes, and initially for all
   mutable std::mutex building_;
   mutable std::vector<std::unique_ptr<const std::vector<double>>> built_;
 };

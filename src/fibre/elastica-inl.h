@@ -1,4 +1,5 @@
-// The state of a fibre, as elastica.h has it, for any number type of lanes-inl.h. Included once for each instruction set.
+// The state of elastica.h for any number type of lanes-inl.h. Included once for each instruction
+// set.
 #if defined(FLEXSLIP_FIBRE_ELASTICA_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLEXSLIP_FIBRE_ELASTICA_INL_H_
 #undef FLEXSLIP_FIBRE_ELASTICA_INL_H_
@@ -11,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace flexslip::HWY_NAMESPACE {
 
-// The line of the support force, at the angle β0 to the fibre's tangent there: cot β0 = -q.
+// The line of the support force, at the angle β0 to the tangent of the specimen: cot β0 = -q.
 template <class T>
 struct ForceLine {
   T s0, c0;  // sin β0, cos β0
@@ -27,11 +28,12 @@ HWY_INLINE ForceLine<T> force_line(T q) {
   return {s0, -(q * s0), choose(negative, smaller, larger), choose(negative, larger, smaller)};
 }
 
-// The half fibre from the support to midspan, in units in which its arc length is u. With a the half span,
-// S = u/a; everything else is a function of a, z, and the angle b of the force line at midspan.
+// The half specimen from the support to midspan, in units in which its arc length is u. With a the
+// half span, S = u/a. Everything else is a function of a, z, and the angle b of the force line at
+// midspan.
 template <class T>
 struct HalfFibre {
-  T gap;    // u - a: arc length less half span, of order u^5 s0^2/15
+  T gap;    // u - a: arc length minus half span, of order u^5 s0^2/15
   T z;      // deflection at midspan
   T V;      // ∫ sd^2: bending energy, U = 2 (u/S) s0^2 V
   T sin_b;  // F = 8 (u/S)^2 sin b
@@ -45,7 +47,7 @@ HWY_INLINE HalfFibre<T> half_fibre(Argument u, const T& s0, const T& c0, const T
   const T per_dn2 = reciprocal(dn2);
   const T per_dn = sqrt(dn2) * per_dn2;
   const T sn = sqrt(arc.one_minus_cn * (1.0 + arc.cn));
-  const T p = s0 * arc.P;             // ∫ sin ψ, ψ = θ0 - θ being the angle turned since the support
+  const T p = s0 * arc.P;             // ∫ sin ψ, where ψ = θ0 - θ is the rotation since the support
   const T r = 0.5 * s0 * s0 * arc.R;  // ∫ (1 - cos ψ)
   const T x = 0.5 * s0 * arc.one_minus_cn * per_dn;
   const T y = (m1 + m * arc.cn) * per_dn;
@@ -61,7 +63,8 @@ HWY_INLINE HalfFibre<T> half_fibre(Argument u, const T& s0, const T& c0, const T
           .sd = sn * per_dn};
 }
 
-// The half fibre as its phase moves by a small step: a Taylor expansion, for along the fibre dθ/du = s0 sd, whose own slope is sin b.
+// The half specimen after a small change of its phase, by a Taylor expansion: dθ/du = s0 sd, whose
+// derivative is sin b.
 template <class T>
 struct Bend {
   T along;  // s0 sd
@@ -70,21 +73,22 @@ struct Bend {
       : along(line.s0 * half.sd), cos_b(line.c0 + 0.5 * along * along) {}
 };
 
-// A state in the common range, by one evaluation of the kernel and no branch: the phase u is guessed to 1e-6, one step of Halley's
-// iteration gives it to the rounding, and Taylor's expansion about the guess what depends on it.
+// A state in the common range, by one evaluation of the kernel and no branch. The guess of the
+// phase u is right to 1e-6. One step of Halley's iteration corrects it to rounding, and a Taylor
+// expansion corrects what depends on it.
 template <class T>
 struct CommonState {
-  T u;                // [1] half the pendulum's phase
+  T u;                // [1] half the phase of the pendulum
   T step;             // [1] from the guess
   T w, F;             // [L], [EI/L^2]
   HalfFibre<T> half;  // at the guess, u - step
 };
 
 template <class T>
-HWY_INLINE T common_phase_guess(const T& root_drawn, const T& q, const ForceLine<T>& line) {
-  // (b/s0)/u^2 is a function of b^2 = 15 (1 - 1/S) and a = -q b, analytic at 0; in u itself a polynomial of weighted degree 10,
-  // fitted to 6.4e-7 for S <= 2.16, q in [-1.2, 3], u <= 2.05.
-  const T b = 3.872983346207417 * root_drawn;
+HWY_INLINE T common_phase_guess(const T& root_shortening, const T& q, const ForceLine<T>& line) {
+  // (b/s0)/u^2 is a function of b^2 = 15 (1 - 1/S) and a = -q b, analytic at 0. In u itself it is a
+  // polynomial of weighted degree 10, fitted to 6.4e-7 for S <= 2.16, q in [-1.2, 3], u <= 2.05.
+  const T b = 3.872983346207417 * root_shortening;
   const T a = -q * b;
   const T X = b * b;
   const T p0 =
@@ -116,12 +120,12 @@ HWY_INLINE T common_phase_guess(const T& root_drawn, const T& q, const ForceLine
   return sqrt(b / line.s0) / (p0 + X * (p1 + X * (p2 + X * (p3 + X * (p4 + X * p5)))));
 }
 
-// Domain: any; valid where is_common() says so.
+// Domain:     any; valid if is_common() is true.
 template <class T>
 HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T>& line) {
   const T per_S = reciprocal(S);
-  const T drawn = (S - 1.0) * per_S;
-  const T guess = common_phase_guess<T>(sqrt(drawn), q, line);
+  const T shortening = (S - 1.0) * per_S;
+  const T guess = common_phase_guess<T>(sqrt(shortening), q, line);
   const auto arc = arc_by_doubling<T>(guess, common_doublings, line.m, line.m1);
   const auto half = half_fibre<T>(guess, line.s0, line.c0, line.m, line.m1, arc);
   const Bend<T> bend(line, half);
@@ -129,13 +133,13 @@ HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T
   const T a = guess - half.gap;
   const T B = bend.along;
 
-  // The root of gap/u - drawn.
+  // The root of gap/u - shortening.
   const T per_guess = reciprocal(guess);
   const T value = half.gap * per_guess;
   const T slope = (B * z - value) * per_guess;
   const T curvature = (half.sin_b * z + B * B * a - 2.0 * slope) * per_guess;
-  const T miss = (drawn - value) * slope;
-  const T step = miss / (slope * slope + 0.5 * (drawn - value) * curvature);
+  const T miss = (shortening - value) * slope;
+  const T step = miss / (slope * slope + 0.5 * (shortening - value) * curvature);
 
   const T z_step = step * (B * a + 0.5 * step * (half.sin_b * a + B * (1.0 - B * z)));
   const T sin_b_step = -(step * (B * bend.cos_b + 0.5 * step * (half.sin_b * (bend.cos_b + B * B))));
@@ -148,8 +152,8 @@ HWY_INLINE CommonState<T> common_state(const T& S, const T& q, const ForceLine<T
           .half = half};
 }
 
-// Whether the state is valid: the guess so near that what Halley's iteration and Taylor's expansion leave is below the rounding, the series
-// within its limit, and the end of the branch, where F = 0, well away.
+// True if the state is valid: the guess suffices for Halley's iteration and the Taylor expansion,
+// the series is within its limit, and the end of the branch (F = 0) is far away.
 template <class T>
 HWY_INLINE auto is_common(const T& S, const CommonState<T>& state) {
   constexpr double largest_step = 0x1p-18;
@@ -163,7 +167,7 @@ struct StateSlopes {
   T w_S, w_q, F_S, F_q, Pn_S, Pn_q, U_S, U_q, theta0_S, theta0_q;
 };
 
-// At a state with phase u, which the doublings reach: exact, by a dual number for β0.
+// Slopes at a state with phase u within the doublings; exact, by a dual number for β0.
 template <class T>
 HWY_INLINE StateSlopes<T> state_slopes(const T& S, const T& u, const ForceLine<T>& line, int doublings) {
   const auto [s0, c0, m, m1] = line;
@@ -177,12 +181,12 @@ HWY_INLINE StateSlopes<T> state_slopes(const T& S, const T& u, const ForceLine<T
   const T z = half.z.v;
   const T sin_b = half.sin_b.v;
 
-  // Along the fibre dθ/du = s0 sd, so that midspan moves by da = (1 - s0 sd z) du and dz = s0 sd a du.
+  // As dθ/du = s0 sd, midspan moves by da = (1 - s0 sd z) du and dz = s0 sd a du.
   const T bend = s0 * sd;
   const T z_u = bend * a;
   const T sin_b_u = -(bend * (c0 + 0.5 * bend * bend));  // cos b = cos β0 + (dβ/du)^2/2
   const T V_u = sd * sd;
-  // Motion of u: from 1 - 1/S = D(u, β0) at fixed β0, and at fixed S.
+  // Derivatives of u: from 1 - 1/S = D(u, β0) at fixed β0, and at fixed S.
   const T D_u = (bend * z - half.gap.v / u) / u;
   const T u_S = 1.0 / (S * S * D_u);
   const T u_beta = -(half.gap.d / u) / D_u;
@@ -193,7 +197,8 @@ HWY_INLINE StateSlopes<T> state_slopes(const T& S, const T& u, const ForceLine<T
   const T z_beta = half.z.d + z_u * u_beta;
   const T sin_b_beta = half.sin_b.d + sin_b_u * u_beta;
   const T V_beta = half.V.d + V_u * u_beta;
-  const T theta0_beta = 2.0 * (half.x.d * half.y.v - half.x.v * half.y.d) + bend * u_beta;  // θ0 = 2 atan2(x, y)
+  // θ0 = 2 atan2(x, y)
+  const T theta0_beta = 2.0 * (half.x.d * half.y.v - half.x.v * half.y.d) + bend * u_beta;
   return {.w_S = (z_u * u_S - z / a * a_S) / (2.0 * a),
           .w_q = beta_q * (z_beta - z / a * a_beta) / (2.0 * a),
           .F_S = 8.0 * a * (2.0 * a_S * sin_b + a * sin_b_u * u_S),

@@ -33,18 +33,19 @@ HalfFibre<double> half_fibre_at(double u, const ForceLine<double>& line) {
 }
 
 // 1 - 1/S, of order u^4, with its derivatives in u.
-struct Drawn {
+struct Shortening {
   static constexpr int order = 4;
   double value, slope, curvature;
-  Drawn(double u, const ForceLine<double>& line, const HalfFibre<double>& half) {
-    const double bend = line.s0 * half.sd;  // dθ0/du, whose own slope is sin b
+  Shortening(double u, const ForceLine<double>& line, const HalfFibre<double>& half) {
+    const double bend = line.s0 * half.sd;  // dθ0/du, whose derivative is sin b
     value = half.gap / u;
     slope = (bend * half.z - value) / u;
     curvature = (half.sin_b * half.z + bend * bend * (u - half.gap) - 2 * slope) / u;
   }
 };
 
-// The deflection w, of order u^2, likewise; infinite from the pole of S on, where the half span a is zero.
+// The deflection w, of order u^2, with its derivatives; infinite from the pole of S, where the half
+// span a is zero.
 struct Deflection {
   static constexpr int order = 2;
   double value, slope, curvature;
@@ -66,30 +67,32 @@ struct Phase {
   HalfFibre<double> half;
 };
 
-// The u in (0, K] at which a quantity that rises as u^order takes the value `target`, by Halley's iteration on its root of
-// that order, which is nearly linear in u. If the quantity stays below the target, u is K, the end of the branch.
+// The u in (0, K] at which a quantity of order u^order, increasing, equals `target`. Halley's
+// iteration uses its root of this order, which is nearly linear in u. If the quantity stays below
+// the target, u is K, the end of the branch.
 template <class Quantity>
 Phase solve_phase(double target, double u, const ForceLine<double>& line) {
   effort_spent += effort_of_general_state;
-  double K = infinity;  // until an iterate comes near it: K >= π/2 always
+  double K = infinity;  // computed only near it: K >= π/2
   const auto limited = [&](double candidate) {
-    constexpr double least_K = 1.57;
-    if (candidate > least_K && K == infinity) K = end_of_branch(line);
+    constexpr double min_K = 1.57;
+    if (candidate > min_K && K == infinity) K = end_of_branch(line);
     return std::min(candidate, K);
   };
   double low = 0;
   double high = infinity;
   u = limited(u);
   HalfFibre<double> half = half_fibre_at(u, line);
-  // A step below 2^-20 u leaves, by cubic convergence, an error below the rounding. Bisection between bounds, which only
-  // states near the end of the branch ever need, gains a bit a step: 60 steps suffice for it.
+  // The convergence is cubic, so a step below 2^-20 u leaves an error below rounding. Bisection,
+  // needed only near the end of the branch, gains a bit a step; 60 steps suffice.
   for (int iteration = 0; iteration < 60; ++iteration) {
     const Quantity quantity(u, line, half);
     if (quantity.value < target && u == K) break;
     (quantity.value < target ? low : high) = u;
     const double root = std::sqrt(target / quantity.value);
     constexpr int n = Quantity::order;
-    const double miss = 1 - (n == 4 ? std::sqrt(root) : root);  // of the root of order n, relative
+    // relative error of the root of order n
+    const double miss = 1 - (n == 4 ? std::sqrt(root) : root);
     const double rate = quantity.slope / (n * quantity.value);
     const double bend = quantity.curvature / (n * quantity.value) + (1 - n) * rate * rate;
     const double next = u - miss * rate / (rate * rate - 0.5 * miss * bend);
@@ -98,16 +101,18 @@ Phase solve_phase(double target, double u, const ForceLine<double>& line) {
     half = half_fibre_at(u, line);
     if (last) break;
   }
-  // At the end of the branch the quantity is known to its own rounding and the target to that of S.
+  // At the end of the branch the quantity is known to its rounding, the target to the rounding of
+  // S.
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   return {.exists = u < K || target <= Quantity(u, line, half).value * (1 + 6 * epsilon) + 2 * epsilon,
           .u = u,
           .half = half};
 }
 
-// Expansion of u^2 in sqrt(1 - 1/S) to first order, continued by a fit: within 0.1 % (median) for q in [-1, 2], S < 1.55.
-double guess_phase(double drawn, const ForceLine<double>& line) {
-  const double t0 = std::sqrt(15 * drawn) / line.s0;
+// Expansion of u^2 in sqrt(1 - 1/S) to first order, continued by a fit: to 0.1 % (median) for q in
+// [-1, 2], S < 1.55.
+double guess_phase(double shortening, const ForceLine<double>& line) {
+  const double t0 = std::sqrt(15 * shortening) / line.s0;
   const double a = line.c0 * t0;
   const double b = line.s0 * t0;
   return std::sqrt(t0 / std::max(1 - (2.0 / 21.0) * a - 0.0193 * b * b - 0.0032 * a * a, 0.5));
@@ -137,18 +142,19 @@ FibreState assemble(double S, double q, double u, const ForceLine<double>& line,
   return {.status = FibreStatus::ok,
           .S = S,
           .q = q,
-          .w = half.z / (2 * a),                       // (4.18)
-          .F = 8 * a * a * std::max(half.sin_b, 0.0),  // (4.22); u = K rounds to either side of F = 0
+          .w = half.z / (2 * a),  // (4.18)
+          // (4.22); at u = K rounding may make F negative
+          .F = 8 * a * a * std::max(half.sin_b, 0.0),
           .theta0 = 2 * elementary::angle(half.x, half.y),
           .Pn = 4 * a * a * line.s0,  // (4.15b)
           .U = 2 * a * line.s0 * line.s0 * half.V,
           .u = u};
 }
 
-// The general case, which finds where the branch ends.
+// The general case, including the end of the branch.
 FibreState general_state(double S, double q, const ForceLine<double>& line) {
-  const double drawn = (S - 1) / S;
-  const auto [exists, u, half] = solve_phase<Drawn>(drawn, guess_phase(drawn, line), line);
+  const double shortening = (S - 1) / S;
+  const auto [exists, u, half] = solve_phase<Shortening>(shortening, guess_phase(shortening, line), line);
   if (!exists) return no_state(FibreStatus::beyond_branch, S, q, not_a_number, not_a_number);
   return assemble(S, q, u, line, half);
 }
@@ -201,12 +207,13 @@ FibreState fibre_state_from_force(double w, double F) {
     throw std::invalid_argument("deflection w = " + std::to_string(w) + " is not in [0, inf)");
   if (!(F >= 0 && F < infinity)) throw std::invalid_argument("force F = " + std::to_string(F) + " is not in [0, inf)");
   if (w == 0 && F == 0) return straight(0);
-  constexpr double least_w = 1e-8;  // below it S rounds to 1
-  if (w < least_w) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
+  constexpr double min_w = 1e-8;  // below, S rounds to 1
+  if (w < min_w) return no_state(FibreStatus::no_friction, not_a_number, not_a_number, w, F);
 
-  // Along w = const the force rises strictly with q (the Jacobian of Ψ is positive): a bracketed Newton iteration in q,
-  // carrying u along. To begin with, F = 48 w (1 + 2.1 q w - 7 w^2), a fit up to w = 0.3. The bracket is a little wider than the domain, so
-  // that states on its border are found from either side.
+  // At constant w the force increases strictly with q, because the Jacobian of Ψ is positive. A
+  // bracketed Newton iteration in q carries u along. It starts from F = 48 w (1 + 2.1 q w - 7 w^2),
+  // a fit up to w = 0.3. The bracket exceeds the domain slightly, so that states on its border are
+  // found from either side.
   constexpr double border = 1e-6;
   double low = -largest_q * (1 + 2 * border);
   double high = -low;
@@ -218,16 +225,17 @@ FibreState fibre_state_from_force(double w, double F) {
     u = phase;
     const double a = u - half.gap;
     const double S = u / a;
-    const double force =
-        exists ? 8 * a * a * half.sin_b : -1;  // the branch ends short of w: only a larger q reaches it
+    // the branch ends below w; a larger q is needed
+    const double force = exists ? 8 * a * a * half.sin_b : -1;
     (force < F ? low : high) = q;
     double newton = 0.5 * (low + high);
     bool last = high - low <= 0x1p-52 * (1 + std::abs(q));
     if (exists) {
       const auto slopes = slopes_at(S, q, u);
-      const double F_q = slopes.F_q - slopes.F_S * slopes.w_q / slopes.w_S;  // along w = const
+      const double F_q = slopes.F_q - slopes.F_S * slopes.w_q / slopes.w_S;  // at constant w
       const double step = (F - force) / F_q;
-      last = last || std::abs(step) <= 0x1p-26 * (1 + std::abs(q));  // what remains is of the order of its square
+      // the remaining error is of second order
+      last = last || std::abs(step) <= 0x1p-26 * (1 + std::abs(q));
       if (last || (q + step > low && q + step < high)) newton = q + step;
     }
     q = newton;
@@ -279,10 +287,10 @@ ShapePoint fibre_shape(const FibreState& state, double s) {
   const double r = 0.5 * line.s0 * line.s0 * arc.R;
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   const double scale = state.S / (2 * state.u);  // (4.17): arc length per unit of phase
-  return {
-      .x = scale * (cosine * (v - r) + sine * p),
-      .y = scale * (sine * (v - r) - cosine * p),
-      .theta = state.theta0 * (1 - turned(arc) / turned(elliptic_arc(state.u, parameter)))};  // none left at midspan
+  return {.x = scale * (cosine * (v - r) + sine * p),
+          .y = scale * (sine * (v - r) - cosine * p),
+          // none left at midspan
+          .theta = state.theta0 * (1 - turned(arc) / turned(elliptic_arc(state.u, parameter)))};
 }
 
 }  // namespace flexslip

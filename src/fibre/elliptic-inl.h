@@ -1,5 +1,5 @@
-// The kernel of elliptic.h, for any number type of lanes-inl.h: series where the argument is small, then doublings.
-// Included once for each instruction set.
+// The kernel of elliptic.h for any number type of lanes-inl.h: series for small arguments, then
+// doublings. Included once for each instruction set.
 #if defined(FLEXSLIP_FIBRE_ELLIPTIC_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef FLEXSLIP_FIBRE_ELLIPTIC_INL_H_
 #undef FLEXSLIP_FIBRE_ELLIPTIC_INL_H_
@@ -12,17 +12,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace flexslip::HWY_NAMESPACE {
 
-// cn and 1 - cn are carried side by side: the one is accurate where the other loses its digits. sn and dn follow from them.
+// cn and 1 - cn are both stored, because each is accurate where the other loses digits. sn and dn
+// follow from them.
 template <class T>
 struct Arc {
   T cn, one_minus_cn, P, R;
 };
 
-// The series below are cut where their first neglected term, at u = 1/8, is below 2^-54 of the sum: the ℘-series after
-// t^6, the Taylor series after t^6 (their radius of convergence in t = u^2 is at least 6.87, the pole at K + iK').
+// Each series ends where the first neglected term at u = 1/8 is below 2^-54 of the sum: both after
+// t^6. The radius of convergence in t = u^2 is at least 6.87, the pole at K + iK'.
 constexpr double series_limit = 0.125;
 
-// The argument may be a plain number where m is a Dual: u is not what is differentiated for.
+// The argument may be a plain number where m is a Dual, because derivatives are not taken in u.
 template <class T, class Argument>
 HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   const Argument t = u * u;
@@ -36,8 +37,9 @@ HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   const T t_ns2 = 1.0 + t * ((1.0 / 3.0) * (1.0 + m) + t * (c2 + t * (c3 + t * (c4 + t * (c5 + t * c6)))));
   const T sn2 = t * reciprocal(t_ns2);
 
-  // In ψ = β0 - β along the fibre, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, with ψ'' = s0 cos ψ - c0 sin ψ and
-  // s0 = sin β0, c0 = cos β0. Their Taylor coefficients are polynomials in c0 = m1 - m and g = s0^2 = 4 m m1.
+  // With ψ = β0 - β along the specimen, P = ∫ sin ψ / s0 and R = 2 ∫ (1 - cos ψ)/s0^2, where
+  // ψ'' = s0 cos ψ - c0 sin ψ, s0 = sin β0 and c0 = cos β0. Their Taylor coefficients are polynomials
+  // in c0 = m1 - m and g = s0^2 = 4 m m1.
   const T c = m1 - m;
   const T g = 4.0 * m * m1;
   const T p2 = (1.0 / 5040) * (1.0 - 19.0 * g);
@@ -57,8 +59,9 @@ HWY_INLINE Arc<T> series(Argument u, const T& m, const T& m1) {
   return {.cn = cn, .one_minus_cn = sn2 * reciprocal(1.0 + cn), .P = u * t * P, .R = u * t * t * R};
 }
 
-// From u to 2u. Every sum has terms of one sign for 2u <= K, but for cn itself, which must vanish at K. The increments of
-// P and R follow from the addition theorems of E and of sn, cn, dn (docs/theory.md, "Doubling").
+// From u to 2u. For 2u <= K the terms of every sum have one sign, except for cn, which must vanish
+// at K. The increments of P and R follow from the addition theorems of E and of sn, cn, dn
+// (docs/theory.md, "Doubling").
 template <class T>
 HWY_INLINE Arc<T> doubled(const Arc<T>& arc, const T& m, const T& m1) {
   const T c = arc.cn, e = arc.one_minus_cn;
@@ -76,8 +79,8 @@ HWY_INLINE Arc<T> doubled(const Arc<T>& arc, const T& m, const T& m1) {
           .R = 2.0 * arc.R + common * e * (m1 * (2.0 + c) + m * c * (1.0 + 2.0 * c))};
 }
 
-// As many doublings as bring u within the series; no fewer than common arguments need, so that these have one number of them, side by
-// side in a vector or alone.
+// The number of doublings that brings u within the series. Common arguments all use the same
+// number, alone or in a vector.
 constexpr int common_doublings = 4;
 constexpr double common_limit = 16 * series_limit;
 HWY_INLINE int doublings_for(double u) {
@@ -89,7 +92,7 @@ HWY_INLINE int doublings_for(double u) {
   return doublings;
 }
 
-// At u, from the series at u/2^doublings <= series_limit.
+// The arc at u, from the series at u/2^doublings <= series_limit.
 template <class T, class Argument>
 HWY_INLINE Arc<T> arc_by_doubling(Argument u, int doublings, const T& m, const T& m1) {
   Arc<T> arc = series(Argument(std::ldexp(1.0, -doublings)) * u, m, m1);

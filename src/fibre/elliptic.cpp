@@ -37,7 +37,7 @@ CompleteElliptic complete_elliptic(const EllipticParameter& parameter) {
   double b = std::sqrt(parameter.m1);
   double power = 0.5;                // 2^(n-1)
   double sum = power * parameter.m;  // Σ 2^(n-1) c_n^2, with c_0^2 = m
-  // Quadratic convergence: once c_n is below 2^-27 the next one is below the rounding.
+  // Convergence is quadratic: if c_n is below 2^-27, the next one is below rounding.
   while (a - b > 0x1p-27 * a) {
     const double half_difference = 0.5 * (a - b);
     const double mean = 0.5 * (a + b);

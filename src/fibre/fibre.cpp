@@ -28,7 +28,7 @@ FibreState nothing_at(double S, double q) {
 }  // namespace
 
 Fibre::Fibre(const Supports& supports) {
-  static_cast<void>(state_on_supports(0.01, 0, supports));  // refuses what leaves no span
+  static_cast<void>(state_on_supports(0.01, 0, supports));  // throws if the supports leave no span
   if (supports.radius > 0 || supports.half_depth > 0) tables_ = SupportedTables::of(supports);
   least_length_ = SupportedTables::least_length(supports);
   if (tables_) smooth_from_ = tables_->smooth_from;
@@ -145,7 +145,7 @@ FibreStateSlopes Fibre::state_slopes(double S, double q, double w) const {
   const FibreState& s = at.state;
   d.Pn_S = at.Pn_w * d.w_S;
   d.Pn_q = at.Pn_q + at.Pn_w * d.w_q;
-  // dU = F dw - (q Pn dS + what is lost of the axis that leaves)
+  // dU = F dw - (q Pn dS + energy lost with the axis that leaves)
   const double r2 = 2 * supports().radius, lost = bending_energy_lost_at_contact(s);
   d.U_S = s.F * d.w_S - q * s.Pn - lost * (1 - r2 * d.theta0_S);
   d.U_q = s.F * d.w_q + lost * r2 * d.theta0_q;
@@ -169,7 +169,7 @@ Fibre::ContactArrays Fibre::contacts(const FibrePoints& points) const {
   SlopeArrays at = tabulated_states_slopes(points);
   std::vector<double> w = at.w;
   for (double& value : w)
-    if (std::isnan(value)) value = 0;  // which says NaN by its slopes
+    if (std::isnan(value)) value = 0;  // the slopes are NaN
   const PairSlopes turned = tables_->contacts(w, {points.frictions(), n});
   const auto& [theta0, Pn, theta0_w, theta0_q, Pn_w, Pn_q] = turned.columns;
   const double rolled = 2 * supports().radius;
@@ -181,14 +181,15 @@ Fibre::ContactArrays Fibre::contacts(const FibrePoints& points) const {
   return found;
 }
 
-// Lengths as the table by length takes them: 1 for the least.
+// Lengths as arguments of the table by length: the smallest counts as 1.
 std::vector<double> Fibre::relative_to_least_length(const FibrePoints& points) const {
   std::vector<double> lengths(points.lengths(), points.lengths() + points.size());
   for (double& S : lengths) S = S - least_length_ + 1;
   return lengths;
 }
 
-// Adds the state of the least length to what the table by length gave, and fills in what it has not, down to a force.
+// Adds the state of the smallest length to values of the table by length, and computes those
+// outside the table that have a force.
 template <std::size_t n_columns>
 void Fibre::complete(const FibrePoints& points, const std::array<double*, n_columns>& columns,
                      NearBranchEnd end) const {
@@ -315,8 +316,9 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
   const double least = least_half_depths * supports().half_depth;
   for (std::size_t i = 0; i < n; ++i)
     if (w[i] > 0 && w[i] >= least && w[i] <= deepest_on_supports) active.push_back(i);
-  // The force rises with friction, nearly in proportion. Less than the least friction looked for is none; more than the largest is told, as what makes
-  // a point suspect, up to the end of the tables: each state beyond would cost as much as hundreds.
+  // The force is nearly proportional to friction. Below the smallest friction searched, return no
+  // friction. Above the largest, return the value up to the end of the tables, because it marks the
+  // point as suspect. Beyond the tables a state costs as much as hundreds.
   for (int round = 0; round < 12 && !active.empty(); ++round) {
     std::vector<double> w_now, q_now;
     for (const std::size_t i : active) {
@@ -333,13 +335,13 @@ InverseArrays Fibre::states_from_forces(std::span<const double> w, std::span<con
         found.q[i] = q[i] + step;
         found.S[i] = 1 + at.columns[0][j] + at.columns[3][j] * step;
       } else if (std::isfinite(step)) {
-        constexpr double longest = 0.8, least_q = -largest_q_on_supports;
+        constexpr double longest = 0.8, min_q = -largest_q_on_supports;
         const double next = q[i] + std::clamp(step, -longest, longest);
-        const bool is_less = q[i] == least_q && next < least_q;
-        q[i] = std::max(next, least_q);
-        if (!is_less && q[i] < table_q.greatest) active[left++] = i;
+        const bool is_below = q[i] == min_q && next < min_q;
+        q[i] = std::max(next, min_q);
+        if (!is_below && q[i] < table_q.greatest) active[left++] = i;
       } else if (q[i] < largest_q_on_supports) {
-        q[i] += 0.25;  // where the branch has ended more friction makes a force
+        q[i] += 0.25;  // past the end of the branch, more friction restores a positive force
         active[left++] = i;
       }
     }
@@ -394,7 +396,7 @@ ContactPath::ContactPath(const Fibre& fibre, double q, double S_least, double S_
     knots_.push_back({length, 2 * sigma * length_S});
     last_ = sigma;
   }
-  if (knots_.size() < 2) knots_.clear();  // no states to follow the contacts along
+  if (knots_.size() < 2) knots_.clear();  // no states to follow the contacts
   const auto grows = std::find_if(knots_.begin(), knots_.end(), [](const Value& knot) { return knot.slope > 0; });
   if (grows == knots_.begin()) return;
   const double growing = std::min(first_ + step_ * static_cast<double>(grows - knots_.begin()), last_);

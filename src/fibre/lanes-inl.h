@@ -1,7 +1,8 @@
-// Arithmetic that reads the same for one number and for a vector of them: the mathematics of this room is written once, over a
-// type T that is double, Lanes (as many doubles as the processor has side by side), or Dual of either.
+// Arithmetic for one number and for a vector of numbers. The mathematics of this room is written
+// once for a type T: double, Lanes (a vector of doubles), or Dual of either.
 //
-// Every operation rounds as IEEE says, lane by lane, and none is fused; so all types and all processors give the same bits.
+// Every operation rounds as IEEE requires, in each lane, without fusion. All types and all
+// processors therefore give the same bits.
 //
 // Included once for each instruction set (Highway's foreach_target.h), hence no #pragma once.
 #if defined(FLEXSLIP_FIBRE_LANES_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -53,7 +54,7 @@ HWY_INLINE double abs(double a) { return std::abs(a); }
 HWY_INLINE double floor(double a) { return std::floor(a); }
 HWY_INLINE double choose(bool mask, double yes, double no) { return mask ? yes : no; }
 
-// Two reciprocals for one division: divisions are what a state costs.
+// Two reciprocals from one division, because divisions dominate the cost.
 template <class T>
 struct Reciprocals {
   T of_a, of_b;
@@ -64,8 +65,8 @@ HWY_INLINE Reciprocals<T> reciprocals(const T& a, const T& b) {
   return {both * b, both * a};
 }
 
-// Calls f(i, n, a, b) for every n elements of two arrays, from i on, side by side in lanes. In the last call n may be less than the lanes
-// there are; those beyond it hold zeros.
+// Calls f(i, n, a, b) for successive groups of n elements of two arrays, from index i. In the last
+// call n may be smaller than the vector; the remaining lanes are zero.
 template <class Function>
 HWY_INLINE void for_each_lanes(const double* a, const double* b, std::size_t count, const Function& f) {
   constexpr DoubleTag tag;
@@ -81,7 +82,7 @@ HWY_INLINE void for_each_lanes(const double* a, const double* b, std::size_t cou
   f(i, count - i, Lanes(hn::Load(tag, rest[0])), Lanes(hn::Load(tag, rest[1])));
 }
 
-// The first n lanes to memory.
+// Stores the first n lanes.
 HWY_INLINE void store(Lanes value, double* to, std::size_t n) {
   constexpr DoubleTag tag;
   if (n == hn::Lanes(tag)) {
@@ -93,11 +94,12 @@ HWY_INLINE void store(Lanes value, double* to, std::size_t n) {
   for (std::size_t j = 0; j < n; ++j) to[j] = all[j];
 }
 
-// A number with one derivative. Writing the kernel once for numbers and for these makes its derivatives exact by construction.
+// A number with one derivative. Derivatives of code written for both types are exact by
+// construction.
 template <class T>
 struct Dual {
   T v;  // value
-  T d;  // derivative with respect to the one variable of the caller
+  T d;  // derivative in the caller's variable
   HWY_INLINE Dual(T value, T derivative) : v(value), d(derivative) {}
 };
 

@@ -26,7 +26,8 @@ const CellTable& table() {
                                   for (const double x : sigma) S.push_back(1 + x * x);
                                   StateArrays at = fibre_states({S, q});
                                   for (std::size_t i = 0; i < S.size(); ++i) {
-                                    const double rounded = std::sqrt(S[i] - 1);  // to which the state belongs
+                                    // the coordinate of the state
+                                    const double rounded = std::sqrt(S[i] - 1);
                                     at.w[i] /= rounded;
                                     at.F[i] /= rounded;
                                   }
@@ -35,7 +36,7 @@ const CellTable& table() {
   return states;
 }
 
-// States of which the table has nothing.
+// Computes states that are not in the table.
 struct AtRest {
   std::vector<std::size_t> index;
   std::vector<double> S, q;
@@ -80,20 +81,24 @@ namespace {
 using PairSlope = SupportedTables::PairSlope;
 using PairSlopes = SupportedTables::PairSlopes;
 
-constexpr double longest_way = 1.05;  // [√L] of the table by length (Fibre::way)
-constexpr std::size_t ways = 44;      // cells
-constexpr int most_rounds = 40;       // of Newton's iteration
+constexpr double max_sigma = 1.05;        // [√L] σ range of the table by length
+constexpr std::size_t length_cells = 44;  // cells
+constexpr int max_rounds = 40;            // of Newton's iteration
 
 CellTable::Axes axes() { return {deepest_on_supports, 60, table_q.least, table_q.greatest, 48}; }
 
-// Nearer, the least length of each friction disturbs. It lies δ off that of the fibre hardly bent, about 6 q τ³ (theory.md), so that w holds a term of
-// 0.32 δ / x in the way x; over a cell of half width h that ends at x, polynomials of degree 7 err in 1/x² by 18 (h / 2x)^8 / x².
+// At smaller lengths, the smallest length disturbs, because it depends on friction. It differs from
+// the value at small deflection by δ of about 6 q τ³ (theory.md), so w contains a term 0.32 δ / σ.
+// In a cell of half width h that ends at σ, polynomials of degree 7 have an error in 1/σ² of 18 (h
+// / 2σ)^8 / σ².
 double smooth_from_on(const Supports& supports) {
   if (supports.half_depth == 0) return 1;
-  constexpr double error = 1e-12, q = 2, h = 0.5 * longest_way / ways, h2 = 0.25 * h * h;  // h2: (h/2)^2
+  // h2: (h/2)^2
+  constexpr double error = 1e-12, q = 2, h = 0.5 * max_sigma / length_cells, h2 = 0.25 * h * h;
   const double tau = supports.half_depth, least = 6 * q * tau * tau * tau;
   const double tenth_power = 18 * 0.32 * least * h2 * h2 * h2 * h2 / error;
-  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;  // where the cell begins
+  // start of the cell
+  const double way = elementary::exp(0.1 * elementary::log(tenth_power)) + 2 * h;
   return SupportedTables::least_length(supports) + way * way;
 }
 
@@ -115,13 +120,13 @@ SupportedTables::SupportedTables(const Supports& on)
       sliding_(CellTable::Along::coordinate, axes(), source(&SupportedState::slid, &SupportedState::F)),
       contacts_(CellTable::Along::coordinate, axes(), source(&SupportedState::theta0, &SupportedState::Pn)),
       bent_(CellTable::Along::coordinate, axes(), source(&SupportedState::U, &SupportedState::curvature)),
-      by_length_(CellTable::Along::length, {longest_way, ways, table_q.least, table_q.greatest, 48},
+      by_length_(CellTable::Along::length, {max_sigma, length_cells, table_q.least, table_q.greatest, 48},
                  [this](std::span<const double> x, std::span<const double> q) { return pair_by_length(x, q); }) {}
 
 std::shared_ptr<const SupportedTables> SupportedTables::of(const Supports& supports) {
   static std::mutex looking;
   static std::deque<std::shared_ptr<const SupportedTables>> known;
-  constexpr std::size_t most = 16;
+  constexpr std::size_t max_tables = 16;
   const std::scoped_lock lock(looking);
   const auto found = std::find_if(known.begin(), known.end(), [&](const auto& tables) {
     return tables->supports.radius == supports.radius && tables->supports.half_depth == supports.half_depth;
@@ -130,7 +135,7 @@ std::shared_ptr<const SupportedTables> SupportedTables::of(const Supports& suppo
     std::rotate(known.begin(), found, std::next(found));
   } else {
     known.push_front(std::make_shared<const SupportedTables>(supports));
-    if (known.size() > most) known.pop_back();
+    if (known.size() > max_tables) known.pop_back();
   }
   return known.front();
 }
@@ -191,7 +196,7 @@ std::vector<double> SupportedTables::deflections(std::span<const double> S, std:
     if (!(w[i] > 0 && w[i] < deepest_on_supports)) w[i] = shallow_deflection(S[i]);
   std::vector<std::size_t> active(S.size());
   std::iota(active.begin(), active.end(), 0);
-  for (int round = 0; round < most_rounds && !active.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !active.empty(); ++round) {
     std::vector<double> w_now, q_now;
     for (const std::size_t i : active) {
       w_now.push_back(w[i]);
@@ -213,7 +218,7 @@ std::vector<double> SupportedTables::deflections(std::span<const double> S, std:
 
 double SupportedTables::deflection(double S, double q) const {
   double w = guessed_deflection(S, q);
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     const PairSlope at = sliding(w, q);
     const Step step = step_from(w, S, q, at[0], at[2]);
     if (step.is_last) return step.w;
@@ -238,10 +243,10 @@ double SupportedTables::shallow_deflection(double S) const {
   return 1.25 * tau + std::sqrt(std::max((S - 1) / 2.4 + 1.5625 * tau * tau, 0.0));
 }
 
-// From a deflection whose length has this much beyond the span, and this slope.
+// A step from a deflection whose length exceeds the span by `slid`, with this slope.
 SupportedTables::Step SupportedTables::step_from(double w, double S, double q, double slid, double slid_w) const {
   const double step = (S - 1 - slid) / slid_w;
-  constexpr double small = 1e-8;  // of the deflection: what is left is its square
+  constexpr double small = 1e-8;  // of the deflection; its square remains
   if (!std::isfinite(step) || !(slid_w > 0)) return {beyond(S, q), true};
   const double next = std::clamp(w + step, 0.5 * w, 2 * w);
   if (!(next < deepest_on_supports)) return {not_a_number, true};
@@ -254,14 +259,14 @@ SupportedState SupportedTables::state(double w, double q) const {
 }
 
 SupportedState SupportedTables::state(double w, double q, PhaseAndSpan& from) const {
-  // So far beyond the end of its branch a fibre is led on. Branches end 5 L deeper for one friction more, at most, so that the cells of an eighth of it
-  // in which they end have all their nodes.
+  // How far states are extrapolated beyond the end of the branch. The deflection at the end grows
+  // by at most 5 L per unit of friction. A cell, an eighth wide in q, therefore has all its nodes.
   constexpr double led_beyond = 0.5;  // [L]
   if (!(w > 0 && w <= deepest_on_supports && std::abs(q) <= largest_q)) return no_state_on_supports(q);
   const double end = branch_end(q).w;
   if (w > end + led_beyond) return no_state_on_supports(q);
   const SupportedState led = extrapolated_state(w, q, supports, from);
-  // Leading on may lose a state that is there, of a fibre much bent.
+  // Extrapolation may miss an existing state at large deflection.
   return led.status == FibreStatus::ok || w > end ? led : state_on_supports(w, q, supports);
 }
 
@@ -284,8 +289,8 @@ const SupportedTables::CellStates& SupportedTables::cell_states(std::span<const 
   const std::scoped_lock lock(solving_);
   const std::pair corner{w[0], q[0]};
   if (const auto known = solved_.find(corner); known != solved_.end()) return known->second;
-  CellStates states;  // kept once it is whole: work may be stopped before (effort.h)
-  // Each begins where those beside it ended, as if what is left of square roots and proportions were linear in both.
+  CellStates states;  // stored once complete, because work may be interrupted (effort.h)
+  // Each iteration starts from its neighbours' results, extrapolated linearly after division by √w.
   constexpr std::size_t row = CellTable::nodes_across;
   std::vector<PhaseAndSpan> ended(w.size());
   const auto expected = [&](std::size_t i) {
@@ -320,7 +325,7 @@ PairSlope SupportedTables::slopes(const CellTable& table, Field first, Field sec
   return at;
 }
 
-// Where a table has nothing, from states nearby.
+// Computes what is missing in a table, each from a nearby state.
 void SupportedTables::fill_slopes(const CellTable& table, Field first, Field second, std::span<const double> w,
                                   std::span<const double> q, const std::array<double*, 6>& columns) const {
   table.slopes(w.data(), q.data(), w.size(), columns);
@@ -344,8 +349,9 @@ void SupportedTables::fill_slopes(const CellTable& table, Field first, Field sec
   }
 }
 
-// The more friction, the farther the branch goes (tests/fibre/supported_tables_test.cpp): none of this friction goes beyond that of the next
-// friction at which its end is known. So what has no state costs no search for one.
+// More friction makes the branch longer (tests/fibre/supported_tables_test.cpp). The known end at
+// the next larger friction is therefore an upper bound, which saves searches for states that do not
+// exist.
 SupportedTables::BranchEnd SupportedTables::branch_end(double q) const {
   constexpr BranchEnd unknown{infinity, infinity};
   if (!(q < table_q.greatest)) return unknown;
@@ -360,19 +366,20 @@ SupportedTables::BranchEnd SupportedTables::end_at(std::size_t index) const {
       table_q.least + (table_q.greatest - table_q.least) * static_cast<double>(index) / static_cast<double>(ends - 1);
   const auto there = [&](double w) { return state_on_supports(w, q, supports); };
   if (there(deepest_on_supports).status == FibreStatus::ok) return {infinity, infinity};
-  constexpr double close = 1e-6;  // [L] added to what exists
+  constexpr double close = 1e-6;  // [L] margin
   const auto [low, high] = halved_until([](const Bracket& w) { return !(w.width() > close); },
                                         {1.25 * supports.half_depth + 1e-3, deepest_on_supports},
                                         [&](double w) { return there(w).status != FibreStatus::ok; });
-  // Close to its end the length may rise without bound: by no more than this it does where it is known.
+  // Near the end the length may grow without limit; this bounds its growth.
   const SupportedState last = there(low), before = there(low - close);
   return {high, last.slid + 4 * std::abs(last.slid - before.slid) + close};
 }
 
-// Where Newton's iteration leads nowhere, close to the end of the branch: within a bracket whose upper end may have no state.
+// The deflection near the end of the branch if Newton's iteration fails: within a bracket whose
+// upper end may have no state.
 double SupportedTables::beyond(double S, double q) const {
   if (S - 1 > branch_end(q).slid) return not_a_number;
-  constexpr double close = 1e-10, rounding = 1e-15;  // of the length
+  constexpr double close = 1e-10, rounding = 1e-15;  // relative to the length
   const auto miss = [&](double w) {
     const SupportedState at = state(w, q);
     return at.status == FibreStatus::ok ? at.slid - (S - 1) : infinity;
@@ -386,7 +393,8 @@ double SupportedTables::beyond(double S, double q) const {
     before = std::exchange(low, high);
     high.x *= 1.1;
   }
-  // By halves down to a state beyond the length. Towards its end the length rises at most as a square root does: four times that is not enough.
+  // Bisect to a state beyond the length. Near the end the length grows at most as a square root; if
+  // four times this growth is too small, there is no state.
   while (std::isinf(high.value)) {
     const double middle = 0.5 * (low.x + high.x), left = std::sqrt(high.x - low.x);
     if (middle == low.x || middle == high.x) break;
@@ -406,7 +414,8 @@ CellTable::Pair SupportedTables::pair_by_length(std::span<const double> x, std::
   std::vector<double> S;
   for (const double way : x) S.push_back(least_length(supports) + way * way);
   const std::vector<double> unknown(S.size(), not_a_number);
-  // Towards the end of the branch each state is sought for long: of a cell the farthest come first, and without one of these it has nothing.
+  // Near the end of the branch states are expensive, so the farthest nodes of a cell come first. If
+  // one is missing, the cell is empty.
   constexpr std::size_t row = CellTable::nodes_across;
   if (x.size() > row) {
     const std::vector<double> farthest =

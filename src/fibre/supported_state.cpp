@@ -17,7 +17,7 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// The angle between the force at a support and the tangent there, as elastica-inl.h has it: cot β0 = -q.
+// The angle between the force at a support and the tangent, as in elastica-inl.h: cot β0 = -q.
 struct ForceAngle {
   double sine, cosine;
   double m, m1;  // sin²(β0/2), cos²(β0/2)
@@ -29,9 +29,9 @@ ForceAngle force_angle(double q) {
   return {sine, -q * sine, q < 0 ? smaller : larger, q < 0 ? larger : smaller};
 }
 
-// An angle by its sine, its cosine and 1 - cos of it, of the tangent y/x of its half.
+// An angle by its sine, cosine and 1 - cosine, from the tangent y/x of its half.
 struct Turn {
-  double x, y;  // of any length
+  double x, y;  // of any common length
   double sine, versine, cosine;
 
   Turn(double along, double across) : x(along), y(across) {
@@ -44,21 +44,22 @@ struct Turn {
   Turn less(const Turn& other) const { return {x * other.x + y * other.y, y * other.x - x * other.y}; }
 };
 
-// Integrals over the phase from the inflection, at an angle θ to the span there: of 1 - cos θ, sin θ and the square of the curvature.
+// Integrals over the phase from the inflection: of 1 - cos θ, sin θ and the squared curvature, with
+// θ the angle to the span at the inflection.
 struct Integrals {
   double gap, rise, squares;
 };
 
-// The pendulum: its parameter, and the slope at its inflection.
+// The pendulum: its parameter and the slope at its inflection.
 struct Pendulum {
   double m, m1;
-  double swing;  // 2 √(m m1): the curvature is so much times sd, in units of the rate
+  double amplitude;  // 2 √(m m1): the curvature divided by sd, in units of the rate
 
-  Turn turn(const EllipticArc& arc) const { return {m1 + m * arc.cn, 0.5 * swing * arc.one_minus_cn}; }
+  Turn turn(const EllipticArc& arc) const { return {m1 + m * arc.cn, 0.5 * amplitude * arc.one_minus_cn}; }
   double dn2(const EllipticArc& arc) const { return m1 + m * arc.cn * arc.cn; }
   double sd(const EllipticArc& arc) const { return arc.sn / arc.dn; }
   Integrals integrals(double phase, const EllipticArc& arc, const Turn& theta) const {
-    const double p = swing * arc.P, r = 0.5 * swing * swing * arc.R;
+    const double p = amplitude * arc.P, r = 0.5 * amplitude * amplitude * arc.R;
     return {phase * theta.versine + theta.cosine * r - theta.sine * p, theta.sine * (phase - r) - theta.cosine * p,
             2 * arc.P - (m1 - m) * arc.R};
   }
@@ -69,10 +70,10 @@ struct ContactPhase {
   EllipticArc arc;
 };
 
-// The phase at which sd = value, in [0, K).
+// The phase in [0, K) at which sd = value.
 ContactPhase phase_of(double value, const Pendulum& pendulum) {
   const EllipticParameter parameter{pendulum.m, pendulum.m1};
-  // Of the series of sd, inverted; large, fewer terms keep short of K.
+  // The inverse series of sd. For large values, fewer terms stay below K.
   const double square = value * value, c = pendulum.m1 - pendulum.m;
   const double fifth = square < 0.1 ? (3 * c * c + 4 * pendulum.m * pendulum.m1) / 40 : 0;
   double v = value * (1 + square * (c / 6 + square * fifth));
@@ -82,21 +83,22 @@ ContactPhase phase_of(double value, const Pendulum& pendulum) {
     if (std::abs(step) <= epsilon * v) break;
     v = std::max(v + step, 0.5 * v);
     arc = nearby_arc(v, parameter);
-    constexpr double small = 1e-8;  // of a step: the next is its square
+    constexpr double small = 1e-8;  // of a step; the next is of the order of its square
     if (std::abs(step) <= small * v) break;
   }
   return {v, arc};
 }
 
-// What a phase u between contact and midspan makes of a half span a, in units in which the arc length is u.
+// The half specimen for a phase u between contact and midspan and a half span a, in units in which
+// the arc length is u.
 struct SupportedHalf {
-  double gap, rise;    // u less the projection on the span; deflection below the contact
+  double gap, rise;    // u minus its projection on the span; deflection below the contact
   Turn theta0;         // slope at the contact
   double sin_b;        // of the force line at midspan
   double squares;      // ∫ (curvature/2a)²
   double curvature;    // [2a] at midspan
   double at_contact;   // [2a] curvature there
-  double phase_slope;  // how the phase of the contact grows with a
+  double phase_slope;  // derivative of the contact phase in a
 };
 
 std::optional<SupportedHalf> half_of(double u, double a, const ForceAngle& angle, const Supports& supports) {
@@ -104,12 +106,12 @@ std::optional<SupportedHalf> half_of(double u, double a, const ForceAngle& angle
   const double m = angle.m + 0.25 * e * e, m1 = angle.m1 - 0.25 * e * e;
   if (!(m1 > 0)) return std::nullopt;
   const Pendulum pendulum{m, m1, 2 * std::sqrt(m * m1)};
-  const double at_contact = std::abs(e) / pendulum.swing;
-  if (!(at_contact * std::sqrt(m1) < 0.999)) return std::nullopt;  // of the greatest sd
+  const double at_contact = std::abs(e) / pendulum.amplitude;
+  if (!(at_contact * std::sqrt(m1) < 0.999)) return std::nullopt;  // of the maximum of sd
   const double side = e < 0 ? -1 : 1;
   const auto [v0, contact] = phase_of(at_contact, pendulum);
   const double v1 = side * v0 + u;
-  // Up to K there is a force. The map is smooth there and led on beyond.
+  // The force is positive up to K. The map is smooth there and extrapolated beyond.
   if (!(v1 > 0 && (v1 < 0.5 * std::numbers::pi || v1 <= 1.8 * complete_elliptic({m, m1}).K))) return std::nullopt;
   const EllipticArc middle = elliptic_arc(v1, {m, m1});
   const Turn theta = pendulum.turn(middle);  // at the inflection
@@ -117,11 +119,11 @@ std::optional<SupportedHalf> half_of(double u, double a, const ForceAngle& angle
   return SupportedHalf{.gap = whole.gap - side * before.gap,
                        .rise = whole.rise - side * before.rise,
                        .theta0 = theta.less(pendulum.turn(contact)),
-                       .sin_b = pendulum.swing * middle.cn / pendulum.dn2(middle),
-                       .squares = pendulum.swing * pendulum.swing * (whole.squares - side * before.squares),
-                       .curvature = pendulum.swing * pendulum.sd(middle),
+                       .sin_b = pendulum.amplitude * middle.cn / pendulum.dn2(middle),
+                       .squares = pendulum.amplitude * pendulum.amplitude * (whole.squares - side * before.squares),
+                       .curvature = pendulum.amplitude * pendulum.sd(middle),
                        .at_contact = e,
-                       .phase_slope = e * pendulum.dn2(contact) / (a * pendulum.swing * contact.cn)};
+                       .phase_slope = e * pendulum.dn2(contact) / (a * pendulum.amplitude * contact.cn)};
 }
 
 SupportedState state_of(const SupportedHalf& half, double u, double a, const ForceAngle& angle, double q,
@@ -145,8 +147,9 @@ SupportedState state_of(const SupportedHalf& half, double u, double a, const For
           .curvature = 2 * a * half.curvature};
 }
 
-// Phase and half span of a deflection: within 0.1 % (median) for q in [-1, 2], w < 0.4 on knife edges, and to first order in radius and
-// depth; of more, so little that Newton's iteration comes from below.
+// The guess of phase and half span at a deflection. On knife edges it is right to 0.1 % (median)
+// for q in [-1, 2], w < 0.4, and to first order in radius and depth. At larger deflections it is
+// small, so that Newton's iteration approaches from below.
 PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Supports& supports) {
   const double R = supports.radius + supports.half_depth, theta0 = 3 * w;
   const double ell = 1 - 2 * R * theta0, lever = 1 - 3 * q * supports.half_depth;
@@ -159,8 +162,8 @@ PhaseAndSpan guess_of(double w, double q, const ForceAngle& angle, const Support
   return {u, u / (ell * (1 + 2.4 * w1 * (w1 - 2.5 * supports.half_depth * q)))};
 }
 
-// Phase and half span together, by Newton's iteration, from the fibre that is little bent. How the parameter grows with the couple is left out
-// of its slopes.
+// Phase and half span by Newton's iteration from small deflection. The slopes neglect how the
+// parameter depends on the couple.
 SupportedState state_nearby(double w, double q, const Supports& supports, PhaseAndSpan& from) {
   const ForceAngle angle = force_angle(q);
   const double R = supports.radius + supports.half_depth;
@@ -169,7 +172,7 @@ SupportedState state_nearby(double w, double q, const Supports& supports, PhaseA
   double last_u = 0, last_a = 0;
   for (int i = 0; i < 40; ++i) {
     const auto half = half_of(u, a, angle, supports);
-    if (!half) {  // a step too far
+    if (!half) {  // the step was too large
       if (i == 0) last_u = last_a = 0.5 * u;
       u -= 0.6 * last_u, a -= 0.6 * last_a;
       last_u *= 0.4, last_a *= 0.4;
@@ -190,7 +193,7 @@ SupportedState state_nearby(double w, double q, const Supports& supports, PhaseA
     const bool stands = std::abs(du) <= rounding * u && std::abs(da) <= rounding * a;
     if (solved || stands) return state_of(*half, u, a, angle, q, supports);
     if (!std::isfinite(du) || !std::isfinite(da)) break;
-    constexpr double longest = 0.3;  // of what is changed
+    constexpr double longest = 0.3;  // relative change in a step
     last_u = std::clamp(du, -longest * u, longest * u), last_a = std::clamp(da, -longest * a, longest * a);
     u += last_u, a += last_a;
   }
@@ -198,7 +201,8 @@ SupportedState state_nearby(double w, double q, const Supports& supports, PhaseA
   return no_state_on_supports(q);
 }
 
-// The state at a phase: the half span solved for, since the curvature at the contact depends on it.
+// The state at a phase. The half span is solved for, because the curvature at the contact depends
+// on it.
 SupportedState state_at_phase(double u, double q, const Supports& supports) {
   const ForceAngle angle = force_angle(q);
   const double R = supports.radius + supports.half_depth;
@@ -237,7 +241,7 @@ void require_domain(double w, double q, const Supports& supports) {
 }
 
 SupportedState solved_state(double w, double q, const Supports& supports) {
-  // The deflection rises with the phase, hardly bent as its square.
+  // The deflection increases with the phase, at first as its square.
   const double s0 = force_angle(q).sine;
   double low = 0, high = infinity;
   double u = std::sqrt(3 * w / s0), before = 0, w_before = 0;
@@ -249,7 +253,7 @@ SupportedState solved_state(double w, double q, const Supports& supports) {
     (exists && state.w < w ? low : high) = u;
     if (high - low <= epsilon * u) break;
     double next = std::isinf(high) ? 1.3 * u : 0.5 * (low + high);
-    if (exists) {  // of the square root of the deflection
+    if (exists) {  // in the square root of the deflection
       const double root = std::sqrt(state.w), slope = before > 0 ? (root - w_before) / (u - before) : root / u;
       const double secant = u + (std::sqrt(w) - root) / slope;
       if (secant > low && secant < high) next = secant;
@@ -257,7 +261,7 @@ SupportedState solved_state(double w, double q, const Supports& supports) {
     }
     u = next;
   }
-  constexpr double good = 1e-12;  // of w where neighbouring phases are as far apart
+  constexpr double good = 1e-12;  // error of w, if neighbouring phases differ by as much
   return state.status == FibreStatus::ok && std::abs(state.w - w) <= good * w ? state : no_state_on_supports(q);
 }
 
@@ -295,7 +299,8 @@ SupportedState state_on_supports_from_force(double w, double F, const Supports& 
   no_friction.w = w;
   no_friction.F = F;
   if (w < least_half_depths * supports.half_depth) return no_friction;
-  // The force rises with friction; where there is no state it has fallen to zero, or friction is more than any that is looked for.
+  // The force increases with friction. Without a state the force has reached zero, or friction
+  // exceeds the range searched.
   double low = -largest_q_on_supports, high = largest_q_on_supports;
   double q = 0, before = 0, F_before = 0;
   bool has_before = false;

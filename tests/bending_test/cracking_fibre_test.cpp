@@ -66,8 +66,7 @@ TEST_CASE("identity: a crack happens at its deflection, along the load line, at 
   }
 }
 
-TEST_CASE(
-    "oracle: a crack of a fibre hardly bent, which no friction holds at its length, ends on the softer fibre's curve") {
+TEST_CASE("oracle: a crack at small deflection, which no friction can hold, ends on the curve of the softer fibre") {
   const double mu = 0.45, k = 59;
   for (const auto& [w, loss] :
        {std::pair{0.002, 0.08}, std::pair{0.0001, 0.01}, std::pair{0.05, 0.6}, std::pair{0.1, 0.9}}) {
@@ -98,7 +97,7 @@ TEST_CASE("limit: a rig of infinite stiffness sees the force fall by the loss, a
   CHECK(history.snaps.empty());  // friction holds it as before
 }
 
-TEST_CASE("identity: the initial slope of a reload is that of what is left of the bending stiffness") {
+TEST_CASE("identity: the initial slope of a reload follows from the remaining bending stiffness") {
   const double loss = 0.25;
   const History history = follow_continuously({Friction::constant(0.3), {60}}, std::vector{0.3, 0.01, 0.02}, 40,
                                               std::vector<Crack>{{0.15, loss}});

@@ -86,7 +86,7 @@ TEST_CASE("critical stiffness, oracle: the tracer finds folds just below it and 
 TEST_CASE("critical stiffness, identity: there G' and G'' vanish together") {
   const Friction friction = friction_of_fig_8();
   const double k = critical_stiffness(friction, 0.5);
-  // Just below it the last pair of folds encloses the cusp, at a distance that goes as the root of what k lacks.
+  // Just below it the last pair of folds encloses the cusp, at a distance proportional to the root of the difference in k.
   const auto curve = trace_loading_curve(friction, {k * (1 - 1e-8)}, length_at_deflection(friction, 0.5));
   REQUIRE(curve.folds.size() == 2);
   const double S = 0.5 * (curve.folds[0].point.S + curve.folds[1].point.S);

@@ -16,7 +16,7 @@ std::vector<double> way(double from, double to, int n) {
   return x;
 }
 
-TEST_CASE("identity: samples at once are those of one point, and pieces have their values") {
+TEST_CASE("identity: many samples equal single samples, and pieces have their values") {
   const Friction friction = Friction::sinusoid(0.6, 0.3, 0.01, 1);
   for (const double stiffness : {20.0, 300.0, std::numeric_limits<double>::infinity()})
     for (const Sliding sliding : {Sliding::in, Sliding::out}) {
@@ -44,7 +44,7 @@ TEST_CASE("identity: samples at once are those of one point, and pieces have the
     }
 }
 
-TEST_CASE("oracle: slopes along the way are those of differences of the stage position") {
+TEST_CASE("oracle: slopes equal differences of the stage position") {
   const Friction friction = Friction::sinusoid(0.6, 0.3, 0.05, 1);
   const double h = 1e-5;
   for (const double x : {0.2, 0.4, 0.6}) {

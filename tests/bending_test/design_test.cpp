@@ -36,7 +36,7 @@ struct CountedDrops {
   double largest = 0, sum = 0;
 };
 
-// Runs of readings of which each is less than the one before.
+// Runs of decreasing readings.
 CountedDrops drops_in(const std::vector<PathPoint>& path) {
   CountedDrops drops;
   for (std::size_t i = 1; i < path.size(); ++i) {
@@ -61,7 +61,7 @@ Design any_design() {
 
 }  // namespace
 
-TEST_CASE("design, oracle: snaps, end and energies are those of the path followed") {
+TEST_CASE("design, oracle: snaps, end and energies equal those of the simulated path") {
   CHECK(rc::check([] {
     Design design = any_design();
     design.step = 0;
@@ -93,7 +93,7 @@ TEST_CASE("design, oracle: snaps, end and energies are those of the path followe
   }));
 }
 
-TEST_CASE("design, oracle: a fibre breaks where the path followed first has so much curvature") {
+TEST_CASE("design, oracle: a fibre breaks where the simulated path first reaches the breaking curvature") {
   int broken = 0, sound = 0;
   CHECK(rc::check([&] {
     Design design = any_design();
@@ -140,7 +140,7 @@ TEST_CASE("design, limit: of constant friction the fibre breaks at its curvature
   CHECK(outcome.w_reached == to(1e-12, state.w));
 }
 
-TEST_CASE("design, oracle: the drops are those of a record in which every reading is computed") {
+TEST_CASE("design, oracle: the drops equal the drops of a record in which every reading is computed") {
   CHECK(rc::check([] {
     const Design design = any_design();
     const auto outcome = outcome_of(design);
@@ -171,7 +171,7 @@ TEST_CASE("design, oracle: a branch that ends between two teeth, found by random
   }
 }
 
-TEST_CASE("design, oracle: what slips through within a smooth stretch is told up to there") {
+TEST_CASE("design, oracle: a fibre that slips through within a smooth segment is followed to this point") {
   // The force is lost between two of the tracer's points, which are all on the branch.
   const Design design{Friction::sinusoid(0.5, 0.002, 0.0020704635518614778, 1), {infinity}, 3, 0};
   const auto outcome = outcome_of(design);
@@ -277,7 +277,7 @@ TEST_CASE("design, limit: no rig stiffer than the critical one of a loading snap
 }
 
 TEST_CASE(
-    "design, oracle: the greatest force is that of a state, where the polynomial of its tooth is off by more than "
+    "design, oracle: the maximum force is computed from a state if the polynomial of its tooth errs by more than "
     "1e-7") {
   const Friction friction = Friction::sinusoid(1.15744, 0.378589, 0.0350599, 3.0662);
   const auto outcome = outcome_of({friction, {185.1}, 0.5, 0});
@@ -289,7 +289,7 @@ TEST_CASE(
   CHECK(outcome.greatest_force == to(1e-9, most));
 }
 
-TEST_CASE("design, limit: the greatest force may stand at a corner of the friction") {
+TEST_CASE("design, limit: the maximum force may occur at a corner of the friction") {
   const Friction ramp = Friction::table({{1.1, 1.3}, {0.2, 1.0}});
   const auto outcome = outcome_of({ramp, {1000}, 0.9, 0});
   CHECK(outcome.greatest_force == to(1e-9, fibre_state(1.3, 1).F));  // 1e-9: the polynomial at its end
@@ -310,8 +310,7 @@ TEST_CASE("design, contract: what is out of its domain is refused with its value
   CHECK(message_of([] { outcome_of({friction_of_fig_8(), {30}, 0.5, 1e-30}); }).find("readings") != std::string::npos);
 }
 
-TEST_CASE(
-    "design, limit: a friction table that ends a hair beyond the span is that of its last value, for no more work") {
+TEST_CASE("design, limit: a friction table that ends just beyond the span equals its last value, at no extra cost") {
   const Fibre thick(Supports{0, 0.0136});
   const Design constant{Friction::constant(0.5), {90, thick}, 0.4, 2e-3};
   const auto effort_of = [](const Design& design, DesignOutcome& outcome) {

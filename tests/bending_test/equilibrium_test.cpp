@@ -80,7 +80,7 @@ TEST_CASE("equilibrium: the curve is the upper envelope of the region, its count
   }
 }
 
-TEST_CASE("equilibrium: the region is that of Algorithm 1 taken literally, its step corrected (oracle: quadrature)") {
+TEST_CASE("equilibrium: the region equals a literal Algorithm 1 with its step corrected (oracle: quadrature)") {
   // Lines 2 to 12: S by (S* - 1)/n, β0 from arccot μ to arccot -μ; then back from (w, F) to (S, q).
   const auto friction = friction_of_fig_7();
   const double S_last = 1.4;

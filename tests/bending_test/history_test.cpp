@@ -30,7 +30,7 @@ History load_continuously(const Friction& friction, const Rig& rig, double stage
 }
 
 // The paper's Algorithm 2 taken literally: at each stage position all roots of R(S) = k (w_s - w) - F on the equilibrium curve,
-// of those with R' < 0 the one nearest to the last S. Roots are found on a fixed dense grid, then by bisection.
+// with R' < 0, the nearest to the last S. Roots are found on a fixed dense grid, then by bisection.
 class LiteralAlgorithm2 {
  public:
   LiteralAlgorithm2(Friction friction, double k, double S_max, double step) : friction_(std::move(friction)), k_(k) {
@@ -93,7 +93,7 @@ double sum_of(const EnergyAccount& energy) {
 
 }  // namespace
 
-TEST_CASE("history: the measured curve is that of Algorithm 2 taken literally, in 240 random tests (oracle)") {
+TEST_CASE("history: the measured curve equals a literal Algorithm 2, in 240 random tests (oracle)") {
   std::mt19937_64 random(20210829);
   const auto draw = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
@@ -189,7 +189,7 @@ TEST_CASE("history: the continuous curve and the stepped one are the same (ident
   }));
 }
 
-TEST_CASE("history: along the path the stage advances, the fibre is drawn in, and the wedge is in balance (identity)") {
+TEST_CASE("history: along the path the stage advances, the fibre slides in, and the wedge is in balance (identity)") {
   CHECK(rc::check("random tests", [] {
     const auto [friction, rig, stage] = some_test();
     const auto history = load_continuously(friction, rig, stage, 20);
@@ -220,7 +220,7 @@ TEST_CASE("history: the energy account closes (identity)") {
       RC_ASSERT(energy.snaps >= 0);  // what a snap sets free, it sets free
       RC_ASSERT((energy.snaps == 0) == history.snaps.empty());
       RC_ASSERT(history.energy_at.size() == history.path.size());
-      if (history.status != HistoryStatus::ok) continue;  // the account goes on to the point of loss
+      if (history.status != HistoryStatus::ok) continue;  // the account continues to the point of loss
       const auto& last = history.path.back();
       RC_ASSERT(energy.bending == to(4 * unit, fibre_state(last.S, last.q).U));
       RC_ASSERT(energy.load_train == to(1e-14, 0.5 * last.F * last.F / rig.stiffness));
@@ -278,7 +278,7 @@ TEST_CASE("history: a stiff rig measures the equilibrium curve itself, without s
 
 TEST_CASE("history: at first the force is 48 w, behind the cantilever (limit)") {
   const auto history = follow_in_steps({Friction::constant(0.3), {30}}, std::vector{1e-6, 1e-4});
-  for (const auto& point : history.path)  // besides, S is rounded: to half an ulp of 1 + 2.4 w^2
+  for (const auto& point : history.path)  // S is also rounded: to half an ulp of 1 + 2.4 w^2
     CHECK(point.F == to(2 * point.stage + 0x1p-53 / (2.4 * point.w * point.w), point.stage / (1.0 / 48 + 1.0 / 30)));
 }
 
@@ -327,7 +327,7 @@ TEST_CASE("history: with constant friction a closed cycle returns to its start (
 }
 
 TEST_CASE("history: the area of a loop is friction heat and snaps (oracle: trapezium rule on the path)") {
-  // Fig. 8's rough fibre: once it has been drawn in, the loop between two stage positions closes.
+  // Fig. 8's rough fibre: once it has slid in, the loop between two stage positions closes.
   const std::vector<double> cycle{0.62, 0.2, 0.62};
   const auto history = follow_continuously({friction_of_fig_8(), rig_of_fig_8}, cycle, 3000);
   REQUIRE(history.status == HistoryStatus::ok);
@@ -371,7 +371,7 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "path: the states are those of the history, to the bit, in steps and continuously (identity: 60 random "
+    "path: the states equal the history bit for bit, in steps and continuously (identity: 60 random "
     "programmes)") {
   std::mt19937_64 random(2);
   for (int i = 0; i < 60; ++i) {

@@ -24,7 +24,7 @@ namespace {
 
 // The oracle knows energies only, no forces and no curves. At each of many small steps of the stage the fibre may slide, a
 // little at a time on a grid of lengths, as long as its elastic energy falls by more than friction takes; the elastic
-// energy at a length is the least over all q, found by brute force.
+// energy at a length is the minimum over all q, found by brute force.
 class EnergyMinimiser {
  public:
   EnergyMinimiser(const Friction& friction, double k, double step) : friction_(friction), k_(k), step_(step) {}
@@ -36,7 +36,7 @@ class EnergyMinimiser {
     if (lost_contact_ && stage <= w_lost_) return;
     for (const int direction : {1, -1})
       while (cell_ + direction >= 1 && gain(direction, stage) > 0) cell_ += direction;
-    // The least energy is that of a fibre without force: the nose lifts off, until it is back where the fibre has stayed.
+    // The energy is smallest without force: the nose lifts off, until it returns to where the fibre has stayed.
     lost_contact_ = cell_ > 0 && least_energy(length(), stage).F <= 1e-5;
     w_lost_ = stage;
     if (lost_contact_)
@@ -346,7 +346,7 @@ TEST_CASE(
   CHECK(fibre.end() == HistoryStatus::ok);
 }
 
-TEST_CASE("motion: a fibre drawn in by a hundred spans slips through, as no specimen is as long (limit)") {
+TEST_CASE("motion: a fibre that slides in by a hundred spans slips through, as no specimen is as long (limit)") {
   MovingFibre fibre({Friction::constant(1), {90}}, 60);
   stretches_to(fibre, 60);
   CHECK(fibre.end() == HistoryStatus::slipped_through);

@@ -9,7 +9,7 @@
 
 namespace flexslip {
 
-TEST_CASE("reach, identity: a loading is not drawn in beyond it, and hardly less") {
+TEST_CASE("reach, identity: a loading does not slide in beyond it, and only slightly less") {
   CHECK(rc::check([] {
     const Friction friction =
         Friction::sinusoid(*between(0, 1.2), *between(0, 0.9), *between(0.008, 0.2), *between(0, 6.28));

@@ -35,7 +35,8 @@ double rounding_of_stage(const RigPoint& point) {
 }  // namespace
 
 TEST_CASE(
-    "rig: one, three and five overall equilibria at w_s = 0.52, 0.65, 0.69, in turn stable and unstable (paper, Fig. "
+    "rig: one, three and five overall equilibria at w_s = 0.52, 0.65, 0.69, alternately stable and unstable (paper, "
+    "Fig. "
     "8B)") {
   const auto curve = trace_loading_curve(friction_of_fig_8(), rig_of_fig_8, longest_at_stage(0.7));
   using enum Stability;
@@ -55,7 +56,7 @@ TEST_CASE("rig: at the fold the equilibrium is partially stable (paper, Fig. 8B)
         std::vector{stable, unstable, stable});
 }
 
-TEST_CASE("rig: every overall equilibrium balances wedge and cantilever, and none is missed (oracle: dense sampling)") {
+TEST_CASE("rig: every overall equilibrium balances wedge and cantilever, and all are found (oracle: dense sampling)") {
   CHECK(rc::check("random rigs and stage positions", [] {
     const double wavelength = *between(0.01, 0.2);
     const auto friction = Friction::sinusoid(*between(0.1, 0.9), *between(0, 0.6), wavelength, *between(0, 6));
@@ -103,7 +104,7 @@ TEST_CASE("rig: a fibre longer than longest_at_stage is at a later stage positio
   CHECK(longest_at_stage(0.5) == to(4 * unit, 1.6));
 }
 
-TEST_CASE("rig: slope and stage of a point are those of the curve (oracle: differences)") {
+TEST_CASE("rig: slope and stage of a point agree with the curve (oracle: differences)") {
   CHECK(rc::check("random points of Fig. 8B", [] {
     const auto friction = friction_of_fig_8();
     static const auto curve = trace_loading_curve(friction, rig_of_fig_8, 1.5);

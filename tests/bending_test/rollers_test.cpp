@@ -42,7 +42,7 @@ SomeTest some_test() {
   return some;
 }
 
-// The force at a stage position, by small steps of it: the state moves along a level of what slides while friction holds, and else along
+// The force at a stage position, by small steps of it: the state moves at constant sliding length while friction holds, otherwise along
 // q = ±μ(S), to the nearest deflection that fits.
 class Stepped {
  public:
@@ -173,7 +173,7 @@ TEST_CASE("rollers: a thick specimen slides out, sticks and slides in (published
   CHECK(in->to.S == 1);
 }
 
-TEST_CASE("rollers, oracle: forces through a programme are those of small steps") {
+TEST_CASE("rollers, oracle: forces through a programme equal those of small steps") {
   const std::vector<double> stages{.03, .07, .2, .24, .2, .1, .06, .03, .01, .05, .15, .04};
   // The other is a bar of ISO 178 whose friction changes faster along it than its surface slides: sticking and sliding take turns.
   for (const auto& [supports, friction] : {std::pair{Supports{.004, .02}, Friction::sinusoid(.4, .2, .1, 1)},
@@ -188,7 +188,7 @@ TEST_CASE("rollers, oracle: forces through a programme are those of small steps"
   }
 }
 
-TEST_CASE("rollers, oracle: before the surface slides in, the steepest that is followed is that of a dense sample") {
+TEST_CASE("rollers, oracle: before the surface slides in, the steepest friction followed agrees with a dense sample") {
   for (const Supports& supports : {Supports{0, .002}, {0, .0136}, {0, .05}, {.02, .031}, {.078, .031}}) {
     const Fibre fibre(supports);
     constexpr double most = .9;
@@ -201,7 +201,7 @@ TEST_CASE("rollers, oracle: before the surface slides in, the steepest that is f
     double moved = 0;
     for (const double each : fibre.length_friction_derivatives(w, q)) moved = std::max(moved, std::abs(each));
     const double steepest = steepest_followed(fibre, most, 1.1);
-    CHECK(steepest <= (1 + 1e-12) / moved);  // on rollers, which roll on as it is drawn in, maybe less
+    CHECK(steepest <= (1 + 1e-12) / moved);  // possibly less on rollers, whose contacts move as it slides in
     if (supports.radius == 0) CHECK(steepest == to(1e-12, 1 / moved));
   }
 }
@@ -248,7 +248,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("rollers, definition: friction met on a way is that of the point between the contacts") {
+TEST_CASE("rollers, definition: friction on a path is the friction of the point between the contacts") {
   const Fibre fibre({.05, .01});
   const Friction rough = Friction::rough(.4, .2, .02, 3, 1.5);
   for (const Friction& along : {waves, rough})
@@ -267,7 +267,7 @@ TEST_CASE("rollers, definition: friction met on a way is that of the point betwe
     }
 }
 
-TEST_CASE("rollers, limit: friction of more than may be stated, as a fit may tell it, sticks and slides as well") {
+TEST_CASE("rollers, limit: friction above the limit for input, as a fit may find, sticks and slides as well") {
   const Fibre fibre({0, .0136});
   for (const double mu : {1.9, 2.1, 2.35, 3.}) {
     CAPTURE(mu);
@@ -295,7 +295,8 @@ TEST_CASE(
   CHECK(history.path.back().stage == 0.4);
 }
 
-TEST_CASE("rollers, identity: where friction hardly moves what is drawn in, a test goes on, and its energies close") {
+TEST_CASE(
+    "rollers, identity: where friction barely changes the sliding length, a test continues and its energies close") {
   const Rig rig{119.66, Fibre(Supports{20.0 / 1278, 3.5 / 1278})};
   const BendingTest test{Friction::sinusoid(0.5, 0.15, 10.9 / 1278, 1), rig};
   const History history = follow_continuously(test, std::vector<double>{0, 0.1, 0.05, 0.2}, 3);

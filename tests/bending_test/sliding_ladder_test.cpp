@@ -26,7 +26,7 @@ TEST_CASE("oracle: w and F of the ladder agree with the exact states to 1e-12, w
   }
 }
 
-TEST_CASE("oracle: the measured curve on the ladder is that of the exact folds, snaps included") {
+TEST_CASE("oracle: the measured curve on the ladder agrees with the exact folds, snaps included") {
   const Friction friction = Friction::sinusoid(0.6, 0.2, 0.008, 0.3);
   const double k = 80;
   std::vector<double> stages;

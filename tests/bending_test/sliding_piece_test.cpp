@@ -32,7 +32,7 @@ FibreState state_at(double S) { return fibre_state(S, friction.at(S).mu); }
 
 }  // namespace
 
-TEST_CASE("sliding piece, oracle: forces at stage positions are those of the states") {
+TEST_CASE("sliding piece, oracle: forces at stage positions agree with the states") {
   const SlidingPiece piece = piece_of(friction, S_from, S_to);
   for (int i = 0; i <= 50; ++i) {
     const auto state = state_at(S_from + (S_to - S_from) * i / 50);
@@ -72,7 +72,7 @@ TEST_CASE("sliding piece, limit: where the branch has ended there is none") {
   CHECK(piece_of(none, 1, 1.1).exists());
 }
 
-TEST_CASE("sliding piece, identity: parts of a piece tell what the whole tells, and add up to it") {
+TEST_CASE("sliding piece, identity: parts of a piece agree with the whole, and add up to it") {
   const Fibre fibre;
   const CurvePiece nodes = pieces_between(friction, stiff, Sliding::in,
                                           std::array{fibre.sliding_coordinate(S_from), fibre.sliding_coordinate(S_to)})

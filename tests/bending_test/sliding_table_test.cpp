@@ -65,7 +65,7 @@ TEST_CASE("sliding table: where friction is held at zero the kink costs no accur
 }
 
 TEST_CASE("sliding table: a roughness of a thousandth of a thousandth is tabulated without splitting hairs (limit)") {
-  // Rounding of S shows in so short a wave: were it taken for a lack of resolution, a cell would take 200 pieces.
+  // The rounding of S is visible in such a short wave. Mistaken for a lack of resolution, it would cause 200 pieces a cell.
   const Friction friction = Friction::sinusoid(0.5, 0.2, 3e-5, 1);
   SlidingTable table(friction, {1000}, Sliding::in);
   const SlidingWork work = table.work(1.1, 1.1 + 6e-4);

@@ -37,7 +37,7 @@ double fine_step_end(const Friction& friction, const Rig& rig, double stage, dou
 
 }  // namespace
 
-TEST_CASE("snap: the state held at a length stands at the stage position (identity)") {
+TEST_CASE("snap: the state held at a length has the stage position (identity)") {
   CHECK(rc::check("random lengths", [] {
     const Rig rig{*whole(0, 4) ? *between(5, 500) : infinity};
     const double S = 1 + *between(1e-4, 0.4);
@@ -89,7 +89,7 @@ TEST_CASE("snap: an overshoot ends where its energy is spent, with static fricti
           const auto landing =
               landing_after(trace_loading_curve(kinetic, test.rig, 1.2), stretch->from.S, stretch->from.stage);
           REQUIRE(landing);
-          const auto end = swing(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
+          const auto end = overshoot_of(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
           REQUIRE(end.end == Holding::held);
           const double fine = fine_step_end(kinetic, test.rig, stretch->from.stage, stretch->from.S, landing->S);
           CHECK(std::abs(end.S - fine) <= 1e-3 * (landing->S - stretch->from.S));  // a few of its steps

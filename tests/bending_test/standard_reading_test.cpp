@@ -42,7 +42,7 @@ TEST_CASE("standard_reading: the bar of ISO 178 against an independent calculati
   }
 }
 
-TEST_CASE("standard_reading: hardly bent, friction at the surface of a beam on edges makes for a couple (limit)") {
+TEST_CASE("standard_reading: at small deflection, friction at the surface of a beam on edges causes a couple (limit)") {
   constexpr double w = 1e-5;
   for (const double thickness : {1e-3, 4e-3, 8e-3})
     for (const double mu : {0.0, 0.1, 0.5, 1.0}) {
@@ -96,7 +96,7 @@ TEST_CASE("standard_reading: fixed rollers add 13.5 R w/L² to first order (limi
   }
 }
 
-TEST_CASE("standard_reading: none where the specimen slips through, nonsense refused (contract)") {
+TEST_CASE("standard_reading: empty if the specimen slips through, nonsense refused (contract)") {
   CHECK_FALSE(standard_reading(Fibre(), 0, {0.1, 0.2, 3}));
   CHECK_FALSE(standard_reading(Fibre(), 0, {0.1, 0.2, 1.9}));
   CHECK_THROWS_AS(standard_reading(Fibre(), -0.1, {0, 0.1, 0.1}), std::invalid_argument);

@@ -181,7 +181,7 @@ TEST_CASE("trace: no fold of a rough profile is missed (oracle: 200 samples a co
 TEST_CASE("trace: the two folds of a tooth appear where G' first touches zero (oracle: minimisation of G')") {
   const double wavelength = 0.02 * std::numbers::pi;
   const auto friction_with = [&](double amplitude) { return Friction::sinusoid(0.6, amplitude, wavelength, 0); };
-  // The least G' on the first tooth, by golden section.
+  // The smallest G' on the first tooth, by golden section.
   const auto least_slope = [&](double amplitude) {
     const auto curve = trace_loading_curve(friction_with(amplitude), rig_of_fig_8, 1.2);
     const auto slope = [&](double S) { return point_at_length(curve, S).stage_slope; };
@@ -213,7 +213,7 @@ TEST_CASE("trace: the two folds of a tooth appear where G' first touches zero (o
 }
 
 TEST_CASE("trace: constant friction has the folds of F alone, where k is soft (limit)") {
-  // G' = w_S + F_S/k: with k -> 0 the maximum of G is that of F.
+  // G' = w_S + F_S/k: with k -> 0 the maximum of G is the maximum of F.
   const auto curve = trace_loading_curve(Friction::constant(0.6), {1e-9}, 1.5);
   REQUIRE(curve.folds.size() == 1);
   CHECK(curve.folds.front().point.F == to(1e-12, 9.50343010672679644488645323038));
@@ -251,7 +251,7 @@ TEST_CASE("trace: what cannot be traced is refused with its value (contract)") {
   CHECK(message_of([&] { point_at_stage(curve, stable_parts(curve).front(), 3.5); }).find("3.5") != std::string::npos);
 }
 
-TEST_CASE("trace: the work of finding folds is bounded by the knots of a table, whatever it says (property)") {
+TEST_CASE("trace: the work of finding folds is bounded by the knots of a table, for any values (property)") {
   CHECK(rc::check([] {
     const Fibre fibre = *rc::gen::element(Fibre(), Fibre(Supports{0, 0.0136}), Fibre(Supports{0.02, 0.0136}));
     const Rig rig{std::pow(10, *between(0.5, 4)), fibre};

@@ -79,7 +79,7 @@ TEST_CASE("identity: the energy account closes on two unlike supports, in steps 
   }
 }
 
-TEST_CASE("identity: in steps and continuously a fibre on two unlike supports comes to the same state") {
+TEST_CASE("identity: in steps and continuously a fibre on two different supports reaches the same state") {
   const std::vector<double> turns{0, 0.32, 0.1, 0.36, 0.05};
   const BendingTest test{unlike_sides(), {40}};
   const History steps = follow_in_steps(test, std::span(turns).subspan(1)), path = follow_continuously(test, turns, 7);

@@ -17,7 +17,7 @@ BendingTest worn(const Friction& friction, double wear, const Rig& rig = {30}) {
   return {friction, rig, SnapRest::nearest_stable, wear};
 }
 
-// The programme of so many passes through 0.45 and 0.1.
+// A programme of this many passes through 0.45 and 0.1.
 std::vector<double> passes_of(int passes) {
   std::vector<double> stages;
   for (int i = 0; i < passes; ++i) stages.push_back(i % 2 ? 0.1 : 0.45);
@@ -144,7 +144,7 @@ TEST_CASE("wear, identity: two supports wear as each would") {
     const double least = std::min(left.at(1 + 2 * x).mu, right.at(1 + 2 * y).mu);
     CHECK(point.q == doctest::Approx(-0.7 * least).epsilon(1e-9));
   }
-  // One support that never lets go: the way of the other alone is that of its friction.
+  // One support always sticks: the path of the other depends on its friction alone.
   const History one = follow(Friction::on_two_supports(left, Friction::constant(5), longest_at_stage(0.5)), 0.7);
   for (const ContactPoints& at : one.contacts) CHECK(at.right == 0);
 }

@@ -10,7 +10,7 @@
 
 namespace flexslip {
 
-TEST_CASE("pins, limit: where the specimen rubs more everywhere a test is that of constant friction, without a snap") {
+TEST_CASE("pins, limit: if the specimen's friction is larger everywhere, a test has constant friction and no snap") {
   const Fibre fibre(Supports{0.05, 0.01});
   const double q = friction_of_pins(0.2, 0.02, 0.05);
   CHECK(q == doctest::Approx(0.08 / std::sqrt(1 - 0.0064)).epsilon(1e-14));

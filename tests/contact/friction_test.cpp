@@ -49,7 +49,7 @@ void slope_is_that_of_mu(const Friction& friction, double S, double h, double th
 
 }  // namespace
 
-TEST_CASE("friction: no length has more friction than the most (identity)") {
+TEST_CASE("friction: no length has more friction than the maximum (identity)") {
   const auto holds = [](const Friction& friction, double S_max) {
     const double most = friction.max_up_to(S_max);
     for (int i = 0; i <= 1000; ++i)
@@ -117,7 +117,7 @@ TEST_CASE("friction: waves and drift add up (identity)") {
   CHECK(friction.smooth_scale() == doctest::Approx(0.013 / 2).epsilon(4 * unit));  // of the shortest
 }
 
-TEST_CASE("friction: the slope is that of mu, in every form (oracle: central differences)") {
+TEST_CASE("friction: the slope agrees with mu, in every form (oracle: central differences)") {
   const auto waves = some_waves();
   const auto table = some_table();
   const auto rough = Friction::rough(0.5, 0.2, 0.01, 3, 1.5);
@@ -136,7 +136,7 @@ TEST_CASE("friction: the slope is that of mu, in every form (oracle: central dif
   }
 }
 
-TEST_CASE("friction: a table gives back its knots, is smooth across them and constant beyond (identity)") {
+TEST_CASE("friction: a table is exact at its knots, smooth across them and constant beyond (identity)") {
   const FrictionTable given{{1.0, 1.02, 1.1, 1.15, 1.3, 1.31}, {0.4, 0.7, 0.7, 0.2, 0.25, 0.0}};
   const auto friction = Friction::table(given);
   for (std::size_t i = 0; i < given.S.size(); ++i) {
@@ -201,7 +201,7 @@ TEST_CASE("friction: cubic tables reproduce straight lines (identity)") {
   }));
 }
 
-TEST_CASE("friction: whatever is not a friction is refused, and says what is wrong (contract)") {
+TEST_CASE("friction: an invalid friction is refused, and the message says what is wrong (contract)") {
   refused("mu0", "-0.1", [] { Friction::constant(-0.1); });
   refused("mu0", "nan", [] { Friction::constant(nan); });
   refused("mu0", "inf", [] { Friction::constant(infinity); });

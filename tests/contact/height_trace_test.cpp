@@ -12,7 +12,7 @@
 
 namespace flexslip {
 
-TEST_CASE("height trace: even positions are taken as they are, falling ones turned round (identity)") {
+TEST_CASE("height trace: even positions are unchanged, falling ones reversed (identity)") {
   const std::vector<double> x{3, 2, 1, 0}, z{5, 6, 7, 9};
   const HeightTrace turned = sampled(x, z);
   CHECK(turned.begin == 0);
@@ -61,7 +61,7 @@ TEST_CASE("height trace: the filter leaves half of a wave as long as its cutoff 
   CHECK(short_one.height[2000] == doctest::Approx(std::pow(2, -0.25) * trace.height[2000]).epsilon(1e-6));
 }
 
-TEST_CASE("height trace: the filter is the weighted mean as it is written, at the ends, too (oracle)") {
+TEST_CASE("height trace: the filter is the weighted mean by its definition, also at the ends (oracle)") {
   Uniform uniform;
   HeightTrace trace{0, 0.1, {}};
   for (int i = 0; i < 150; ++i) trace.height.push_back(uniform(-1, 1));

@@ -14,7 +14,7 @@ TEST_CASE("on slopes: in on the one profile, out on the other, and back (identit
   const Friction in = Friction::table({{1, 1.5, 2}, {0.4, 0.6, 0.5}}),
                  out = Friction::table({{1, 1.5, 2}, {0.6, 0.4, 0.5}});
   const Friction both = Friction::path_dependent(std::make_shared<const OnSlopes>(in, out));
-  CHECK(both.depends_on_way());
+  CHECK(both.is_path_dependent());
   CHECK(both.continues(1.2, 1));
   CHECK_FALSE(both.continues(1.2, -1));
   const Friction back = both.from(1.5, -0.4, -1), again = back.from(1.2, 0.3, 1);
@@ -27,7 +27,7 @@ TEST_CASE("on slopes: in on the one profile, out on the other, and back (identit
   CHECK(has(message_of([&] { OnSlopes(both, in); }), "two ways by itself"));
 }
 
-TEST_CASE("on slopes: a bending test slides out along minus the other profile (oracle: that profile by itself)") {
+TEST_CASE("on slopes: a bending test slides out along minus the other profile (oracle: this profile alone)") {
   const Friction in = Friction::table({{1, 1.1, 1.2, 1.6}, {0.5, 0.6, 0.5, 0.5}}),
                  out = Friction::table({{1, 1.1, 1.2, 1.6}, {0.5, 0.4, 0.5, 0.5}});
   const Rig rig{200};

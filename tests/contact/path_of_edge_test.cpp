@@ -14,7 +14,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-// As they are defined, n² of them.
+// By definition, n² of them.
 std::vector<double> dilated(const std::vector<double>& z, double step, double r) {
   std::vector<double> out(z.size(), -infinite);
   for (std::size_t i = 0; i < z.size(); ++i)
@@ -34,7 +34,7 @@ std::vector<double> rough(std::size_t n, double height) {
 
 }  // namespace
 
-TEST_CASE("path of edge: the dilation as it is defined (oracle: every pair)") {
+TEST_CASE("path of edge: the dilation by its definition (oracle: every pair)") {
   for (const double height : {0.01, 0.3, 5.0})
     for (const double r : {0.05, 0.1, 0.35, 1.0, 7.0, 500.0}) {
       const auto z = rough(301, height);

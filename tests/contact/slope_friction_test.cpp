@@ -63,7 +63,7 @@ TEST_CASE(
         doctest::Approx(0.145).epsilon(2e-3));  // to first order in slopes of 0.06
 }
 
-TEST_CASE("slope friction: slopes too steep are named, each way by itself (limit)") {
+TEST_CASE("slope friction: slopes too steep are named, in each direction (limit)") {
   const std::vector<double> falls{0, 0, -0.06, 0}, climbs{0, 0.3, 0, 0};
   const auto down = too_steep(falls, 0.1, 0.5, 20);
   REQUIRE(down);

@@ -34,7 +34,7 @@ std::vector<Step> step_by_step(const Friction& left, const Friction& right, Cont
     const double a = friction_of(left, at.left), b = friction_of(right, at.right);
     steps.push_back({S, std::min(a, b), at});
     constexpr double alike = 1e-10;
-    if (std::abs(a - b) > alike) right_goes = b < a;  // over a crest of one height the one that goes goes on
+    if (std::abs(a - b) > alike) right_goes = b < a;  // over a crest of equal height the sliding side continues
     (right_goes ? at.right : at.left) += direction * h;
   }
   return steps;
@@ -61,7 +61,7 @@ std::vector<Pair> pairs() {
 
 }  // namespace
 
-TEST_CASE("oracle: drawn in, and let out from there, the weaker side goes, step by step") {
+TEST_CASE("oracle: sliding in and then out, the weaker side slides, step by step") {
   constexpr double h = 2e-6, S_most = 1.25, turn = 1.17;
   for (const auto& [name, left, right] : pairs()) {
     CAPTURE(name);
@@ -99,7 +99,7 @@ TEST_CASE("identity: what slides is at the friction of the fibre, and what rests
   }
 }
 
-TEST_CASE("identity: the slope is that of the friction (central differences), but at the knots") {
+TEST_CASE("identity: the slope agrees with the friction (central differences), except at the knots") {
   constexpr double h = 1e-6;
   for (const auto& [name, left, right] : pairs()) {
     CAPTURE(name);
@@ -148,10 +148,10 @@ TEST_CASE("identity: under a nose that holds the fibre both sides act by their m
   }
   const Friction held = Friction::mean_of(drifting, Friction::constant(0.3), 1.4);
   REQUIRE(held.knots().size() > 0);  // where the drift has carried one side below zero
-  for (const double knot : held.knots()) CHECK(std::abs(drifting.unheld(knot)) < 1e-12);
+  for (const double knot : held.knots()) CHECK(std::abs(drifting.without_limit(knot)) < 1e-12);
 }
 
-TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower than either is by itself") {
+TEST_CASE("limit: rough sides look shorter along the fibre, smaller and lower than either alone") {
   const double length = 0.005;
   double mean = 0, square = 0, lag = 0, count = 0, side_square = 0, side_lag = 0;
   constexpr double apart = 0.25;  // of a length, along the fibre

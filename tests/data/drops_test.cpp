@@ -64,7 +64,7 @@ double false_alarms(Noise kind, const DropOptions& options, int tests) {
   return static_cast<double>(found) / tests;
 }
 
-TEST_CASE("drops: false alarms are no more than stated (simulation)") {
+TEST_CASE("drops: false alarms do not exceed the stated number (simulation)") {
   const int tests = 300;
   for (const double stated : {0.1, 1.0}) {
     const double chance = 3 * std::sqrt(stated / tests);  // three deviations of a Poisson count
@@ -169,7 +169,7 @@ TEST_CASE("drops: one that takes two steps is one, and what takes three alike is
   CHECK(result.slow_falls[0].after == 103);
 }
 
-TEST_CASE("drops: a step that takes most of a fall makes it a drop, whatever is beside it (truth known)") {
+TEST_CASE("drops: a step with most of a fall makes it a drop, for any neighbouring steps (truth known)") {
   Record record = smooth_test(Noise::white, 4);
   add_drop(record, 100, 6e-4);
   add_drop(record, 101, 1e-4);
@@ -239,13 +239,13 @@ std::vector<std::vector<std::string>> rows_of(const std::string& name) {
   return rows;
 }
 
-TEST_CASE("drops: at least 99 % of those the authors marked are found; failures as they give them (outside)") {
+TEST_CASE("drops: at least 99 % of the drops that the authors marked are found, and their failures (outside)") {
   const auto specimens = rows_of("specimens.csv");
   if (specimens.empty()) {
     MESSAGE("skipped: no campaign data");
     return;
   }
-  // The index in the file is, in spite of its description, that of the point after the drop, counted from 1: only so do all
+  // The index in the file is the point after the drop, counted from 1, in spite of its description: only then do all
   // 182 marks lie on steps by which the force falls.
   std::map<std::string, std::set<std::size_t>> marks;
   for (const auto& row : rows_of("slip_events.csv")) marks[row[0]].insert(std::stoul(row[2]) - 1);

@@ -50,7 +50,7 @@ TEST_CASE("failure: what survives has no failure (limit)") {
   for (std::size_t i = 0; i < 300; ++i) arch.force[i] = std::sin(3.14 * static_cast<double>(i) / 299);
   CHECK(survives(arch));
 
-  // Cracked on the way, and bent so far that the force declines below half: it has not broken.
+  // A cracked specimen whose force declines below half at large deflection: it has not broken.
   for (std::size_t i = 0; i < 300; ++i) arch.force[i] -= i > 200 ? 0.06 * arch.force[i] : 0;
   CHECK(survives(arch));
 
@@ -73,7 +73,7 @@ TEST_CASE("failure: what survives has no failure (limit)") {
   CHECK(survives(unloaded));
 }
 
-// A specimen that slips by a hundredth now and then and breaks where the stage is at 1, in so many equal steps; the force falls over
+// A specimen that sometimes slips by a hundredth and breaks at stage position 1, in n equal steps; the force falls over
 // a part of the travel in each. Read so often.
 struct Broken {
   int readings = 300;
@@ -135,14 +135,14 @@ TEST_CASE("failure: of a break in steps it is the first that is not made good (t
       }
 }
 
-TEST_CASE("failure: a record that stops at the break ends with it; one that goes on survived (limit)") {
+TEST_CASE("failure: a record that stops at the break ends with it; a record that continues survived (limit)") {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     CHECK(std::abs(found_behind(broken({.after = 0.006, .left = 0.6}, seed))) < 0.01);
     CHECK(find_failure(broken({.after = 0.3, .left = 0.6}, seed)).status == FailureStatus::none);
   }
 }
 
-TEST_CASE("failure: a break within a slow fall that goes on for long after it (once without an end)") {
+TEST_CASE("failure: a break within a slow fall that continues long after it (once without an end)") {
   Record record;
   const auto add = [&](double force) {
     record.stage.push_back(1e-6 * static_cast<double>(record.stage.size()));

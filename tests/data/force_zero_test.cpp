@@ -55,7 +55,7 @@ TEST_CASE("force_zero: the offset of simulated tests within its error (truth)") 
     CAPTURE(found);
     CAPTURE(covered);
     CHECK(found >= tests * 95 / 100);
-    CHECK(covered >= found * 90 / 100);    // of nominal 95: about twenty rows tell their own correlation badly
+    CHECK(covered >= found * 90 / 100);    // of nominal 95: about twenty rows determine their autocorrelation poorly
     CHECK(std::abs(bias / found) < 0.05);  // [noise] the standard error of 400 means of 20 rows or more is 0.02
   }
 }
@@ -69,7 +69,7 @@ TEST_CASE("force_zero: an offset is significant, noise about zero is not (truth)
   CHECK(significant <= 2);  // four standard errors: 0.03 of 400 in the mean, and the errors are estimates
 }
 
-TEST_CASE("force_zero: a record that begins in contact has none, whatever its preload (limit)") {
+TEST_CASE("force_zero: a record that begins in contact has none, for any preload (limit)") {
   for (unsigned seed = 1; seed <= 100; ++seed)
     for (const double preload : {0.0, 2.0}) {
       Curve curve = loading(0, preload, 0, seed);
@@ -80,7 +80,7 @@ TEST_CASE("force_zero: a record that begins in contact has none, whatever its pr
     }
 }
 
-TEST_CASE("force_zero: a stage that stands still in contact tells nothing (limit)") {
+TEST_CASE("force_zero: a stationary stage in contact gives no zero (limit)") {
   Curve curve;
   for (int i = 0; i < 300; ++i) {
     curve.displacement.push_back(i < 40 ? 0 : 0.001 * (i - 40));
@@ -95,7 +95,7 @@ TEST_CASE("force_zero: a force that never rises, and too few rows (limit)") {
   CHECK(zero_of({}).status == ForceZeroStatus::no_free_rows);
 }
 
-TEST_CASE("baseline: a force that drifts or settles before the contact is found and led on (truth known)") {
+TEST_CASE("baseline: a force that drifts or settles before contact is found and extrapolated (truth known)") {
   constexpr double white = 1e-5;  // [N]
   const auto with = [](auto baseline, unsigned seed) {
     const Record record = straight_test(500, 300e-6, white, seed);
@@ -115,7 +115,8 @@ TEST_CASE("baseline: a force that drifts or settles before the contact is found 
     const Baseline settles = with(settling, seed);
     REQUIRE(settles.points > 100);
     CHECK(settles.settles_by != 0);
-    // A length of a grid of powers of two, up to 1.4 times off: 0.1 of what is left at the contact, or 0.05 of the whole.
+    // The decay length comes from a grid of powers of two, wrong by up to 1.4 times: an error of 0.1 of the remainder at
+    // contact, or 0.05 of the amplitude.
     CHECK(std::abs(settles.at(300e-6) - settling(300e-6)) < 0.05 * 0.3e-3);
   }
   CHECK(told == 0);  // six of its errors

@@ -20,7 +20,7 @@ std::vector<double> programme(std::vector<double> turns) {
   return stage;
 }
 
-// What every cut must be: all points, in order, directions in turn, each leg going its way.
+// The legs must contain all points, in order, with alternating directions.
 void check_partition(const std::vector<Leg>& legs, std::span<const double> stage) {
   REQUIRE(!legs.empty());
   CHECK(legs.front().first == 0);
@@ -58,16 +58,16 @@ TEST_CASE("limit: one direction is one leg, a stage that stands still none") {
   CHECK(down[0].direction == Direction::unloading);
 }
 
-TEST_CASE("limit: an excursion counts from the least travel on") {
+TEST_CASE("limit: an excursion counts from the minimum travel") {
   CHECK(find_legs(programme({0, 100, 99, 200})).size() == 1);
   CHECK(find_legs(programme({0, 100, 99, 200}), {.min_travel = 0.004}).size() == 3);  // of 200: 0.8 < 1
   CHECK(find_legs(programme({0, 200, 196})).size() == 1);                             // 2 %, and no more
   CHECK(find_legs(programme({0, 200, 195})).size() == 2);
 }
 
-TEST_CASE("limit: small cycles count at the beginning, from a quarter of the least travel on") {
+TEST_CASE("limit: small cycles at the beginning count from a quarter of the minimum travel") {
   CHECK(find_legs(programme({0, 6, 2, 6, 2, 600})).size() == 5);
-  CHECK(find_legs(programme({0, 6, 4, 600})).size() == 1);      // back by less than half of the way so far
+  CHECK(find_legs(programme({0, 6, 4, 600})).size() == 1);      // back by less than half of the previous travel
   CHECK(find_legs(programme({0, 3, 0, 600})).size() == 1);      // 0.5 %, and no more
   CHECK(find_legs(programme({0, 300, 294, 600})).size() == 1);  // later
   CHECK(find_legs(programme({600, 594, 598, 0})).size() == 3);

@@ -40,7 +40,7 @@ Sawtooth sawtooth(std::size_t rows) {
 
 }  // namespace
 
-TEST_CASE("record statistics: what a drop bends the specimen farther is what the load train gives back (identity)") {
+TEST_CASE("record statistics: the load train recovers the additional deflection of a drop (identity)") {
   const Sawtooth made = sawtooth(300);
   const TrainInDrops stated = statistics_of(made.record, made.drops, train).train;
   CHECK(stated.drops == made.drops.size());
@@ -51,7 +51,7 @@ TEST_CASE("record statistics: what a drop bends the specimen farther is what the
   CHECK(stiff.misfits == 5);  // the first two drop by less than the stage moves meanwhile
   CHECK(stiff.compliance == stated.compliance);
 
-  // The deflection taken for the stage leaps in each drop by all that the load train gives back.
+  // A deflection mistaken for the stage jumps in each drop by the whole recovery of the load train.
   Record taken = made.record;
   taken.stage = taken.deflection;
   const TrainInDrops leaping = statistics_of(taken, made.drops, train).train;

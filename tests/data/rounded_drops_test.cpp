@@ -40,10 +40,10 @@ Record slipping(double lag, double noise, unsigned seed) {
   return record;
 }
 
-TEST_CASE("rounded drops: those behind a low-pass are told, with its lag, and no others (simulation)") {
+TEST_CASE("rounded drops: a low-pass is detected, with its lag, and sharp drops are not (simulation)") {
   struct Row {
     double lag;        // [rows]
-    int fewest, most;  // of 30 tests that are told
+    int fewest, most;  // detected, of 30 tests
   };
   for (const auto& [lag, fewest, most] : {Row{0, 0, 1}, Row{1, 10, 30}, Row{2, 20, 30}}) {
     CAPTURE(lag);
@@ -57,11 +57,11 @@ TEST_CASE("rounded drops: those behind a low-pass are told, with its lag, and no
     }
     REQUIRE(told >= fewest);
     CHECK(told <= most);
-    if (lag > 0) CHECK(lags / told == doctest::Approx(lag).epsilon(0.4));  // as few drops tell it
+    if (lag > 0) CHECK(lags / told == doctest::Approx(lag).epsilon(0.4));  // from few drops
   }
 }
 
-// Behind a filter that looks both ways: so many rows to either side, weighed like a tent.
+// A symmetric filter with triangular weights over this many rows on either side.
 Record smoothed(Record record, int beside) {
   const std::vector<double> force = record.force;
   const int rows = static_cast<int>(force.size());
@@ -77,11 +77,11 @@ Record smoothed(Record record, int beside) {
   return record;
 }
 
-TEST_CASE("rounded drops: those that a filter spread to both sides are told, and no others (simulation)") {
+TEST_CASE("rounded drops: a symmetric filter is detected, and sharp drops are not (simulation)") {
   struct Row {
     int beside;
     double lag;
-    int fewest, most;  // of 30 tests that are told
+    int fewest, most;  // detected, of 30 tests
   };
   for (const auto& [beside, lag, fewest, most] :
        {Row{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 2, 0, 1}, {1, 0, 25, 30}, {2, 0, 25, 30}, {3, 0, 25, 30}}) {
@@ -98,7 +98,7 @@ TEST_CASE("rounded drops: those that a filter spread to both sides are told, and
   }
 }
 
-TEST_CASE("rounded drops: a record without drops, or with too few rows, tells none (limit)") {
+TEST_CASE("rounded drops: a record without drops, or with too few rows, has none (limit)") {
   Record few = slipping(2, 0.01, 3);
   CHECK(rounded_drops(few).drops >= 3);
   for (auto* column : {&few.stage, &few.deflection, &few.force}) column->resize(29);

@@ -72,7 +72,7 @@ void round_to_steps(std::vector<double>& force, double step) {
   for (double& each : force) each = step * std::round(each / step);
 }
 
-// As a file holds it that writes so many digits of a force in mN, read in N.
+// A force in N from a file with this many digits in mN.
 void write_digits(std::vector<double>& force, int digits) {
   for (double& each : force) {
     std::ostringstream text;
@@ -213,7 +213,7 @@ TEST_CASE("limit: rows far before and after the load go first, and take no row o
   CHECK(sampling.end == columns.force.size());
 }
 
-TEST_CASE("limit: of more rows than are asked for every so many count") {
+TEST_CASE("limit: of too many rows, every stride-th counts") {
   const Columns columns = readings();
   const auto sampling = sampling_of(columns, 150);
   CHECK(sampling.stride == 3);

@@ -71,7 +71,7 @@ TEST_CASE("section: a tube is thin from a wall of a twentieth of its diameter do
   CHECK_FALSE(is_thin_tube(RoundSection{10}));
 }
 
-TEST_CASE("section: no section without a wall, and none of no size (contract)") {
+TEST_CASE("section: a section without a wall or without size is refused (contract)") {
   CHECK_THROWS_AS(second_moment(TubularSection{1, 1}), std::invalid_argument);
   CHECK_THROWS_AS(second_moment(TubularSection{1, 1.1}), std::invalid_argument);
   CHECK_THROWS_AS(second_moment(TubularSection{1, 0}), std::invalid_argument);

@@ -93,7 +93,7 @@ TEST_CASE("signs: where the displacement counts from makes no difference (identi
   CHECK(found(curve, -1, -1));
 }
 
-TEST_CASE("signs: columns that do not change stay as they are (limit)") {
+TEST_CASE("signs: constant columns keep their sign (limit)") {
   const Signs still = find_signs(std::vector<double>{1, 1, 1}, std::vector<double>{0, 0, 0});
   CHECK(still.displacement == 1);
   CHECK(still.force == 1);

@@ -221,7 +221,7 @@ TEST_CASE("small_deflection: a chord in the toe is none; one of a specimen that 
 }
 
 TEST_CASE("small_deflection: what relaxes while the stage halts ends no straight part (limit)") {
-  constexpr std::size_t halt = 150;  // of 400: beyond a quarter of the greatest force
+  constexpr std::size_t halt = 150;  // of 400: above a quarter of the maximum force
   Record record = in_steps(0.01e-3, 4e-3, 0.02, 1, [](double w) { return k * w; });
   for (std::size_t i = halt + 1; i < record.force.size(); ++i) record.force[i] -= 0.05 * record.force[halt];
   const auto ends_at = [&](const SmallDeflectionOptions& options) {
@@ -231,7 +231,7 @@ TEST_CASE("small_deflection: what relaxes while the stage halts ends no straight
   CHECK(ends_at({.halts = {halt}}) > halt + 100);
 }
 
-TEST_CASE("small_deflection: the error of the load train counts, until the record tells no modulus (truth)") {
+TEST_CASE("small_deflection: the error of the load train counts, until the modulus is undetermined (truth)") {
   const auto share_of = [](double share) { return k * (1 - share) / share; };  // a load train that takes such a share
   for (const double share : {0.1, 0.5, 0.9, 0.97}) {
     CAPTURE(share);
@@ -249,14 +249,14 @@ TEST_CASE("small_deflection: the error of the load train counts, until the recor
   CHECK(lost.load_train_share == to(1e-9, 0.985));
   CHECK_FALSE(lost.modulus.has_value());
   CHECK_FALSE(standard_modulus(lost).has_value());
-  // A load train that gives way by as much as the stage moves, and noise in its place.
+  // A load train that takes the whole stage travel, and noise instead of a deflection.
   std::vector<double> stage, force;
   for (int i = 0; i < 120; ++i) stage.push_back(0.2e-6 * i), force.push_back(2 * i + 0.3 * (i % 3));
   CHECK(small_deflection(record_from_stage_and_force(stage, force, 1e7), known(), {.load_train_error = 0.01}).status ==
         SmallDeflectionStatus::uncertain);
 }
 
-TEST_CASE("small_deflection: a modulus beyond that of any material is none (limit)") {
+TEST_CASE("small_deflection: a modulus above every material is refused (limit)") {
   const auto force = [](double w) { return 500 * k * w; };  // 1350 GPa
   const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0, 1, force), known());
   CHECK(found.status == SmallDeflectionStatus::too_stiff);
@@ -265,7 +265,7 @@ TEST_CASE("small_deflection: a modulus beyond that of any material is none (limi
         SmallDeflectionStatus::ok);
 }
 
-TEST_CASE("small_deflection: noise beyond half of the slope tells none (limit)") {
+TEST_CASE("small_deflection: noise above half of the slope leaves the modulus undetermined (limit)") {
   const auto found = small_deflection(in_steps(0.2e-3, 4e-3, 1e3, 3, [](double w) { return 10 * k * w; }), known());
   CHECK((found.status == SmallDeflectionStatus::uncertain || found.status == SmallDeflectionStatus::no_straight_part));
 }
@@ -308,7 +308,7 @@ TEST_CASE("small_deflection: a force that does not rise, and too few points (lim
   CHECK(small_deflection({}, {}).status == SmallDeflectionStatus::no_straight_part);
 }
 
-TEST_CASE("usual_roller_radius: that of ISO 178 for bars, a twentieth of the span for what is smaller (table)") {
+TEST_CASE("standard_roller_radius: the radius of ISO 178 for bars, a twentieth of the span for smaller ones (table)") {
   const auto radius = [](double span, double height) {
     return standard_roller_radius({span, RectangularSection{.width = 0.01, .height = height}});
   };

@@ -6,7 +6,7 @@
 
 using namespace flexslip;
 
-TEST_CASE("surface_strain: at a small deflection it is that of the bending standards, 6 w h/L² and F L h/(8 I)") {
+TEST_CASE("surface_strain: at small deflection it is the strain of the bending standards, 6 w h/L² and F L h/(8 I)") {
   const Section bar = RectangularSection{10e-3, 4e-3};
   const double L = 64e-3, E = 3e9;
   const Scales scales(L, E * second_moment(bar));
@@ -14,7 +14,7 @@ TEST_CASE("surface_strain: at a small deflection it is that of the bending stand
   const FibreState state = fibre_state(1 + 1e-7, 0);
   const double curvature = curvature_at_midspan(state), w = scales.physical_length(state.w),
                F = scales.physical_force(state.F);
-  CHECK(surface.strain(curvature) == to(1e-6, 6 * w * 4e-3 / (L * L)));  // S - 1 is the size of what is neglected
+  CHECK(surface.strain(curvature) == to(1e-6, 6 * w * 4e-3 / (L * L)));  // the neglected terms are of the size of S - 1
   CHECK(surface.stress(curvature) == to(1e-6, F * L * 4e-3 / (8 * second_moment(bar))));
   CHECK(surface.curvature_at_strain(surface.strain(1.7)) == to(1e-15, 1.7));
   CHECK(surface.curvature_at_stress(surface.stress(1.7)) == to(1e-15, 1.7));

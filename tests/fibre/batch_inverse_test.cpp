@@ -55,7 +55,7 @@ TEST_CASE(
     for (std::size_t i = 0; i < states.w.size(); ++i) {
       const auto state = fibre_state(inverse.S[i], inverse.q[i]);
       REQUIRE(state.status == FibreStatus::ok);
-      // S is known to its rounding, which is that of w times 1/(S - 1)
+      // S is known to its rounding, which is the rounding of w times 1/(S - 1)
       const double rounding = inverse.S[i] * epsilon * (1 + 1 / (inverse.S[i] - 1) / 32);
       worst_w = std::max(worst_w, std::abs(state.w / states.w[i] - 1) / rounding);
       worst_F = std::max(worst_F,

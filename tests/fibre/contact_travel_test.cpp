@@ -32,7 +32,7 @@ TEST_CASE("contact_travel, definition: it is the length between the contacts, mi
   }
 }
 
-TEST_CASE("contact_travel: on edges, of whatever thickness, it is what has been drawn in, bit by bit") {
+TEST_CASE("contact_travel: on edges, for any thickness, it is the sliding length, bit for bit") {
   for (const Fibre& fibre : {Fibre(), Fibre(Supports{0, .02})}) {
     const ContactPath along(fibre, .4, 1.02, 1.5);
     CHECK(along.at(1.2345) == 1.2345);

@@ -201,7 +201,7 @@ TEST_CASE("elastica: the errors promised hold everywhere (oracle: AGM ladder in 
   }));
 }
 
-TEST_CASE("elastica: w and F give back S and q (table)") {
+TEST_CASE("elastica: w and F determine S and q (table)") {
   for (const auto& row : state_rows()) {
     if (std::abs(row.q) == 20) continue;  // the rounding of w and F carries q beyond what the inverse takes
     const auto state = fibre_state_from_force(row.w.hi, row.F.hi);
@@ -364,7 +364,7 @@ TEST_CASE("elastica: Maxwell's relation, the Jacobian of (w, F) is d(q Pn)/dq (i
   }));
 }
 
-TEST_CASE("elastica: slopes are those of the state (oracle: central differences)") {
+TEST_CASE("elastica: slopes agree with the state (oracle: central differences)") {
   CHECK(rc::check("q in [-19.9, 19.9], S along the branch", [] {
     const auto [S, q] = somewhere(-19.9, 19.9, 5);
     const auto slopes = fibre_state_slopes(S, q).slopes;
@@ -456,7 +456,7 @@ TEST_CASE("elastica: ends, middle, symmetry and arc length of the shape (identit
     };
     const double arc = (4 * polygon(256) - polygon(128)) / 3;
     RC_ASSERT(std::abs(arc - S) <= 1e-7 * S);
-    // And the slope is that of the curve: x' = S cos θ.
+    // The slope agrees with the curve: x' = S cos θ.
     const double x = simpson([&](double t) { return S * std::cos(fibre_shape(state, t).theta); }, 0, s, 128);
     RC_ASSERT(std::abs(x - fibre_shape(state, s).x) <= 1e-7 * S);
   }));
@@ -489,7 +489,7 @@ TEST_CASE("elastica: the state solves the boundary value problem (4.7) (oracle: 
   }
 }
 
-TEST_CASE("elastica: the state is that of Algorithm 1 taken literally (oracle: quadrature of (4.18), (4.23), (4.27))") {
+TEST_CASE("elastica: the state equals a literal Algorithm 1 (oracle: quadrature of (4.18), (4.23), (4.27))") {
   for (const double q : {-0.9, 0.0, 0.3, 0.6, 1.0, 2.0})
     for (const double S : {1.01, 1.1, 1.3, 1.6}) {
       const auto state = fibre_state(S, q);
@@ -563,12 +563,12 @@ TEST_CASE("curvature, oracle: it is the slope of the slope of the shape, by diff
     const auto slope = [&](double ds) {
       return (fibre_shape(state, 0.5 - ds).theta - fibre_shape(state, 0.5 + ds).theta) / (2 * ds * state.S);
     };
-    // The force makes a corner of κ there: the error of a difference is as ds, that of two of them as its square.
+    // The force makes a corner of κ there: the error of a difference is proportional to ds, the error of two to its square.
     CHECK(curvature_at_midspan(state) == doctest::Approx(2 * slope(5e-5) - slope(1e-4)).epsilon(1e-6));
   }
 }
 
-TEST_CASE("curvature, limit: 12 w of a fibre that is hardly bent") {
+TEST_CASE("curvature, limit: 12 w at small deflection") {
   const FibreState state = fibre_state(1 + 1e-9, 0.4);
   CHECK(curvature_at_midspan(state) == doctest::Approx(12 * state.w).epsilon(1e-4));
   CHECK(curvature_at_midspan(fibre_state(1, 0.4)) == 0);

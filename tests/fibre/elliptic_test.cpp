@@ -213,11 +213,11 @@ TEST_CASE("elliptic: circular functions at m = 0, hyperbolic at m = 1, nothing a
   CHECK(complete_elliptic({0, 1}).K == doctest::Approx(std::numbers::pi / 2).epsilon(2 * unit));
 }
 
-TEST_CASE("elliptic: the AGM's S - 1 loses digits as 1/(S - 1), that of P and R does not (oracle: 50 digits)") {
+TEST_CASE("elliptic: the AGM's S - 1 loses digits as 1/(S - 1), S - 1 from P and R does not (oracle: 50 digits)") {
   for (const auto& lost : digits_of_S()) {
     INFO("S - 1 = ", lost.excess, ": AGM ", lost.agm, " program ", lost.program);
     CHECK(lost.agm * lost.excess > 0.1);  // units of 2^-52: an absolute error of the last digit of S ...
-    CHECK(lost.agm * lost.excess < 10);   // ... and no more than a few
+    CHECK(lost.agm * lost.excess < 10);   // ... and only a few
     CHECK(lost.program <= 16);
   }
 }

@@ -18,7 +18,7 @@ const Fibre& some_fibre() {
   return fibres[*rc::gen::inRange<std::size_t>(0, fibres.size())];
 }
 
-// Bent beyond where its length is the least.
+// Bent beyond its smallest length.
 struct Bent {
   double w, q;
 };
@@ -91,7 +91,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("fibre, identity: many states by their lengths are those of one, which goes by its deflection") {
+TEST_CASE("fibre, identity: many states by length equal single states, which are computed by deflection") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
     const auto [w, q] = some_bent(fibre);
@@ -112,7 +112,7 @@ TEST_CASE("fibre, identity: many states by their lengths are those of one, which
   }));
 }
 
-TEST_CASE("fibre, definition: slopes along a length and in friction are those of differences") {
+TEST_CASE("fibre, definition: slopes in length and friction agree with differences") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
     const auto [w, q] = some_bent(fibre);
@@ -140,7 +140,7 @@ TEST_CASE("fibre, definition: slopes along a length and in friction are those of
 }
 
 TEST_CASE(
-    "fibre, identity: more friction makes for more force where the surface slides in as the fibre is bent, and for "
+    "fibre, identity: more friction causes more force where the surface slides in with deflection, and "
     "less before") {
   CHECK(rc::check([] {
     const Fibre& fibre = some_fibre();
@@ -170,8 +170,8 @@ TEST_CASE("fibre, definition: many states are the same as one by one") {
 }
 
 TEST_CASE(
-    "fibre, definition: a single tabulated state is that of many, bit by bit, and one of a known deflection that of "
-    "its length") {
+    "fibre, definition: a single tabulated state equals one of many, bit for bit, and the one at a known deflection "
+    "equals the one by length") {
   for (const Supports& supports : {Supports{0, 0}, {0, .0157}, {.008, .0157}}) {
     const Fibre fibre(supports);
     std::vector<double> S, q;

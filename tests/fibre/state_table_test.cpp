@@ -95,7 +95,7 @@ TEST_CASE("identity: all instruction sets give the same bits") {
 }
 
 TEST_CASE(
-    "limit: beyond the table and the branch the answers are those of the exact batch; a state outside the domain is "
+    "limit: beyond the table and the branch the answers equal the exact batch; a state outside the domain is "
     "refused") {
   const std::vector<double> S{1.0, 2.11, 2.15, 1.2, 1.3, 1.5, 40.0};
   const std::vector<double> q{0.5, 0.5, 1.0, 5.0, -3.0, -1.0, 0.1};

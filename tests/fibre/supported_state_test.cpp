@@ -48,7 +48,7 @@ Shot shot_at(const SupportedState& state, const Supports& supports) {
                H = state.Pn * (std::sin(state.theta0) - state.q * std::cos(state.theta0));
   std::array<double, 4> y{R * std::sin(state.theta0), R * (1 - std::cos(state.theta0)), state.theta0,
                           state.q * state.Pn * tau};
-  // dθ/ds = -κ, dκ/ds = V cos θ + H sin θ: the moment of what acts at the contact.
+  // dθ/ds = -κ, dκ/ds = V cos θ + H sin θ: the moment of the forces at the contact.
   const auto slope = [&](const std::array<double, 4>& at) {
     return std::array{std::cos(at[2]), std::sin(at[2]), -at[3], V * std::cos(at[2]) + H * std::sin(at[2])};
   };
@@ -162,8 +162,7 @@ TEST_CASE("supported_state, limit: the initial slope carries 1/(1 + 3 q τ), and
   CHECK(by_q(1.4 * tau) > 0);
 }
 
-TEST_CASE(
-    "supported_state, identity: deflection and force tell the friction that made them, beyond twice the thickness") {
+TEST_CASE("supported_state, identity: deflection and force determine the friction, beyond twice the thickness") {
   int told = 0;
   for (const double radius : {0.0, 0.004, 0.05, 0.078125})
     for (const double half_depth : {0.0, 0.0157, 0.03125})

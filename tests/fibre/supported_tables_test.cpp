@@ -68,7 +68,7 @@ TEST_CASE("tables on supports: those asked for again and again stay, however man
   }
 }
 
-TEST_CASE("tables on supports: the least length of a friction q lies 6 q τ³ below that of none, to first order") {
+TEST_CASE("tables on supports: friction q reduces the smallest length by 6 q τ³, to first order") {
   constexpr double tau = 0.002;
   const auto least = [&](double q) {  // of a parabola through three states about it
     const auto slid = [&](double share) { return extrapolated_state(share * tau, q, {0, tau}).slid; };
@@ -79,7 +79,7 @@ TEST_CASE("tables on supports: the least length of a friction q lies 6 q τ³ be
     CHECK((least(q) - least(0)) / (tau * tau * tau) == doctest::Approx(-6 * q).epsilon(0.05));
 }
 
-TEST_CASE("tables on supports: a deflection is found whatever the guess (property)") {
+TEST_CASE("tables on supports: a deflection is found from any guess (property)") {
   CHECK(rc::check([] {
     const Supports supports{0.008, 0.0157};
     const SupportedTables& tables = *SupportedTables::of(supports);
@@ -141,7 +141,7 @@ TEST_CASE("tables on supports: up to the end of the branch they are what is comp
     const auto tabulated = SupportedTables::of(supports)->sliding(w, q);
     RC_ASSERT(std::abs(tabulated[0] - state.slid) < 1e-11);
     RC_ASSERT(std::abs(tabulated[1] - state.F) < 1e-9);
-    // Just beyond the end it is led on, with a force that no support bears.
+    // Just beyond the end it is extrapolated, with a negative force.
     const SupportedState led = extrapolated_state(none + 1e-3, q, supports);
     RC_PRE(led.status == FibreStatus::ok);
     const auto beyond = SupportedTables::of(supports)->sliding(none + 1e-3, q);
@@ -156,7 +156,7 @@ TEST_CASE("tables on supports, limit: lengths that no state has, too short and t
     for (const double q : {-2.0, -1.0, 0.0, 1.0}) {
       INFO("radius ", supports.radius, ", half depth ", supports.half_depth, ", q ", q);
       const SupportedTables& tables = *SupportedTables::of(supports);
-      double least = 1;  // [L] of all states hardly bent
+      double least = 1;  // [L] at small deflection
       for (double w = 1e-3; w < 0.3; w += 1e-3) {
         const SupportedState at = extrapolated_state(w, q, supports);
         if (at.status == FibreStatus::ok) least = std::min(least, 1 + at.slid);

@@ -1,5 +1,6 @@
-// A row of a cell of the table, as src/fibre/cell_row-inl.h has it, in the compiler's own vectors: of Highway's portable target, the only one with doubles
-// here, clang makes none. The same operations in the same order, and so the same bits.
+// A row of a table cell, as src/fibre/cell_row-inl.h, in the vectors of the compiler. Only
+// Highway's portable target has doubles here, and clang does not vectorise it. The operations and
+// their order are the same, and so are the bits.
 #pragma once
 
 #include <cstddef>
