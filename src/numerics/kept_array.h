@@ -1,4 +1,5 @@
-// Arrays for objects that come and go by the thousand, each about as long as the one before: the thread keeps their memory.
+// Arrays for short-lived objects of similar size, thousands of them. The thread keeps and reuses
+// their memory.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 
 namespace flexslip {
 
-// What a thread keeps: no more than a handful of blocks.
+// The memory that a thread keeps: a few blocks.
 class KeptMemory {
  public:
   using Block = std::vector<double>;
 
-  // At least so many doubles.
+  // A block of at least `size` doubles.
   static Block take(std::size_t size) {
     const auto found = std::find_if(kept.begin(), kept.end(), [&](const Block& block) { return block.size() >= size; });
     if (found == kept.end()) return Block(size + size / 4);
@@ -33,7 +34,7 @@ class KeptMemory {
   static inline thread_local std::vector<Block> kept;
 };
 
-// Values that are not initialised.
+// An array of uninitialised values.
 template <class T>
 class KeptArray {
   static_assert(std::is_trivially_default_constructible_v<T> && std::is_trivially_destructible_v<T> &&

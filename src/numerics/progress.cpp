@@ -25,7 +25,7 @@ double Watch::share() const {
                since = static_cast<double>(effort_spent.spent() - entered_);
   if (!(before > 0 && now_.from > 0 && now_.to > now_.from)) return now_.from;
   const double expected = before / now_.from * (now_.to - now_.from), of_it = since / expected;
-  const double done = of_it < 0.5 ? of_it : 1 - 0.25 / of_it;  // smooth where they meet
+  const double done = of_it < 0.5 ? of_it : 1 - 0.25 / of_it;  // smooth at 0.5
   return std::min(now_.from + (now_.to - now_.from) * done, now_.to);
 }
 
