@@ -15,8 +15,8 @@ Fields<CaseKey> key_fields();
 
 struct AnswerDescription {
   std::string_view command;  // "fit --json"
-  std::string_view what;  // a short phrase
-  bool is_table;  // CSV with columns; otherwise JSON with keys
+  std::string_view what;     // a short phrase
+  bool is_table;             // CSV with columns; otherwise JSON with keys
   std::vector<Description> entries;
 };
 
@@ -24,7 +24,8 @@ std::vector<AnswerDescription> all_answers();
 
 // One key or column in the list of `flexslip results`.
 struct ResultLine {
-  std::string key;  // "drops[].row_before"; "categories.*.mu0.mean", where * is any name; or a column title
+  // "drops[].row_before"; "categories.*.mu0.mean", where * is any name; or a column title
+  std::string key;
   std::string_view shape;
   std::string_view unit, reduced_unit;  // of numbers and estimates
   std::string_view meaning;

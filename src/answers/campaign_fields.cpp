@@ -57,12 +57,12 @@ Fields<TestSummary> number_fields() {
            "root mean square difference between the measured force and the simulated best-fit profile",
            &TestSummary::residual_rms)
       .count("drops", "number of force drops beyond the noise", &TestSummary::drops)
-      .own("spacing", kind::length, "median distance along the specimen between the starts of successive slips", &TestSummary::spacing)
+      .own("spacing", kind::length, "median distance along the specimen between the starts of successive slips",
+           &TestSummary::spacing)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
-      .number(
-          "friction_share",
-          "share of the work that went into friction and snaps; null if the test is unusable or gives only a limit",
-          &TestSummary::friction_share)
+      .number("friction_share",
+              "share of the work that went into friction and snaps; null if the test is unusable or gives only a limit",
+              &TestSummary::friction_share)
       .number("friction_share_error", "standard error of friction_share, with no stiffness lost",
               &TestSummary::friction_share_error)
       .number("stiffness_lost", "share of the stiffness lost before the next loading; null without one", lost)
@@ -85,7 +85,8 @@ Fields<StandardSummary> standard_columns() {
                     "flexural modulus of the bending standards, from the chord or else from the linear region",
                     &StandardSummary::modulus)
       .own("strength", kind::pressure, "flexural stress at the maximum force", &StandardSummary::strength)
-      .number("friction_least", "minimum of the friction range at the supports whose effect on modulus and strength is reported",
+      .number("friction_least",
+              "minimum of the friction range at the supports whose effect on modulus and strength is reported",
               of(&FrictionGain::friction, least))
       .number("friction_most", "maximum of this friction range", of(&FrictionGain::friction, most))
       .number("modulus_gain_least", "smallest share that friction in this range adds to the modulus",
@@ -225,7 +226,8 @@ Fields<CauseShares::Share> share_fields() {
 Fields<Campaign> all_fields() {
   return Fields<Campaign>()
       .list("tests", "tests with an answer, in the order of the plan", test_fields(), answered_of)
-      .by_name("categories", "categories clear, nominal, none and all, excluding suspect tests", category_answer_fields(),
+      .by_name("categories", "categories clear, nominal, none and all, excluding suspect tests",
+               category_answer_fields(),
                [](const Campaign& campaign) {
                  std::vector<std::pair<std::string, CategoryOf>> categories;
                  for (const CategorySummary& category : campaign.categories)
@@ -241,16 +243,18 @@ Fields<Campaign> all_fields() {
                  .group("both", "slips and cracks", share_fields(), &CauseShares::both),
              [](const Campaign& campaign) { return campaign.causes.tests > 0 ? &campaign.causes : nullptr; })
       .number("shared_error",
-              "standard deviation of the mean friction due to errors of load train, span and force calibration, which tests on one rig share",
+              "standard deviation of the mean friction due to errors of load train, span and force calibration, which "
+              "tests on one rig share",
               &Campaign::shared_error)
-      .estimate(
-          "friction_share", kind::number,
-          "mean friction share of the work with no stiffness lost, over the tests that are not suspect; null without any",
-          [](const Campaign& campaign) {
-            return std::isfinite(campaign.friction_share.value) ? std::optional(campaign.friction_share) : std::nullopt;
-          })
-      .list("failures", "tests without a fit: failed, or with a deflection too small to determine friction", failure_fields(),
-            failures_of)
+      .estimate("friction_share", kind::number,
+                "mean friction share of the work with no stiffness lost, over the tests that are not suspect; null "
+                "without any",
+                [](const Campaign& campaign) {
+                  return std::isfinite(campaign.friction_share.value) ? std::optional(campaign.friction_share)
+                                                                      : std::nullopt;
+                })
+      .list("failures", "tests without a fit: failed, or with a deflection too small to determine friction",
+            failure_fields(), failures_of)
       .words("notes", "omitted files, duplicate records, missing sections", &Campaign::notes)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }

@@ -11,14 +11,14 @@
 namespace flexslip {
 
 // A design answer with its sentences.
-struct ToldDesign {
+struct DescribedDesign {
   const DesignAnswer& answer;
   std::string words;
   std::vector<std::string> changes;  // one per change
 };
 
 // Units:      those of the case. Infinite and undefined values are null.
-Fields<ToldDesign> design_fields();
+Fields<DescribedDesign> design_fields();
 
 // The fields of one design of a sweep, and of one point of a map.
 Fields<DesignPoint> point_fields(const std::vector<DesignAxis>& axes);

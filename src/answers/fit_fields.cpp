@@ -30,10 +30,8 @@ struct DropOf {
 
 Fields<Slip> slip_fields() {
   return Fields<Slip>()
-      .number("length_before", kind::length,
-              "span plus sliding length before the slip", &Slip::S_before)
-      .number("length_after", kind::length,
-              "span plus sliding length after the slip", &Slip::S_after);
+      .number("length_before", kind::length, "span plus sliding length before the slip", &Slip::S_before)
+      .number("length_after", kind::length, "span plus sliding length after the slip", &Slip::S_after);
 }
 
 Fields<DropOf> drop_fields() {
@@ -49,7 +47,8 @@ Fields<DropOf> drop_fields() {
       .own("force_before", kind::force, "force before the drop", before(&Record::force))
       .own("force_fall", kind::force, "force drop", [](D drop) { return drop.slip.drop.force_fall; })
       .words("slip",
-             "whether the drop can be a slip: possible or too_short; otherwise unexplained, implausible, negative or moves_out",
+             "whether the drop can be a slip: possible or too_short; otherwise unexplained, implausible, negative or "
+             "moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
       .words("reading", "what the drop can be, as in tables and on the page: slip, crack, either or neither",
              [](D drop) { return reading_of(drop.slip); })
@@ -68,12 +67,13 @@ Fields<TestAnalysis> slips_fields() {
               "median distance along the specimen between the starts of successive slips",
               summary(&SlipSummary::median_spacing))
       .number("median_fall_of_mu", "median decrease of friction in a slip", summary(&SlipSummary::median_fall))
-      .list("slips", "drops that can be slips, in the order of `drops`", slip_fields(), [](const TestAnalysis& analysis) {
-        std::vector<Slip> possible;
-        for (const Slip& slip : analysis.slips)
-          if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
-        return possible;
-      });
+      .list("slips", "drops that can be slips, in the order of `drops`", slip_fields(),
+            [](const TestAnalysis& analysis) {
+              std::vector<Slip> possible;
+              for (const Slip& slip : analysis.slips)
+                if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
+              return possible;
+            });
 }
 
 // ---- Friction: parameters, waves, explanations, checks
@@ -131,12 +131,11 @@ Fields<FittedTest> parameter_fields() {
           [](T test) { return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error); });
 }
 
-Fields<FittedTest> likeliest_wave_fields() {
+Fields<FittedTest> most_probable_wave_fields() {
   return Fields<FittedTest>()
       .yes_no("claimed", "the evidence supports the wave, and its length is below a quarter of the observed length",
               of_fit(&FrictionFit::wave_claimed))
-      .number("log_evidence", "log Bayes factor of a wave against none",
-              of_fit(&FrictionFit::log_evidence_of_wave))
+      .number("log_evidence", "log Bayes factor of a wave against none", of_fit(&FrictionFit::log_evidence_of_wave))
       .all_of(
           wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
 }
@@ -187,8 +186,7 @@ Fields<PassFriction> pass_fields() {
                    })
       .count("sliding_rows", "fitted rows in which the specimen slides", &PassFriction::sliding)
       .only_where([](const PassFriction& pass) { return std::isfinite(pass.friction.value); })
-      .estimate("friction", kind::number, "mean friction over the sliding length of the pass",
-                &PassFriction::friction);
+      .estimate("friction", kind::number, "mean friction over the sliding length of the pass", &PassFriction::friction);
 }
 
 Fields<FittedTest> passes_fields() {
@@ -201,7 +199,8 @@ Fields<FittedTest> passes_fields() {
                      .row = [&test](std::size_t point) { return cyclic_file_row(test.measurement, point); }};
       })
       .words("status",
-             "whether the joint fit of all passes succeeded: ok, not_sliding_out (not unloaded far enough) or not_explained",
+             "whether the joint fit of all passes succeeded: ok, not_sliding_out (not unloaded far enough) or "
+             "not_explained",
              [](T test) { return name_of(test.passes->status); })
       .only_where(is_ok)
       .count("sliding_out_rows", "fitted rows in which the specimen slides outwards",
@@ -272,17 +271,20 @@ Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
       .number("cracks_alone", "probability that the drops are cracks only: causes.cracks",
               [](T test) { return test.judgement.causes.cracks; })
-      .group("causes", "probabilities of the causes of the drops; null if no drops are judged",
-             Fields<Causes>()
-                 .number("slips", "slips only; without a reload it is reliable below 0.5", &Causes::slips)
-                 .number("cracks", "cracks only", &Causes::cracks)
-                 .number("both", "slips and cracks; null without a reload, because only a reload distinguishes this from slips only",
-                         &Causes::both),
-             [](T test) {
-               Causes causes = test.judgement.causes;
-               if (!is_reloaded(test.analysis)) causes.both = not_a_number;
-               return causes;
-             })
+      .group(
+          "causes", "probabilities of the causes of the drops; null if no drops are judged",
+          Fields<Causes>()
+              .number("slips", "slips only; without a reload it is reliable below 0.5", &Causes::slips)
+              .number("cracks", "cracks only", &Causes::cracks)
+              .number(
+                  "both",
+                  "slips and cracks; null without a reload, because only a reload distinguishes this from slips only",
+                  &Causes::both),
+          [](T test) {
+            Causes causes = test.judgement.causes;
+            if (!is_reloaded(test.analysis)) causes.both = not_a_number;
+            return causes;
+          })
       .only_where([](T test) { return test.passes && test.passes->is_reloaded; })
       .number("stiffness_lost", "share of the stiffness lost from the first loading to the last pass",
               [](T test) { return test.passes->loss.value; })
@@ -291,7 +293,7 @@ Fields<FittedTest> judgement_fields() {
       .anywhere();
 }
 
-bool tells_friction_work(const MeasuredEnergy& energy) { return std::isfinite(energy.friction_share); }
+bool has_friction_share(const MeasuredEnergy& energy) { return std::isfinite(energy.friction_share); }
 
 // The energy account of the record up to failure.
 Fields<MeasuredEnergy> measured_energy_fields() {
@@ -301,9 +303,10 @@ Fields<MeasuredEnergy> measured_energy_fields() {
   return with_work<MeasuredEnergy>(
              Fields<MeasuredEnergy>()
                  .number("bending", kind::energy, "bending energy of the specimen", part(&EnergyAccount::bending))
-                 .only_where(tells_friction_work)
+                 .only_where(has_friction_share)
                  .number("friction", kind::energy, "heat of friction at the supports", part(&EnergyAccount::friction))
-                 .number("snaps", kind::energy, "energy lost in drops in excess of friction", part(&EnergyAccount::snaps))
+                 .number("snaps", kind::energy, "energy lost in drops in excess of friction",
+                         part(&EnergyAccount::snaps))
                  .anywhere(),
              &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share)
       .numbers(
@@ -322,13 +325,15 @@ Fields<Sensitivity> sensitivity_fields() {
              &Sensitivity::quantity)
       .words("title", "title of the quantity", &Sensitivity::title)
       .words("stated", "value stated in the case, or the assumed value", &Sensitivity::stated)
-      .words("may_be_off", "uncertainty, as one standard deviation; for a quantity assumed to be absent, the amount for which the effects are given",
+      .words("may_be_off",
+             "uncertainty, as one standard deviation; for a quantity assumed to be absent, the amount for which the "
+             "effects are given",
              &Sensitivity::may_be_off)
       .number("friction",
-              "derivative of the mean friction with respect to the relative error of the quantity, or to its error in metres or spans",
+              "derivative of the mean friction with respect to the relative error of the quantity, or to its error in "
+              "metres or spans",
               &Sensitivity::friction)
-      .number("friction_moves",
-              "increase in the mean friction if the stated value were larger by its uncertainty",
+      .number("friction_moves", "increase in the mean friction if the stated value were larger by its uncertainty",
               &Sensitivity::friction_moves)
       .number("work_moves", "increase in the friction share of the work for the same change", &Sensitivity::work_moves);
 }
@@ -338,7 +343,8 @@ Fields<Correlation> parameter_correlation_fields() {
       .words("of", "parameter", [](const Correlation& each) { return std::string(each.of); })
       .words("with", "another parameter", [](const Correlation& each) { return std::string(each.with); })
       .number("correlation",
-              "correlation of their errors; for bending_stiffness, roughness and correlation_length, of the errors of their logarithms",
+              "correlation of their errors; for bending_stiffness, roughness and correlation_length, of the errors of "
+              "their logarithms",
               &Correlation::value);
 }
 
@@ -359,7 +365,8 @@ Fields<FittedTest> measurement_fields() {
       .count("first_row", "first evaluated row of the file", [](T test) { return file_row(test, 0); })
       .count("last_row", "last evaluated row of the file", [](T test) { return last_row(test); })
       .words(
-          "ends_with", "reason for the end of the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
+          "ends_with",
+          "reason for the end of the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
           of([](M m) {
             return name_in_order<MeasurementEnd::overload>(m.end, {"last_row", "until", "failure", "turn", "overload"});
           }))
@@ -426,12 +433,13 @@ Fields<FittedTest> every_fit_field() {
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
       .list("sensitivities",
-            "first-order sensitivity of the answer to each input, largest effect on friction first; empty without an answer, or with a constant friction",
+            "first-order sensitivity of the answer to each input, largest effect on friction first; empty without an "
+            "answer, or with a constant friction",
             sensitivity_fields(), sensitivities_of)
       .list("correlations",
             "correlations between pairs of parameters; empty without an answer, or with a constant friction",
             parameter_correlation_fields(), correlations_of)
-      .group("wave", "most probable wave of friction, detected or not; null without one", likeliest_wave_fields(),
+      .group("wave", "most probable wave of friction, detected or not; null without one", most_probable_wave_fields(),
              [](T test) {
                const FrictionFit& fit = test.analysis.fit;
                return is_fitted(test) && !fit.waves.empty() && tells_variation(fit) ? &test : nullptr;
@@ -456,26 +464,24 @@ Fields<FittedTest> every_fit_field() {
       .group("passes", "joint fit of all passes of a test with unloading; null otherwise", passes_fields(),
              [](T test) { return test.passes ? &test : nullptr; })
       .group("band", "fitted friction along the specimen", band_fields())
-      .group(
-          "small_deflection", "comparison of the linear region with the fit",
-          Fields<FittedTest>().number("over_fit", "bending stiffness of the linear region divided by the fitted bending stiffness",
-                                      [](T test) {
-                                        const auto beside = small_deflection_beside_fit(test);
-                                        return beside ? std::optional(beside->ratio) : std::nullopt;
-                                      }))
+      .group("small_deflection", "comparison of the linear region with the fit",
+             Fields<FittedTest>().number(
+                 "over_fit", "bending stiffness of the linear region divided by the fitted bending stiffness",
+                 [](T test) {
+                   const auto comparison = compare_stiffness(test);
+                   return comparison ? std::optional(comparison->ratio) : std::nullopt;
+                 }))
       .group("measurement", "evaluated part of the file", measurement_fields())
       .list("preparation", "steps from the file to the record", preparation_fields(),
             [](T test) { return test.measurement.preparation; })
       .group("contact", "point of first contact with the specimen", contact_fields())
       .group("nominal_bending_stiffness", "bending stiffness EI before the fit", nominal_stiffness_fields())
-      .group(
-          "draws", "posterior samples of the profile, written by --draws",
-          Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
-                                       "EI of each sample, in the unit of parameters.bending_stiffness",
-                                       [](T test) { return test.analysis.fit.draw_stiffness; }))
-      .list("profile",
-            "friction along the specimen, inverted point by point at the fitted bending stiffness",
-            read_friction_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
+      .group("draws", "posterior samples of the profile, written by --draws",
+             Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
+                                          "EI of each sample, in the unit of parameters.bending_stiffness",
+                                          [](T test) { return test.analysis.fit.draw_stiffness; }))
+      .list("profile", "friction along the specimen, inverted point by point at the fitted bending stiffness",
+            pointwise_friction_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
       .group("provenance", "inputs that reproduce the answer with the same version", provenance_fields(),
              &FittedTest::provenance);
 }

@@ -20,11 +20,9 @@ Fields<Jump> jump_fields() {
 
 Fields<Snap> snap_fields() {
   return jump_fields<Snap>()
-      .number("length_before", kind::length,
-              "span plus sliding length before the snap",
+      .number("length_before", kind::length, "span plus sliding length before the snap",
               [](const Snap& snap) { return snap.before.S; })
-      .number("length_after", kind::length,
-              "span plus sliding length after the snap",
+      .number("length_after", kind::length, "span plus sliding length after the snap",
               [](const Snap& snap) { return snap.after.S; })
       .number("friction", kind::energy, "heat of friction in the snap", &Snap::friction)
       .number("released", kind::energy, "energy released by the snap in excess of friction", &Snap::released);
@@ -84,11 +82,13 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
       .own("length", kind::length, "length of the specimen's axis between the contacts", &SimulatedPoint::length)
       .titled("S")
       .number("q", "mobilised friction", &SimulatedPoint::q)
-      .words("motion", "motion of the specimen: stick, slip_in, slip_out, snap, crack, or apart (no contact at the nose)",
+      .words("motion",
+             "motion of the specimen: stick, slip_in, slip_out, snap, crack, or apart (no contact at the nose)",
              &SimulatedPoint::motion);
   if (columns.three_lengths)
     fields
-        .own("drawn_in", kind::length, "sliding length: length that has slid in past the first contacts, over both supports",
+        .own("drawn_in", kind::length,
+             "sliding length: length that has slid in past the first contacts, over both supports",
              &SimulatedPoint::drawn_in)
         .own("imaged", kind::length,
              "length of the axis between the vertical planes through the supports, as in a side-view image",
@@ -105,8 +105,7 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
 
 Fields<Simulation> simulation_fields(const PathColumns& columns) {
   return Fields<Simulation>()
-      .words("status", "ok; if the path ends early, slipped_through or contact_lost",
-             &Simulation::status)
+      .words("status", "ok; if the path ends early, slipped_through or contact_lost", &Simulation::status)
       .group("units", "units of plain numbers", units_of_numbers<Simulation>())
       .list("path", "path of the test, point by point", path_fields(columns), &Simulation::path)
       .list("snaps", "snaps of the specimen", snap_fields(), &Simulation::snaps)

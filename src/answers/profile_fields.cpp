@@ -11,8 +11,8 @@
 
 namespace flexslip {
 
-std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& profile) {
-  std::vector<ReadPoint> points;
+std::vector<PointOfProfile> points_of(const Record& record, const FrictionProfile& profile) {
+  std::vector<PointOfProfile> points;
   points.reserve(profile.points.size());
   for (const ProfilePoint& point : profile.points) points.push_back({record, point});
   return points;
@@ -20,9 +20,9 @@ std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& pr
 
 namespace {
 
-Fields<ReadPoint> place_fields() {
-  using P = const ReadPoint&;
-  return Fields<ReadPoint>()
+Fields<PointOfProfile> place_fields() {
+  using P = const PointOfProfile&;
+  return Fields<PointOfProfile>()
       .number("length", kind::length, "length of the specimen's axis between the contacts",
               [](P p) { return p.point.length; })
       .titled("S")
@@ -33,16 +33,16 @@ Fields<ReadPoint> place_fields() {
               [](P p) { return p.point.from_force; });
 }
 
-Fields<ReadPoint> row_fields() {
-  return Fields<ReadPoint>().row("row", "row of the file", [](const ReadPoint& p) { return p.point.index; });
+Fields<PointOfProfile> row_fields() {
+  return Fields<PointOfProfile>().row("row", "row of the file", [](const PointOfProfile& p) { return p.point.index; });
 }
 
 }  // namespace
 
-Fields<ReadPoint> read_friction_fields() { return row_fields().all_of(place_fields()); }
+Fields<PointOfProfile> pointwise_friction_fields() { return row_fields().all_of(place_fields()); }
 
-Fields<ReadPoint> profile_fields() {
-  using P = const ReadPoint&;
+Fields<PointOfProfile> profile_fields() {
+  using P = const PointOfProfile&;
   const auto measured = [](std::vector<double> Record::*column) {
     return [column](P p) { return (p.record.*column)[p.point.index]; };
   };
@@ -54,7 +54,8 @@ Fields<ReadPoint> profile_fields() {
       .own("force", kind::force, "measured force", measured(&Record::force))
       .titled("F")
       .all_of(place_fields())
-      .number("drawn_in", kind::length, "sliding length: length that has slid in over both supports", [](P p) { return p.point.S - 1; })
+      .number("drawn_in", kind::length, "sliding length: length that has slid in over both supports",
+              [](P p) { return p.point.S - 1; })
       .number("imaged", kind::length,
               "length of the axis between the vertical planes through the supports, as in a side-view image",
               [](P p) { return p.point.imaged; });
@@ -74,7 +75,8 @@ Fields<InvertedTest> inverted_test_fields() {
               .words("source", "source of EI: stated, stated_without_uncertainty or initial_slope",
                      [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
           [](T test) -> const auto& { return test.stiffness; })
-      .own("contact_offset", kind::length, "displacement at the contact point; it is subtracted from stage and deflection",
+      .own("contact_offset", kind::length,
+           "displacement at the contact point; it is subtracted from stage and deflection",
            [](T test) { return test.measurement.contact_offset; })
       .own("force_noise", kind::force, "standard deviation of one force reading",
            [](T test) { return test.measurement.force_noise; })
@@ -138,10 +140,10 @@ Fields<CurvePoint> curve_fields() {
               there([](const TestAnalysis& a) -> const auto& { return a.fit.force; }))
       .number("replay_force", kind::force, "simulated force of the measured profile, used as a table",
               there([](const TestAnalysis& a) -> const auto& { return a.replay.force; }))
-      .number("deflection_off", kind::length,
-              "fitted correction of the measured deflection for errors of the rig",
+      .number("deflection_off", kind::length, "fitted correction of the measured deflection for errors of the rig",
               correction(&Shift::deflection))
-      .number("force_off", kind::force, "fitted correction of the measured force for errors of the rig", correction(&Shift::force))
+      .number("force_off", kind::force, "fitted correction of the measured force for errors of the rig",
+              correction(&Shift::force))
       .number("length", kind::length, "length between the contacts", read(&ProfilePoint::length))
       .titled("S")
       .number("mu", "friction inverted at this row", read(&ProfilePoint::mu))

@@ -17,16 +17,16 @@
 namespace flexslip {
 
 // A point of a profile with its record.
-struct ReadPoint {
+struct PointOfProfile {
   const Record& record;  // in the unit of the test
   const ProfilePoint& point;
 };
 
-std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& profile);
+std::vector<PointOfProfile> points_of(const Record& record, const FrictionProfile& profile);
 
 // The friction at the rows of a file, with everything determined there.
-Fields<ReadPoint> read_friction_fields();
-Fields<ReadPoint> profile_fields();
+Fields<PointOfProfile> pointwise_friction_fields();
+Fields<PointOfProfile> profile_fields();
 
 // The fields of `invert --json` of a case, and its frame. The test must outlive the frame.
 Fields<InvertedTest> inverted_test_fields();

@@ -25,8 +25,7 @@ Fields<Chord> chord_fields() {
                    [](const Chord& chord) {
                      return std::vector{chord.deflection_from, chord.deflection_to};
                    })
-      .own_estimate("stiffness", kind::stiffness, "slope ΔF/Δw between the ends of the chord",
-                    &Chord::stiffness)
+      .own_estimate("stiffness", kind::stiffness, "slope ΔF/Δw between the ends of the chord", &Chord::stiffness)
       .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as defined by ISO 178",
                     [](const Chord& chord) { return with_error_of_slope(chord.modulus, chord.stiffness); });
 }
@@ -74,7 +73,8 @@ Fields<FrictionGain> friction_gain_fields() {
       .own_numbers("modulus_share", kind::number,
                    "smallest and largest share that friction in this range adds to the modulus",
                    ends(&FrictionGain::modulus))
-      .own_numbers("strength_share", kind::number, "smallest and largest share that it adds to the stress at the maximum force",
+      .own_numbers("strength_share", kind::number,
+                   "smallest and largest share that it adds to the stress at the maximum force",
                    ends(&FrictionGain::strength))
       .own_numbers("work_share", kind::number,
                    "smallest and largest share of the work up to the maximum force that goes into friction",
@@ -110,31 +110,33 @@ std::string_view name_of(SmallDeflectionStatus status) {
 }
 
 std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
-  const auto told = standard_modulus(test.numbers);
-  if (!told || !test.supports.alone) return std::nullopt;
+  const auto modulus = standard_modulus(test.numbers);
+  if (!modulus || !test.supports.alone) return std::nullopt;
   const double factor = 1 + *test.supports.alone;
-  return normal_estimate(told->value / factor, told->standard_error / factor);
+  return normal_estimate(modulus->value / factor, modulus->standard_error / factor);
 }
 
-std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
+std::optional<StiffnessComparison> compare_stiffness(const FittedTest& test) {
   const SmallDeflection& numbers = test.small_deflection;
   if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
   const Estimate straight = *with_error_of_slope(numbers.bending_stiffness, numbers.stiffness);
   const Estimate& fitted = test.analysis.fit.bending_stiffness;
   const double unit = test.analysis.scales.bending_stiffness();
-  return BesideFit{straight.value / (unit * fitted.value),
-                   straight.high < unit * fitted.low || straight.low > unit * fitted.high};
+  return StiffnessComparison{straight.value / (unit * fitted.value),
+                             straight.high < unit * fitted.low || straight.low > unit * fitted.high};
 }
 
 Fields<StandardTest> modulus_fields() {
   const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
       .words("status",
-             "ok, no_straight_part, uncertain (the error exceeds half of the stiffness), or too_stiff (no material has such a modulus)",
+             "ok, no_straight_part, uncertain (the error exceeds half of the stiffness), or too_stiff (no material has "
+             "such a modulus)",
              [](const StandardTest& t) { return name_of(t.numbers.status); })
-      .number("load_train_share",
-              "share of the stage travel that the load train takes, over the linear region or else up to the maximum force",
-              [](const StandardTest& t) { return t.numbers.load_train_share; })
+      .number(
+          "load_train_share",
+          "share of the stage travel that the load train takes, over the linear region or else up to the maximum force",
+          [](const StandardTest& t) { return t.numbers.load_train_share; })
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "slope dF/dw of the linear region",
                     [](const StandardTest& t) { return t.numbers.stiffness; })
@@ -149,7 +151,8 @@ Fields<StandardTest> modulus_fields() {
               [](const StandardTest& t) { return t.numbers.chord_in_toe; })
       .group("window", "linear region of the curve", window_fields())
       .own_quantity("origin", kind::length,
-                    "displacement in the file at which the linear region extrapolates to zero force, at the earliest the start of the record; origin of deflections and strains",
+                    "displacement in the file at which the linear region extrapolates to zero force, at the earliest "
+                    "the start of the record; origin of deflections and strains",
                     [](const StandardTest& t) { return t.measurement.contact_offset + t.numbers.origin; })
       .own_quantity("greatest_force", kind::force, "maximum force",
                     [](const StandardTest& t) { return t.numbers.greatest.force; })
@@ -159,14 +162,14 @@ Fields<StandardTest> modulus_fields() {
                     [](const StandardTest& t) { return t.numbers.greatest.stress; })
       .own_quantity("strain", kind::number, "flexural strain at the maximum force, 6 δ depth/L²",
                     [](const StandardTest& t) { return t.numbers.greatest.strain; })
-      .group("at_break", "the same at break; null if the record shows no break",
-             reached_fields(),
+      .group("at_break", "the same at break; null if the record shows no break", reached_fields(),
              [](const StandardTest& t) { return is_broken(t) ? std::optional(t.numbers.end) : std::nullopt; })
       .yes_no("deflection_large",
               "the deflection exceeds a tenth of the span, where the stress and strain of the standards are invalid",
               [](const StandardTest& t) { return t.numbers.deflection_large; })
       .number("supports_share",
-              "share that rollers and thickness add to the stiffness over the chord or the linear region, without friction; neglected by the standards",
+              "share that rollers and thickness add to the stiffness over the chord or the linear region, without "
+              "friction; neglected by the standards",
               [](const StandardTest& t) { return t.supports.alone; })
       .own_estimate("modulus_less_supports", kind::pressure,
                     "modulus of the chord, or else of the linear region, without that share", modulus_less_supports)
@@ -186,8 +189,7 @@ Fields<PreparationStep> preparation_fields() {
       fmt::format("name of the step: one of {}, done in this order", fmt::join(preparation_steps, ", "));
   return Fields<PreparationStep>()
       .words("step", names, [](S step) { return std::string(step.name); })
-      .yes_no("changed", "numbers differ from the file, or rows are omitted",
-              [](S step) { return step.changed; })
+      .yes_no("changed", "numbers differ from the file, or rows are omitted", [](S step) { return step.changed; })
       .words("done", "what was done, in words", [](S step) { return step.done; })
       .own("value", kind::number, "value that was subtracted, applied or determined",
            [](S step) { return step.value ? std::optional(step.value->value) : std::nullopt; })

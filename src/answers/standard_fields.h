@@ -34,13 +34,13 @@ StandardTest standard_test(const FittedTest& test);
 StandardTest standard_test(const ModulusStudy& study);
 
 // The bending stiffness of the linear region compared with that of the fit.
-struct BesideFit {
-  double ratio;  // [1] linear region / fit
+struct StiffnessComparison {
+  double ratio;    // [1] linear region / fit
   bool disagrees;  // their 95 % intervals do not overlap
 };
 
 // Empty if either is unknown.
-std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test);
+std::optional<StiffnessComparison> compare_stiffness(const FittedTest& test);
 
 Fields<PreparationStep> preparation_fields();
 

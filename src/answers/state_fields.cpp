@@ -59,12 +59,12 @@ Fields<InvertedState> inverted_fields() {
       .number("q", "mobilised friction", &InvertedState::q);
 }
 
-Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
-  using P = const ToldEquilibrium&;
-  Fields<ToldEquilibrium> fields;
+Fields<EquilibriumRow> equilibrium_fields(const EquilibriumColumns& columns) {
+  using P = const EquilibriumRow&;
+  Fields<EquilibriumRow> fields;
   fields
       .number("length", kind::length, "length of the specimen's axis between the contacts",
-              &ToldEquilibrium::between_contacts)
+              &EquilibriumRow::between_contacts)
       .titled("S")
       .number(columns.region ? "q" : "mu", columns.region ? "mobilised friction" : "friction",
               [](P p) { return p.point.q; })
@@ -73,7 +73,8 @@ Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
       .number("force", kind::force, "force at midspan", [](P p) { return p.point.F; })
       .titled("F");
   if (columns.drawn_in)
-    fields.number("drawn_in", kind::length, "sliding length: length that has slid in past the first contacts, over both supports",
+    fields.number("drawn_in", kind::length,
+                  "sliding length: length that has slid in past the first contacts, over both supports",
                   [](P p) { return p.point.S - 1; });
   return fields;
 }
@@ -89,8 +90,8 @@ Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns) {
             equilibrium_fields(columns), [](const EquilibriumStudy& study) { return points_of(study); });
 }
 
-std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study) {
-  std::vector<ToldEquilibrium> points;
+std::vector<EquilibriumRow> points_of(const EquilibriumStudy& study) {
+  std::vector<EquilibriumRow> points;
   const Fibre& fibre = study.fibre;
   for (const EquilibriumPoint& point : study.points)
     points.push_back({point, fibre.on_edges()

@@ -51,23 +51,23 @@ Fields<States<State>> states_fields(std::string_view status, const Fields<State>
 inline constexpr std::string_view no_state = "ok, or beyond_branch if some rows have no state";
 inline constexpr std::string_view no_friction = "ok, or no_friction if some rows have no solution";
 
-struct ToldEquilibrium {
+struct EquilibriumRow {
   EquilibriumPoint point;
   double between_contacts;  // [L]
 };
 
 struct EquilibriumColumns {
-  bool region;  // all equilibria, instead of the loading curve
+  bool region;    // all equilibria, instead of the loading curve
   bool drawn_in;  // the sliding length is not determined by the length
 };
 
-Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns);
+Fields<EquilibriumRow> equilibrium_fields(const EquilibriumColumns& columns);
 
 // The fields of `equilibrium --json`.
 Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns);
 
 // The points of a study and its columns.
-std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study);
+std::vector<EquilibriumRow> points_of(const EquilibriumStudy& study);
 EquilibriumColumns columns_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

@@ -26,29 +26,31 @@ struct CampaignCurves {
   Supports supports;                             // [span]
   std::vector<double> stage, deflection, force;  // [m], [m], [N] measured
   std::vector<double> model_deflection,
-      model_force;  // [m], [N] the simulated best-fit profile, with snaps
+      model_force;                 // [m], [N] the simulated best-fit profile, with snaps
   std::vector<std::size_t> drops;  // the last measured row before each drop
 };
 
 // The numbers of a bending standard, and the possible effect of friction at the supports.
 struct StandardSummary {
-  Estimate modulus;  // [Pa] of the chord, or else of the linear region
-  double strength;  // [Pa] stress at the maximum force
+  Estimate modulus;                      // [Pa] of the chord, or else of the linear region
+  double strength;                       // [Pa] stress at the maximum force
   std::optional<FrictionGain> friction;  // as in SupportsGain
 };
 
 struct CampaignTest {
   std::string name;
-  std::string status;  // as status_of; or "failed", when only name, file and reason are valid
-  std::string reason;  // empty if the status is "ok"
-  std::string file;  // the case, data file or line of a table with the test
-  std::string verdict;  // one word: "SLIP"
-  Causes causes;  // of the drops; NaN without drops
-  std::optional<TestSummary> summary;  // empty without a fit
+  // as status_of; or "failed", when only name, file and reason are valid
+  std::string status;
+  std::string reason;                    // empty if the status is "ok"
+  std::string file;                      // the case, data file or line of a table with the test
+  std::string verdict;                   // one word: "SLIP"
+  Causes causes;                         // of the drops; NaN without drops
+  std::optional<TestSummary> summary;    // empty without a fit
   std::optional<CampaignCurves> curves;  // empty without a fit
-  std::vector<std::string> remarks;  // remarks for readers of the table
+  std::vector<std::string> remarks;      // remarks for readers of the table
   std::optional<Materials> materials{};  // of specimen and supports; empty unless both are stated
-  std::optional<StandardSummary> standard{};  // empty unless span and section are known and the record determines a modulus
+  std::optional<StandardSummary>
+      standard{};  // empty unless span and section are known and the record determines a modulus
 };
 
 // True if the verdict answers whether the drops are slips or cracks.
@@ -70,7 +72,8 @@ struct Campaign {
   std::vector<CategorySummary> categories;
   CauseShares causes{};
   double shared_error = 0;  // [1] error of the mean friction that all tests on the rig share
-  Estimate friction_share = normal_estimate(not_a_number, not_a_number);  // [1] mean friction share of the work
+  // [1] mean friction share of the work
+  Estimate friction_share = normal_estimate(not_a_number, not_a_number);
   std::vector<std::string> notes;  // of the plan: omitted files, duplicate records
 };
 

@@ -45,7 +45,7 @@ std::string lower_case(std::string text) {
 }
 
 // Adds numbers to names that several tests share, so that their folders differ.
-void tell_apart(std::vector<PlannedTest>& tests) {
+void make_names_unique(std::vector<PlannedTest>& tests) {
   std::map<std::string, std::size_t, std::less<>> used;
   for (const auto& test : tests) used[lower_case(folder_name(test.name))] = 0;
   for (auto& test : tests) {
@@ -344,7 +344,8 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
     table_at(text, "record").insert_or_assign("file", file.string());
     try {
       Test input = checked(case_from(text, "", changes));
-      for (auto& [key, line] : input.lines) line = 0;  // lines of this composed text mean nothing to the user
+      // lines of this composed text mean nothing to the user
+      for (auto& [key, line] : input.lines) line = 0;
       test.input = std::move(input);
     } catch (const InputError& error) {
       test.input = located(error, error.fault.file, error.fault.file.empty() ? 0 : error.fault.line, error.fault.field);
@@ -477,7 +478,7 @@ CampaignPlan plan_campaign(const std::string& path, const std::optional<std::str
   } else {
     plan.tests = plan_of_table(path, shared, changes);
   }
-  tell_apart(plan.tests);
+  make_names_unique(plan.tests);
   count_same_records_once(plan);
   note_missing_sections(plan);
   return plan;

@@ -17,8 +17,9 @@ namespace flexslip {
 std::string folder_name(std::string_view name);
 
 struct PlannedTest {
-  std::string name;  // as written by the user; its folder_name is unique in the campaign
-  std::string file;  // the file with the test, as named by the user
+  // as written by the user; its folder_name is unique in the campaign
+  std::string name;
+  std::string file;                      // the file with the test, as named by the user
   std::variant<Test, InputError> input;  // InputError: why the test cannot be read
 };
 

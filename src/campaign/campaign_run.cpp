@@ -304,7 +304,8 @@ class Runner {
     const auto folder = store_->emptied_folder(planned.name);
     if (options_.present) options_.present(*test, folder.string());
     store_->keep(line, key);
-    return {campaign_test_from(to_text(line)).value(), false};  // identical to what a later run reads
+    // identical to what a later run reads
+    return {campaign_test_from(to_text(line)).value(), false};
   }
 
   void finish(std::size_t index, Computed computed) {

@@ -16,7 +16,6 @@
 
 namespace flexslip {
 
-
 // Converts a test to text and back, without loss except that invalid UTF-8 is repaired.
 std::string to_text(const CampaignTest& test);
 // Fails:      empty if the text is not of this format and version.
@@ -48,7 +47,8 @@ class CampaignStore {
 struct CampaignOptions {
   std::function<AnalysisOptions(const Test&)> analysis = [](const Test&) { return AnalysisOptions{}; };
   unsigned threads = 1;
-  std::optional<std::string> folder;  // where finished tests are stored and found again by a later run
+  // where finished tests are stored and found again by a later run
+  std::optional<std::string> folder;
   // Called during the run, by one thread at a time.
   std::function<void(std::size_t done, std::size_t tests)> progress = {};
   // Called once for each computed test, before it is stored, by several threads at once. `folder`
@@ -56,7 +56,8 @@ struct CampaignOptions {
   // stored test.
   std::function<void(const FittedTest& test, const std::string& folder)> present = {};
   std::string presented = {};
-  const std::atomic<bool>* stop = nullptr;  // if true, no further test starts and running ones are abandoned
+  // if true, no further test starts and running ones are abandoned
+  const std::atomic<bool>* stop = nullptr;
 };
 
 enum class CampaignStatus {

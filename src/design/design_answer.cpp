@@ -53,7 +53,7 @@ double nearest_between(const Test& input, std::string_view parameter, double as_
 
 struct Way {
   double factor;  // of each step
-  double last;  // the last value that does not reverse the answer
+  double last;    // the last value that does not reverse the answer
   bool goes_on;
 };
 
@@ -113,7 +113,8 @@ double as_printed(const Test& input, std::string_view parameter, double to, bool
 // between its supports.
 std::optional<double> travel_change(const Test& input, const DesignAnswer& answer) {
   constexpr double farther = 2, much_farther = 30, deepest = 1;  // [1], [1], [L]
-  constexpr double hair = 1e-6;  // an excess that survives rounding of units
+  // an excess that survives rounding of units
+  constexpr double hair = 1e-6;
   if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
   for (double factor = farther; factor < farther * much_farther; factor *= farther) {
     const auto there =
@@ -126,8 +127,7 @@ std::optional<double> travel_change(const Test& input, const DesignAnswer& answe
 
 std::optional<PhaseStudy> phases_of(Test input) {
   constexpr int phases = 24;
-  constexpr double finest =
-      1e-5;  // [L] a finer wave's phase moves nothing by 1e-5 of the span
+  constexpr double finest = 1e-5;  // [L] a finer wave's phase moves nothing by 1e-5 of the span
   if (input.other) return std::nullopt;
   if (!value_of(input, "phase") || value_of(input, "amplitude").value() == 0) return std::nullopt;
   if (design_of(input).units.scales.reduced_length(value_of(input, "wavelength").value()) < finest) return std::nullopt;
@@ -168,7 +168,7 @@ DesignAnswer answer_of(const Test& input) {
       answer.changes.push_back({parameter, value_of(input, parameter).value(), to,
                                 as_printed(input, parameter, to, now), and_beyond, *outcome});
   };
-  const auto is_told = [&](std::string_view parameter) {
+  const auto is_listed = [&](std::string_view parameter) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),
                        [&](const DesignChange& change) { return change.parameter == parameter; });
   };
@@ -193,7 +193,7 @@ DesignAnswer answer_of(const Test& input) {
   if (!input.other) others.insert(others.end(), {"mu0", "amplitude", "wavelength", "pin_friction"});
   if (depth_is_more) others.insert(others.begin(), {"diameter", "height"});
   for (const auto parameter : others)
-    if (value_of(input, parameter) && !is_told(parameter))
+    if (value_of(input, parameter) && !is_listed(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
   if (const auto travel = travel_change(input, answer)) add("travel", *travel, true);
   return answer;

@@ -17,20 +17,21 @@ namespace flexslip {
 // their values.
 struct DesignChange {
   std::string_view parameter;
-  double from, to;        // [units of the case]
-  double printed;  // [units of the case] `to` rounded away from `from`, to the fewest digits that still reverse it
-  bool and_beyond;  // every value beyond `to` reverses it as well
+  double from, to;  // [units of the case]
+  // [units of the case] `to` rounded away from `from`, to the fewest digits that still reverse it
+  double printed;
+  bool and_beyond;        // every value beyond `to` reverses it as well
   DesignOutcome outcome;  // with `to`
 };
 
 // The effect of the phase of friction, which is seldom known before a test. The phases are evenly
 // spaced over one turn; all else is unchanged.
 struct PhaseStudy {
-  std::size_t phases;  // number of phases that can be computed
+  std::size_t phases;    // number of phases that can be computed
   std::size_t snapping;  // number of these with which the specimen snaps
-  double min_drop;  // [EI/L^2] minimum over the phases of the largest drop
-  double largest_drop;  // [EI/L^2] maximum over the phases
-  double critical;  // [EI/L^3] smallest stiffness at and above which no phase leads to a snap
+  double min_drop;       // [EI/L^2] minimum over the phases of the largest drop
+  double largest_drop;   // [EI/L^2] maximum over the phases
+  double critical;       // [EI/L^3] smallest stiffness at and above which no phase leads to a snap
 };
 
 struct DesignAnswer {
@@ -38,7 +39,7 @@ struct DesignAnswer {
   Design design;
   Scales scales;
   std::optional<SurfaceStrain> surface;  // empty without a section
-  bool wraps_nose;  // the specimen is curved more sharply than the nose
+  bool wraps_nose;                       // the specimen is curved more sharply than the nose
   DesignOutcome outcome;
   double critical;  // [EI/L^3] critical_stiffness (design.h) of this loading
   std::vector<DesignChange> changes;

@@ -20,7 +20,7 @@ struct DesignParameter {
   std::string_view name;  // "mu0", as in files and on the command line
   const CaseKey* key;
   std::string_view description;  // "mean friction coefficient"
-  std::string_view symbol;  // in the markup of plot.h
+  std::string_view symbol;       // in the markup of plot.h
   Range range;
   double most;  // [units of the case] the maximum of the range
 

@@ -81,8 +81,7 @@ Fields<DesignResult> fields_of_outcomes() {
            of_outcome([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_before); }))
       .own("first_snap_force_after", kind::force, "force after the first snap; null without a snap",
            of_outcome([](O o, U u) { return u.scales.physical_force(o.first_snap.value_or(no_snap).F_after); }))
-      .count("drops",
-             "number of force drops in the record; consecutive decreases count as one",
+      .count("drops", "number of force drops in the record; consecutive decreases count as one",
              of_outcome([](O o, U) { return o.drops; }))
       .own("largest_drop", kind::force, "largest force drop; 0 without drops",
            of_outcome([](O o, U u) { return u.scales.physical_force(o.largest_drop); }))

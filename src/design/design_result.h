@@ -46,8 +46,9 @@ PlannedDesign design_of(const Test& loading);
 enum class ResultStatus {
   ok,
   slipped_through,  // the outcome covers the loading up to that point
-  impossible,  // no such test exists (ImpossibleTest, case/mechanics.h); no outcome
-  not_computable,  // outside the limits of FlexSlip: friction above largest_q, roughness too fine; no outcome
+  impossible,       // no such test exists (ImpossibleTest, case/mechanics.h); no outcome
+  // outside the limits of FlexSlip: friction above largest_q, roughness too fine; no outcome
+  not_computable,
   breaks,  // the outcome covers the loading up to that point
 };
 inline constexpr std::array<std::string_view, 5> result_status_words{"ok", "slipped_through", "impossible",
@@ -85,7 +86,8 @@ struct DesignPoint {
 };
 
 struct MapPoint : DesignPoint {
-  double margin;  // [1] stiffness_margin: positive if the specimen does not snap; NaN without an outcome
+  // [1] stiffness_margin: positive if the specimen does not snap; NaN without an outcome
+  double margin;
 };
 
 // All designs of the grid; the last axis changes fastest. They do not depend on the number of

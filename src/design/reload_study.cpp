@@ -21,7 +21,8 @@ namespace flexslip {
 namespace {
 
 constexpr std::array travels{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};  // [travel]
-constexpr std::array forces{0.8, 0.6, 0.4, 0.2, 0.05};  // [force at which outward sliding begins]
+// [force at which outward sliding begins]
+constexpr std::array forces{0.8, 0.6, 0.4, 0.2, 0.05};
 
 // A plan before it is evaluated. Units: those of the case.
 struct Programme {
@@ -189,7 +190,7 @@ std::optional<ReloadPlan> ReloadStudy::least() const {
 }
 
 ReloadStudy reload_study(const Test& given, const ReloadOptions& asked) {
-  if (!(asked.noise.value_or(1) > 0) || !(asked.least_chance > 0 && asked.least_chance < 1))
+  if (!(asked.noise.value_or(1) > 0) || !(asked.required_chance > 0 && asked.required_chance < 1))
     throw std::invalid_argument("a noise of 0 or less, or a chance that is none");
   constexpr double readings = 300;  // per loading, if the case has no step
   Test loading = given;
@@ -200,7 +201,7 @@ ReloadStudy reload_study(const Test& given, const ReloadOptions& asked) {
   ReloadStudy study{.noise = *options.noise,
                     .noise_is_usual = !asked.noise,
                     .step = *loading.stage->step,
-                    .least_chance = options.least_chance,
+                    .required_chance = options.required_chance,
                     .drops = 0,
                     .plans = {},
                     .changes = {}};

@@ -15,10 +15,12 @@ namespace flexslip {
 
 // Options that are not part of a case. Units: those of the case.
 struct ReloadOptions {
-  std::optional<double> noise{};  // [N] standard deviation of a force reading; default: usual_noise of the maximum force
-  std::uint64_t seed = 1;  // for the noise of the simulated records
-  unsigned threads = 1;  // plans run in parallel
-  double least_chance = 0.95;  // [1] required probability of finding the true cause
+  std::optional<double>
+      // [N] standard deviation of a force reading; default: usual_noise of the maximum force
+      noise{};
+  std::uint64_t seed = 1;         // for the noise of the simulated records
+  unsigned threads = 1;           // plans run in parallel
+  double required_chance = 0.95;  // [1] required probability of finding the true cause
 };
 
 inline constexpr double usual_noise = 0.001;  // [maximum force] of a typical load cell
@@ -27,8 +29,8 @@ inline constexpr double usual_noise = 0.001;  // [maximum force] of a typical lo
 // the expected result.
 struct ReloadPlan {
   double travel;      // [m] stage position
-  double unload_to;  // [m] stage position at the end of the unloading
-  double force;  // [N] at that position
+  double unload_to;   // [m] stage position at the end of the unloading
+  double force;       // [N] at that position
   std::size_t drops;  // detected in the first loading
   // [1] The stiffness loss that the drops require if they are cracks only, and the standard error
   // of the measured loss; NaN if undetermined.
@@ -44,17 +46,18 @@ struct ReloadChange {
 };
 
 struct ReloadStudy {
-  double noise;         // [N] as used
-  bool noise_is_usual;  // no noise was stated
-  double step;  // [m] of the stage, as used; default: 1/300 of the travel
-  double least_chance;  // [1] as in the options
+  double noise;            // [N] as used
+  bool noise_is_usual;     // no noise was stated
+  double step;             // [m] of the stage, as used; default: 1/300 of the travel
+  double required_chance;  // [1] as in the options
   // The number of drops that `fit` would detect in the planned loading: snaps, and smooth decreases
   // that are as steep. If 0, there is nothing to decide, and `plans` and `changes` are empty.
   std::size_t drops;
-  std::vector<ReloadPlan> plans;  // to 0.3, 0.4 ... 1 of the travel, each with five unloadings, the deepest last
+  // to 0.3, 0.4 ... 1 of the travel, each with five unloadings, the deepest last
+  std::vector<ReloadPlan> plans;
   std::vector<ReloadChange> changes;  // each sufficient alone; empty if a plan suffices
 
-  bool suffices(const ReloadPlan& plan) const { return plan.chances.least() >= least_chance; }
+  bool suffices(const ReloadPlan& plan) const { return plan.chances.least() >= required_chance; }
   // The shallowest sufficient unloading from the planned travel, or else the most reliable one.
   // Domain:     plans is not empty.
   const ReloadPlan& of_travel() const;
@@ -63,7 +66,7 @@ struct ReloadStudy {
   std::optional<ReloadPlan> least() const;
 };
 
-// Domain:     a test as one_loading_of (design_result.h) returns it; 0 < least_chance < 1, noise >
+// Domain:     a test as one_loading_of (design_result.h) returns it; 0 < required_chance < 1, noise >
 //             0; std::invalid_argument otherwise.
 // Max error:  measured on 240 records of four plans with random errors of the rig. Where the
 //             predicted probability of the right verdict was 1.00, the observed share was 0.93 to

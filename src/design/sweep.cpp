@@ -21,7 +21,8 @@
 namespace flexslip {
 namespace {
 
-constexpr std::uint64_t max_rows = 1'000'000'000'000;  // three days on a thousand cores; more is a typing error
+// three days on a thousand cores; more is a typing error
+constexpr std::uint64_t max_rows = 1'000'000'000'000;
 
 enum class Method { grid, latin_hypercube };
 
@@ -124,7 +125,8 @@ std::uint64_t mixed(std::uint64_t x) {
 
 // The image of i under a permutation of 0, ..., count - 1, selected by the key.
 std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::uint64_t key) {
-  constexpr int rounds = 6;  // four give a pseudorandom permutation with a good hash (Luby & Rackoff 1988)
+  // four give a pseudorandom permutation with a good hash (Luby & Rackoff 1988)
+  constexpr int rounds = 6;
   const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);
   const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
   do {  // at most four times on average

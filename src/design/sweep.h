@@ -26,7 +26,8 @@ struct LatinHypercube {
 
 struct SweepPlan {
   Test loading;  // as one_loading_of returns it
-  std::vector<DesignAxis> axes;  // at least one, in the order of the file; axes from `changes` come last
+  // at least one, in the order of the file; axes from `changes` come last
+  std::vector<DesignAxis> axes;
   std::variant<Grid, LatinHypercube> method;
   std::uint64_t rows;  // at least 1
 };

@@ -15,7 +15,7 @@ Eigen::MatrixXd product(const MatrixView& a, const MatrixView& b);
 
 // The eigenvalues and eigenvectors of a symmetric matrix: A = vectors diag(values) vectors'.
 struct SymmetricEigen {
-  Eigen::VectorXd values;  // in increasing order
+  Eigen::VectorXd values;   // in increasing order
   Eigen::MatrixXd vectors;  // columns of length 1
 };
 SymmetricEigen eigen_of(const MatrixView& symmetric);

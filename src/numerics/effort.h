@@ -23,7 +23,7 @@ class Effort {
   Effort& operator+=(std::uint64_t more) {
     if (stop_ && stop_->load(std::memory_order_relaxed)) throw Stopped{};
     spent_ += more;
-    if (spent_ >= next_told_) tell();
+    if (spent_ >= next_report_) notify();
     return *this;
   }
   void clear() { spent_ = 0; }  // only without a Watch
@@ -33,11 +33,11 @@ class Effort {
   friend class Stoppable;
   friend class Watch;
   friend class Stages;
-  void tell();
-  void watched_by(Watch* watch);
+  void notify();
+  void set_watch(Watch* watch);
 
   static constexpr std::uint64_t never = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t spent_ = 0, next_told_ = never;
+  std::uint64_t spent_ = 0, next_report_ = never;
   const std::atomic<bool>* stop_ = nullptr;
   Watch* watch_ = nullptr;
 };

@@ -25,7 +25,9 @@ class Interpolant {
   static Values bernstein(const Values& at_nodes) { return apply(maps().bernstein, at_nodes); }
 
  private:
-  using Matrix = std::array<Values, degree + 1>;  // one row per node, so that the sums of all coefficients run in parallel
+  using Matrix =
+      // one row per node, so that the sums of all coefficients run in parallel
+      std::array<Values, degree + 1>;
 
   static Values apply(const Matrix& map, const Values& values) {
     Values result{};

@@ -24,13 +24,13 @@ class KeptMemory {
     kept.erase(found);
     return block;
   }
-  static void give_back(Block block) {
-    if (kept.size() == most) kept.erase(kept.begin());
+  static void put(Block block) {
+    if (kept.size() == max_blocks) kept.erase(kept.begin());
     kept.push_back(std::move(block));
   }
 
  private:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t max_blocks = 8;
   static inline thread_local std::vector<Block> kept;
 };
 
@@ -52,7 +52,7 @@ class KeptArray {
     return *this;
   }
   ~KeptArray() {
-    if (!block_.empty()) KeptMemory::give_back(std::move(block_));
+    if (!block_.empty()) KeptMemory::put(std::move(block_));
   }
   T* data() { return reinterpret_cast<T*>(block_.data()); }
   const T* data() const { return reinterpret_cast<const T*>(block_.data()); }

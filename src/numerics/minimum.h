@@ -79,9 +79,9 @@ struct Least {
 
 struct LeastOptions {
   std::vector<double> steps;  // [units of each variable] the initial steps
-  double close_in_value;  // stop if the values of the simplex differ by less,
-  double close_in_numbers;  // or its points do, in every variable
-  int max_calls;  // for each start
+  double close_in_value;      // stop if the values of the simplex differ by less,
+  double close_in_numbers;    // or its points do, in every variable
+  int max_calls;              // for each start
 };
 
 // The smallest value found from any of the starts.

@@ -12,7 +12,8 @@ namespace flexslip {
 
 struct Reached {
   std::string_view stage;  // the current activity, in words
-  double share;  // [1] share of the whole that is usually done by now; from 0 to 1, never decreasing
+  // [1] share of the whole that is usually done by now; from 0 to 1, never decreasing
+  double share;
 };
 
 // While a Watch lives, it calls `report` on this thread with the progress of its work: at each
@@ -23,7 +24,7 @@ class Watch {
  public:
   static constexpr std::uint64_t every = 100'000;  // [states] a few ms
 
-  explicit Watch(std::function<void(const Reached&)> told);
+  explicit Watch(std::function<void(const Reached&)> report);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -36,11 +37,11 @@ class Watch {
     std::string_view stage;
     double from, to;  // [1]
   };
-  void go_on_with(const Stretch& next);
-  void tell();
+  void begin(const Stretch& next);
+  void notify();
   double share() const;
 
-  std::function<void(const Reached&)> told_;
+  std::function<void(const Reached&)> report_;
   Watch* before_;
   std::uint64_t begun_, entered_;  // [states] the effort spent at that moment
   Stretch now_{"", 0, 1};

@@ -32,7 +32,7 @@ GaussianState<numbers, series> predicted(const GaussianState<numbers, series>& s
 // The result of an observation y = h'x + ε in each series.
 template <int numbers, int series>
 struct Update {
-  GaussianState<numbers, series> state;  // given the observation
+  GaussianState<numbers, series> state;         // given the observation
   Eigen::Matrix<double, 1, series> innovation;  // y minus its prediction
   double variance;                              // of the innovation
 };

@@ -13,7 +13,7 @@ namespace flexslip {
 // ---- Estimates
 
 struct Estimate {
-  double value = 0;  // median
+  double value = 0;           // median
   double standard_error = 0;  // standard deviation
   double low = 0, high = 0;   // 95 % interval
 };
@@ -116,7 +116,7 @@ Line line_through(std::size_t n, const X& x, const Y& y) {
 // the slopes of (x, y) and (x, z).
 struct CommonLine {
   Line y, z;
-  double slope;  // dy/dz; NaN unless both slopes are positive
+  double slope;                   // dy/dz; NaN unless both slopes are positive
   std::vector<double> residuals;  // of y about the line of that slope through both means
 };
 CommonLine common_line(std::span<const double> x, std::span<const double> y, std::span<const double> z);

@@ -23,13 +23,13 @@ enum class Shape {
   yes_no,
   words,
   quantity,       // value and unit
-  numbers,  // a list
+  numbers,        // a list
   estimate,       // value, standard_error, interval95 and unit
-  group,  // an object with entries
-  list,  // a list of groups
-  by_name,  // an object of groups, each under its own name
+  group,          // an object with entries
+  list,           // a list of groups
+  by_name,        // an object of groups, each under its own name
   words_by_name,  // an object of words, each under its own name
-  any,  // numbers or words
+  any,            // numbers or words
 };
 
 // The description of a quantity that several answers share.
@@ -45,9 +45,9 @@ struct Description {
   Kind kind;  // of numbers and estimates; otherwise kind::number
   std::string_view meaning;
   std::vector<Description> entries = {};  // of a group; of an estimate, its additional entries
-  std::string_view title = {};  // of the column in tables; default: the name
-  bool may_be_missing = false;  // null if missing
-  bool is_several = false;  // of words: a list of them
+  std::string_view title = {};            // of the column in tables; default: the name
+  bool may_be_missing = false;            // null if missing
+  bool is_several = false;                // of words: a list of them
 };
 
 // One field. `read` expects a row of the type for which it was made.
@@ -56,7 +56,8 @@ struct Field {
 
   Description what;
   Read read;
-  Kind reduced;  // the kind by which numbers are converted from reduced variables; kind::number: no conversion
+  // the kind by which numbers are converted from reduced variables; kind::number: no conversion
+  Kind reduced;
   bool left_out;  // omitted if missing, instead of null
 
   // The value, with numbers in the unit of the test.

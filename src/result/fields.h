@@ -22,7 +22,7 @@ struct Getter {
   Getter(Get get)  // NOLINT(google-explicit-constructor): written as a plain function
       : read(read_by(std::move(get),
                      [](const void* kept, const void* row, const Frame& frame, const Kind& as) {
-                       return read_off(*static_cast<const Get*>(kept), *static_cast<const Row*>(row), frame, as);
+                       return json_value(*static_cast<const Get*>(kept), *static_cast<const Row*>(row), frame, as);
                      })),
         may_be_missing(MayBeMissing<Given<Get, Row>>),
         is_several(SeveralWords<Given<Get, Row>>) {}
@@ -92,8 +92,7 @@ class Fields {
                      more);
   }
 
-  // Entries below a name, of the same row or of a part of it. `list`: one group per part.
-  // `by_name`: one group per pair of name and part.
+  // Entries below a name. list: one group per part; by_name: one per pair of name and part.
   Fields& group(Name name, Meaning meaning, const Fields& below) {
     return group(name, meaning, below, [](const Row& row) -> const Row& { return row; });
   }

@@ -19,9 +19,11 @@ namespace flexslip {
 
 struct Frame {
   Scales scales = Scales(1, 1);  // from reduced variables to the units of the test
-  bool reduced = false;  // the test itself is in reduced variables
-  bool in_inches = false;  // screens and reports use inches and pounds
-  std::function<std::size_t(std::size_t)> row = [](std::size_t point) { return point + 1; };  // row of the file of a point
+  bool reduced = false;          // the test itself is in reduced variables
+  bool in_inches = false;        // screens and reports use inches and pounds
+  std::function<std::size_t(std::size_t)> row = [](std::size_t point) {
+    return point + 1;
+  };  // row of the file of a point
 };
 
 // [SI, or reduced if the test is] The value of a number in reduced variables.
@@ -71,15 +73,15 @@ Json if_there(const Value& value, Make make) {
 
 // The JSON value, with numbers converted from reduced variables to the units of the test. Words,
 // counts and plain numbers are unchanged.
-Json told(double value, const Kind& kind, const Scales& scales);
-Json told(const Estimate& value, const Kind& kind, const Scales& scales);
-Json told(const std::vector<double>& values, const Kind& kind, const Scales& scales);
-Json told(const std::string& words, const Kind& kind, const Scales& scales);
-Json told(const std::string_view& words, const Kind& kind, const Scales& scales);
-Json told(const bool& value, const Kind& kind, const Scales& scales);
-Json told(const std::size_t& count, const Kind& kind, const Scales& scales);
+Json json_in_units(double value, const Kind& kind, const Scales& scales);
+Json json_in_units(const Estimate& value, const Kind& kind, const Scales& scales);
+Json json_in_units(const std::vector<double>& values, const Kind& kind, const Scales& scales);
+Json json_in_units(const std::string& words, const Kind& kind, const Scales& scales);
+Json json_in_units(const std::string_view& words, const Kind& kind, const Scales& scales);
+Json json_in_units(const bool& value, const Kind& kind, const Scales& scales);
+Json json_in_units(const std::size_t& count, const Kind& kind, const Scales& scales);
 template <class Value>
-Json told(const Value& value, const Kind& /*kind*/, const Scales& /*scales*/) {
+Json json_in_units(const Value& value, const Kind& /*kind*/, const Scales& /*scales*/) {
   return value;
 }
 
@@ -102,8 +104,8 @@ using Given = std::remove_cvref_t<decltype(call(std::declval<const Get&>(), std:
                                                 std::declval<const Frame&>()))>;
 
 template <class Get, class Row>
-Json read_off(const Get& get, const Row& row, const Frame& frame, const Kind& kind = kind::number) {
-  return if_there(call(get, row, frame), [&](const auto& value) { return told(value, kind, frame.scales); });
+Json json_value(const Get& get, const Row& row, const Frame& frame, const Kind& kind = kind::number) {
+  return if_there(call(get, row, frame), [&](const auto& value) { return json_in_units(value, kind, frame.scales); });
 }
 
 }  // namespace flexslip

@@ -143,7 +143,8 @@ ResultTable in_best_units(ResultTable table) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // file names may be invalid UTF-8
+  // file names may be invalid UTF-8
+  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace flexslip

@@ -16,7 +16,7 @@ struct TableColumn {
   bool has_numbers;
   Kind kind;             // of numbers
   std::string unit;      // of numbers, "m"; empty for words and plain numbers
-  std::string meaning;  // a short phrase
+  std::string meaning;   // a short phrase
   std::string quantity;  // "wavelength": all columns of a quantity have the same unit
 };
 

@@ -11,7 +11,7 @@
 namespace flexslip {
 namespace {
 
-Json told(const DesignAnswer& answer) {
+Json json_of_design(const DesignAnswer& answer) {
   return design_fields()({answer, "", std::vector<std::string>(answer.changes.size())}, {});
 }
 
@@ -20,7 +20,7 @@ Json told(const DesignAnswer& answer) {
 TEST_CASE("design JSON, identity: every outcome and every parameter of the case, under its name") {
   const Test input = loading_of(spicule);
   const auto answer = answer_of(input);
-  const Json json = told(answer);
+  const Json json = json_of_design(answer);
   CHECK(json.at("largest_drop") == answer.scales.physical_force(answer.outcome.largest_drop));
   CHECK(json.at("snaps") == answer.outcome.snaps);
   CHECK(json.at("work") == answer.scales.physical_energy(answer.outcome.work));
@@ -36,9 +36,9 @@ TEST_CASE(
   Test input = loading_of(with("40 um", "10.9 um"));
   set(input, "travel", 560e-6);
   auto answer = answer_of(input);
-  CHECK(told(answer).at("reload").is_null());
+  CHECK(json_of_design(answer).at("reload").is_null());
   answer.reload = reload_study(input, {});
-  const Json json = Json::parse(told(answer).dump()).at("reload");
+  const Json json = Json::parse(json_of_design(answer).dump()).at("reload");
   CHECK(json.at("plans").size() == answer.reload->plans.size());
   CHECK(json.at("planned").at("force") == answer.reload->of_travel().force);
   CHECK(json.at("least").at("chance_if_cracks") == answer.reload->least().value().chances.cracks);
@@ -51,7 +51,7 @@ TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
   set(input, "mu0", 0);
   set(input, "amplitude", 0);
   set(input, "stiffness", std::numeric_limits<double>::infinity());
-  const Json json = Json::parse(told(answer_of(input)).dump());
+  const Json json = Json::parse(json_of_design(answer_of(input)).dump());
   CHECK(json.at("first_snap_stage").is_null());
   CHECK(json.at("parameters").at("stiffness").is_null());
   CHECK(json.at("phases").is_null());

@@ -23,7 +23,7 @@ std::vector<Chapter> small_document() {
           {"Friction & wear",
            {std::string("It is -0.5."), std::string(), numbers, PrintedTable{{"none"}, {}},
             Rows{{"work", "a < b"}, {"left out", ""}}, Verbatim{"[rig]\n\nspan = '1 mm'\n"}, names,
-            FilesBeside{{{"tests.csv", "a row per test"}}}}},
+            AccompanyingFiles{{{"tests.csv", "a row per test"}}}}},
           {"Nothing to say", {std::string(), Rows{{"left out", ""}}}}};
 }
 

@@ -83,13 +83,13 @@ TEST_CASE("table: a group as it describes itself, what is missing left out") {
           .words("verdict", "good or not", &Part::verdict)
           .yes_no("flag", "it holds", [](const Part&) { return true; }),
       [](const Whole& of) -> const auto& { return of.parts[1]; });
-  const PrintedTable table = told(of_group, with_group, {.scales = Scales(2e-3, 1)}, "group");
+  const PrintedTable table = group_table(of_group, with_group, {.scales = Scales(2e-3, 1)}, "group");
   CHECK(table.head == std::vector<std::string>{"group", "Value", "95 % interval", "what it is of"});
   CHECK(table.rows == std::vector<std::vector<std::string>>{{"length", "250 µm", "", "of the part"},
                                                             {"estimate", "250 ± 20 µm", "211 to 289 µm", "its length"},
                                                             {"verdict", "bad", "", "good or not"},
                                                             {"flag", "yes", "", "yes if it holds"}});
-  CHECK_THROWS_AS(told(of_group, with_group, {}, "troop"), std::invalid_argument);
+  CHECK_THROWS_AS(group_table(of_group, with_group, {}, "troop"), std::invalid_argument);
 }
 
 TEST_CASE("table: what is of numbers stands to the right, and columns are picked by their headings") {

@@ -1,5 +1,6 @@
-// A row of a cell of the table, as src/fibre/cell_row-inl.h has it, in the compiler's own vectors: of Highway's portable target, the only one with doubles
-// here, clang makes none. The same operations in the same order, and so the same bits.
+// One row of a table cell, as in src/fibre/cell_row-inl.h, with vectors of the compiler. On this
+// target clang does not vectorise Highway's portable code, the only one with doubles. The operations
+// and their order are the same, and so are the bits.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ HWY_INLINE Row load_row(const double* from) {
 // a y + b
 HWY_INLINE Row times_plus(const Row& a, double y, const Row& b) { return a * y + b; }
 
-// Upper half upon lower half until one is left.
+// Adds the upper half to the lower half until one number is left.
 HWY_INLINE double dot(const Row& a, const Row& b) {
   const Row product = a * b;
   const auto fours =
@@ -44,7 +45,7 @@ HWY_INLINE double dot(const Row& a, const Row& b) {
 
 class Powers {
  public:
-  // 1, x, ..., x^7, put together from x, x^2 and x^4 by the bits of the exponents.
+  // 1, x, ..., x^7, computed from x, x^2 and x^4 by the bits of the exponents.
   HWY_INLINE Row of(double x) const {
     const double x2 = x * x, x4 = x2 * x2;
     return Row{1, x, x2, x * x2, x4, x * x4, x2 * x4, (x * x2) * x4};
