@@ -31,7 +31,7 @@ struct Options {
   bool figures, test_reports;
 };
 
-// Uses the stored tests of the command, and the command uses those of this function.
+// Shares stored tests with the command.
 std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::string>& common,
                               const std::vector<std::string>& changes, const Options& asked) {
   return interruptible([&](const std::atomic<bool>& stop) -> std::shared_ptr<Campaign> {

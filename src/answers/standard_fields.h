@@ -33,7 +33,7 @@ std::string_view name_of(SmallDeflectionStatus status);
 StandardTest standard_test(const FittedTest& test);
 StandardTest standard_test(const ModulusStudy& study);
 
-// The bending stiffness of the linear region compared with that of the fit.
+// The bending stiffness of the linear region compared with the fitted one.
 struct StiffnessComparison {
   double ratio;    // [1] linear region / fit
   bool disagrees;  // their 95 % intervals do not overlap

@@ -305,8 +305,8 @@ bool is_result(const fs::path& file) {
   });
 }
 
-// True if the name of the file extends that of the other, and each of its lines extends a line of
-// the other by cells.
+// True if the name of the file begins like the other's, and each of its lines is a line of the other
+// with additional cells.
 bool has_rows_of(const fs::path& file, const fs::path& other) {
   const std::string name = file.stem().string(), base = other.stem().string();
   if (file == other || name.size() <= base.size() || !name.starts_with(base) || is_workbook(file) || is_workbook(other))

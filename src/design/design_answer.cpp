@@ -44,7 +44,7 @@ std::optional<bool> snaps_with(Test input, std::string_view parameter, double va
   return std::nullopt;
 }
 
-// The value nearest to `as_now` that reverses the answer, between two values of which one snaps.
+// The value nearest to `as_now` that reverses the answer, between two values; one of them snaps.
 double nearest_between(const Test& input, std::string_view parameter, double as_now, double otherwise, bool now) {
   const auto is_close = [](const Bracket& values) { return !(std::abs(values.width()) > close * values.high); };
   const auto is_otherwise = [&](double value) { return snaps_with(input, parameter, value) == !now; };

@@ -54,7 +54,7 @@ struct DesignAnswer {
 //             softer one without a snap. If it does not, a stiffness above the critical one changes
 //             to 1e-4 below it; any other changes to the nearest one on either side. Changes of
 //             modulus and section follow from the stiffness in closed form, unless it is infinite
-//             or the depth has other effects. The travel changes to that of the first snap, at most
+//             or the depth has other effects. The travel changes to the first snap, at most
 //             by a factor of 30 or up to a deflection of one span. Other parameters are searched in
 //             steps of 10 %, up to a factor of 30, then bisected to 1e-4. A window narrower than a
 //             step may be missed. A search from 0 starts at 1/900 of the largest value; from

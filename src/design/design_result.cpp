@@ -17,7 +17,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double max_readings = 1e9;  // limit of what can be counted
+constexpr double max_readings = 1e9;  // limit for counting
 
 // Refuses anything beyond one loading to the farthest position of the programme.
 void require_one_loading(const Test& input) {

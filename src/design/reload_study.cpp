@@ -24,7 +24,7 @@ constexpr std::array travels{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};  // [trave
 // [force at which outward sliding begins]
 constexpr std::array forces{0.8, 0.6, 0.4, 0.2, 0.05};
 
-// A plan before it is evaluated. Units: those of the case.
+// A plan before it is evaluated. Units: as in the case.
 struct Programme {
   double travel, unload_to, force;
 };

@@ -13,7 +13,7 @@
 
 namespace flexslip {
 
-// Options that are not part of a case. Units: those of the case.
+// Options that are not part of a case. Units: as in the case.
 struct ReloadOptions {
   std::optional<double>
       // [N] standard deviation of a force reading; default: usual_noise of the maximum force

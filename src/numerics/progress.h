@@ -18,7 +18,7 @@ struct Reached {
 
 // While a Watch lives, it calls `report` on this thread with the progress of its work: at each
 // stage, and after every `every` states. Within a stage the share grows with the effort spent,
-// scaled by the effort of the stages before: linearly up to half of what is expected, then ever
+// scaled by the effort of the stages before: linearly up to half of the expected effort, then ever
 // more slowly.
 class Watch {
  public:

@@ -66,8 +66,8 @@ const std::array table_files{
                 write_workbook(path, "Friction in bending tests", sheets_of(campaign));
               }}};
 
-// True for unfinished files of an interrupted run, and for atlas pages, of which there may be fewer
-// now.
+// True for unfinished files of an interrupted run, and for atlas pages, because their number may
+// have decreased.
 bool is_old_figure(const fs::path& file) {
   return is_unfinished(file) || file.filename().string().starts_with("atlas-");
 }

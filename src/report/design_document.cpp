@@ -85,7 +85,7 @@ std::string strain_in_words(const DesignAnswer& answer, const InUnits& shown) {
                                : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)));
 }
 
-// The critical stiffness, compared with that of this rig.
+// The critical stiffness, compared with the stiffness of this rig.
 std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const std::string yours = shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness));
   if (answer.critical == 0) {

@@ -58,7 +58,7 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
   return shown(fit_fields(), test, frame_of(test), list, columns);
 }
 
-// A warning about the numbers below; empty if none is needed.
+// A warning about the numbers below; empty if not needed.
 std::string caution_of(T test, const Answer& answer) {
   if (is_refused(answer.findings))
     return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
@@ -122,7 +122,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
                                                              : "at the axis of the specimen")}}}};
 }
 
-// ---- What the answer hangs on
+// ---- Sensitivity
 
 Chapter hangs_on_chapter(T test) {
   if (sensitivities_of(test).empty()) return {};

@@ -22,7 +22,7 @@ struct PrintedTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> links{};  // targets of the first cells on a page; empty for none
   Folding folding = Folding::of_long;
-  // Headings of the columns shown on a terminal, of which the last may be cut; default: all.
+  // Headings of the columns shown on a terminal; the last may be cut. Default: all.
   std::vector<std::string_view> on_terminal{};
 };
 
