@@ -17,7 +17,7 @@ struct DescribedDesign {
   std::vector<std::string> changes;  // one per change
 };
 
-// Units:      those of the case. Infinite and undefined values are null.
+// Units:      as in the case. Infinite and undefined values are null.
 Fields<DescribedDesign> design_fields();
 
 // The fields of one design of a sweep, and of one point of a map.

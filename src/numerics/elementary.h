@@ -56,8 +56,8 @@ struct SineAndCosine {
 // Max error:  4 ulp of 1.
 SineAndCosine sine_and_cosine(double x);
 
-// The same for many numbers, in about half the time. Each result is identical to that of the scalar
-// function.
+// The same for many numbers, in about half the time. Each result equals the result of the
+// scalar function.
 // Domain:     as many results as numbers; a result may overwrite its number.
 void exp(std::span<const double> x, std::span<double> results);
 void sine_and_cosine(std::span<const double> x, std::span<double> sines, std::span<double> cosines);

@@ -46,7 +46,7 @@ TEST_CASE(
   CHECK(json.at("changes").empty());
 }
 
-TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
+TEST_CASE("design JSON, limit: infinite and undefined values are null") {
   Test input = loading_of(with("[rig]", "[rig]  # stiff"));
   set(input, "mu0", 0);
   set(input, "amplitude", 0);
@@ -58,7 +58,7 @@ TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
   CHECK(json.at("critical_stiffness") == 0);
 }
 
-TEST_CASE("design map JSON, limit: where there is no test there are only its status and its numbers") {
+TEST_CASE("design map JSON, limit: an impossible test has only its status and its parameters") {
   const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "diameter=100 um:300 um:2", 2)};
   const auto points = design_map(input, axes, 1);
