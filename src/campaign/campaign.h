@@ -25,8 +25,8 @@ struct CampaignCurves {
   double load_train_stiffness;                   // [N/m]
   Supports supports;                             // [span]
   std::vector<double> stage, deflection, force;  // [m], [m], [N] measured
-  std::vector<double> model_deflection,
-      model_force;                 // [m], [N] the simulated best-fit profile, with snaps
+  // [m], [N] the simulated best-fit profile, with snaps
+  std::vector<double> model_deflection, model_force;
   std::vector<std::size_t> drops;  // the last measured row before each drop
 };
 
@@ -49,15 +49,15 @@ struct CampaignTest {
   std::optional<CampaignCurves> curves;  // empty without a fit
   std::vector<std::string> remarks;      // remarks for readers of the table
   std::optional<Materials> materials{};  // of specimen and supports; empty unless both are stated
-  std::optional<StandardSummary>
-      standard{};  // empty unless span and section are known and the record determines a modulus
+  // empty unless span and section are known and the record determines a modulus
+  std::optional<StandardSummary> standard{};
 };
 
 // True if the verdict answers whether the drops are slips or cracks.
 bool is_answered(const CampaignTest& test);
 
-// The frictionless curve (deflection and force in SI) of a specimen of this bending stiffness [N
-// m^2] on the supports of the test. It starts at zero and includes the maximum deflection of the
+// The frictionless curve (deflection and force in SI) of a specimen of some bending stiffness
+// [N m^2] on the supports of the test. It starts at zero and includes the maximum deflection of the
 // test. Empty if the specimen was not bent.
 std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, double bending_stiffness);
 

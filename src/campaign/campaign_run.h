@@ -21,8 +21,8 @@ std::string to_text(const CampaignTest& test);
 // Fails:      empty if the text is not of this format and version.
 std::optional<CampaignTest> campaign_test_from(const std::string& text);
 
-// The stored tests of a campaign: one file per test in a folder, which exists either completely or
-// not at all.
+// The stored tests of a campaign, in a folder with one file per test. A file exists completely or not
+// at all.
 class CampaignStore {
  public:
   // Fails:      throws InputError if the folder cannot be created.

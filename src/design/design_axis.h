@@ -43,8 +43,8 @@ bool is_within(const DesignParameter& parameter, double value);
 // - A rectangular section has height and width but no diameter. Dimensions count only if the
 //   bending stiffness follows from them.
 // - A reduced test has neither span nor modulus.
-// - Any waves have mu0, a single wave has amplitude, wavelength and phase. reference must be
-//   stated; its default is the span.
+// - Any waves have mu0; a single wave has amplitude, wavelength and phase. A reference that is not
+//   stated is the span, and no parameter.
 // Domain:     name as design_parameter, here and below.
 std::optional<double> value_of(const Test& test, std::string_view name);
 

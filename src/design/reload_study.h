@@ -15,9 +15,8 @@ namespace flexslip {
 
 // Options that are not part of a case. Units: as in the case.
 struct ReloadOptions {
-  std::optional<double>
-      // [N] standard deviation of a force reading; default: usual_noise of the maximum force
-      noise{};
+  // [N] standard deviation of a force reading; default: usual_noise of the maximum force
+  std::optional<double> noise{};
   std::uint64_t seed = 1;         // for the noise of the simulated records
   unsigned threads = 1;           // plans run in parallel
   double required_chance = 0.95;  // [1] required probability of finding the true cause
@@ -66,8 +65,8 @@ struct ReloadStudy {
   std::optional<ReloadPlan> least() const;
 };
 
-// Domain:     a test as one_loading_of (design_result.h) returns it; 0 < required_chance < 1, noise >
-//             0; std::invalid_argument otherwise.
+// Domain:     a test as one_loading_of (design_result.h) returns it; 0 < required_chance < 1;
+//             noise > 0; std::invalid_argument otherwise.
 // Max error:  measured on 240 records of four plans with random errors of the rig. Where the
 //             predicted probability of the right verdict was 1.00, the observed share was 0.93 to
 //             1.00. For a plan with two drops, predicted 0.81 was observed as 0.83 (cracks), and

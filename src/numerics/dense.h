@@ -47,7 +47,7 @@ class Symmetric {
   explicit Symmetric(const MatrixView& symmetric);
   Eigen::VectorXd solved(const VectorView& right) const;
   const Eigen::MatrixXd& inverse() const { return inverse_; }
-  double log_determinant() const { return log_determinant_; }  // of |A|
+  double log_determinant() const { return log_determinant_; }  // ln |det A|
 
  private:
   Eigen::MatrixXd matrix_, inverse_;

@@ -156,8 +156,8 @@ Plot distribution_figure(const Campaign& campaign) {
         x.names.push_back({static_cast<double>(i + 1), as_it_is(clipped(campaign.tests[i].name))});
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
-  const bool has_common_mean =
-      std::isfinite(all) && with_tests.size() > 1;  // with one category it equals the mean of that
+  // With one category the common mean equals the mean of that category.
+  const bool has_common_mean = std::isfinite(all) && with_tests.size() > 1;
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
       indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
