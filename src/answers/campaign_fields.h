@@ -49,7 +49,7 @@ ResultTable category_table(const Campaign& campaign);
 ResultTable specimen_table(const Campaign& campaign);
 ResultTable failure_table(const Campaign& campaign);
 
-// The tables that are not empty, in readable units, each under its name in a workbook.
+// The tables (specimens only if not empty), in readable units, each under its name in a workbook.
 std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign);
 
 }  // namespace flexslip
