@@ -1,5 +1,5 @@
-// The mechanics for JavaScript: the only file that knows Emscripten. Arrays are copied, since memory may move as it grows; what cannot be
-// computed is answered as a sentence.
+// The JavaScript interface of the mechanics; the only file that depends on Emscripten. Arrays are
+// copied, because memory may move as it grows. Failures are returned as sentences.
 #include <exception>
 #include <optional>
 #include <string>

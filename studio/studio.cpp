@@ -44,10 +44,11 @@ Supports supports_of(const RigInput& rig, const Scales& scales) {
   return supports;
 }
 
-// The fibre on its supports; tables of those met not long ago are kept (fibre/fibre.cpp).
+// The specimen on its supports. Tables of recent ones are kept (fibre/fibre.cpp).
 Fibre fibre_on(const RigInput& rig, const Scales& scales) { return Fibre(supports_of(rig, scales)); }
 
-// Fails:      std::invalid_argument where there is more of it than the fibre is computed with, as of a case.
+// Fails:      throws std::invalid_argument if friction exceeds the limit of the fibre, as for a
+//             case.
 Friction friction_of(const RigInput& rig, const Scales& scales, const Fibre& fibre, double S_max) {
   FrictionTable table = rig.friction;
   for (double& S : table.S) S = scales.reduced_length(S);
@@ -67,16 +68,17 @@ void add(Loading& loading, const Scales& scales, double w, double F, double S, d
   loading.friction.push_back(q);
 }
 
-State told(const PathPoint& point, const Scales& scales) {
+State physical_state(const PathPoint& point, const Scales& scales) {
   return {scales.physical_length(point.w), scales.physical_force(point.F), drawn_in(scales, point.S), point.q};
 }
 
-// The way along the axis from where it touches to midspan, by its curvature, which is the moment of the forces at the support: Runge and Kutta.
+// The axis from the contact to midspan. Its curvature follows from the moment of the support
+// forces; the integration is Runge-Kutta.
 std::vector<Point> half_axis(const FibreState& state, double half_depth, double length, Point from, int points) {
   constexpr int steps_a_point = 4;
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   const double upward = 0.5 * state.F;                         // on the left support
-  const double inward = state.Pn * (sine - state.q * cosine);  // likewise
+  const double inward = state.Pn * (sine - state.q * cosine);  // on the left support
   const double couple = state.q * state.Pn * half_depth;       // of friction at the surface
   struct Here {
     double x, y, slope;  // downward
@@ -133,12 +135,13 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
     loading.motion.push_back(static_cast<std::uint8_t>(point.motion));
   }
   for (const Snap& snap : history.snaps)
-    loading.snaps.push_back({scales.physical_length(snap.stage), told(snap.before, scales), told(snap.after, scales)});
+    loading.snaps.push_back(
+        {scales.physical_length(snap.stage), physical_state(snap.before, scales), physical_state(snap.after, scales)});
   return loading;
 }
 
 Loading sketch(const RigInput& input, double farthest, int steps) {
-  constexpr double lengths = 1500;  // some 40 over each period of a specimen's friction
+  constexpr double lengths = 1500;  // about 40 per period of friction
   if (!(farthest > 0) || steps < 2) throw std::invalid_argument("a sketch of no stage positions");
   const Scales scales = scales_of(input);
   const double end = scales.reduced_length(farthest);
@@ -193,7 +196,8 @@ Shape shape(const RigInput& rig, double drawn, double friction, int points, doub
   if (state.status != FibreStatus::ok) throw std::invalid_argument("there is no such state of the fibre");
   const Supports& supports = fibre.supports();
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
-  const double radius = supports.radius + supports.half_depth;  // about which the axis turns
+  // the axis turns about the support at this distance
+  const double radius = supports.radius + supports.half_depth;
   const Point left{-0.5 + radius * sine, -radius * (1 - cosine)};
   const std::vector<Point> half =
       half_axis(state, supports.half_depth, fibre.length_between_contacts(state), left, (points + 1) / 2);

@@ -1,7 +1,6 @@
-// What the page computes as the pointer moves: numbers in SI in, columns of numbers in SI out. Pure: no files, no JavaScript.
-//
-// The same arithmetic as the program's, in the same order: what `flexslip simulate` and `flexslip equilibrium` answer to a case is what
-// these answer to its numbers, to the last bit (tests/studio/studio_test.cpp).
+// The calculations of the page as the pointer moves. Inputs are numbers in SI, results columns of
+// numbers in SI. Pure: no files, no JavaScript. The results equal those of `flexslip simulate` and
+// `flexslip equilibrium` bit for bit (tests/studio/studio_test.cpp).
 #pragma once
 
 #include <cstdint>
@@ -19,14 +18,15 @@ struct RigInput {
   double depth;              // [m] of the section; 0: friction acts at the axis
   double bending_stiffness;  // [N m²]
   double stiffness;          // [N/m] of the load train; may be infinite
-  double roller_radius;      // [m] 0: edges
-  FrictionTable friction;    // of the specimen's points, as a table of a case: over lengths [m] between the contacts
+  double roller_radius;      // [m] 0: knife edges
+  // a table of a case: friction against the length [m] between the contacts
+  FrictionTable friction;
 };
 
 struct State {
   double deflection;  // [m]
   double force;       // [N]
-  double drawn;       // [m] over both supports
+  double drawn;       // [m] sliding length over both supports
   double friction;    // [1] mobilised
 };
 
@@ -36,56 +36,65 @@ struct Jump {
 };
 
 struct Loading {
-  std::string_view status;  // ok, slipped_through, contact_lost, branch_ended: why the columns end early
+  // ok; otherwise why the columns end early: slipped_through, contact_lost, branch_ended
+  std::string_view status;
   std::vector<double> stage;
   std::vector<double> deflection, force, drawn, friction;  // as in State
-  std::vector<std::uint8_t> motion;  // stick, slip_in, slip_out, snap, crack, apart: by which it came here
+  // that led to the point: stick, slip_in, slip_out, snap, crack, apart
+  std::vector<std::uint8_t> motion;
   std::vector<Jump> snaps;
 };
 
-// What `flexslip simulate` answers, in steps, or where there is no step at so many points on each stretch.
-// Domain:     a programme as [stage] program of docs/case-files.md; std::invalid_argument, also for all that the mechanics cannot compute.
+// The answer of `flexslip simulate`, with a step, or else with `points` points on each segment of
+// the programme.
+// Domain:     a programme as [stage] program in docs/case-files.md; std::invalid_argument
+//             otherwise, and for tests that cannot be computed.
 Loading simulate(const RigInput& rig, std::span<const double> programme, std::optional<double> step, int points);
 
-// One loading from the straight fibre on up to a stage position [m], at so many even steps of the stage: as simulate, but quickly, for what is drawn
-// while a slider moves. `motion` and `snaps` are empty.
-// Domain:     farthest > 0, steps >= 2. std::invalid_argument otherwise, and where the fibre does not get so far on the lengths that are computed.
-// Max error:  1e-3 of the greatest force; beside a snap, that a step earlier or later.
+// One loading from the straight specimen to a stage position [m], in `steps` equal steps of the
+// stage. It is faster than simulate, for drawing while a slider moves. `motion` and `snaps` are
+// empty.
+// Domain:     farthest > 0, steps >= 2. std::invalid_argument otherwise, and if the computed
+//             lengths do not reach that position.
+// Max error:  1e-3 of the maximum force. Near a snap, the error of a shift by one step.
 Loading sketch(const RigInput& rig, double farthest, int steps);
 
-// The equilibrium curve of loading, whatever the rig, up to a length between the supports [m]: what `flexslip equilibrium` answers.
-// Domain:     longest > span, points >= 2; else as above.
+// The answer of `flexslip equilibrium`: the loading curve on any rig, up to a length between the
+// supports [m].
+// Domain:     longest > span, points >= 2; otherwise as above.
 Loading equilibrium(const RigInput& rig, double longest, int points);
 
 struct Point {
-  double x, y;  // [m] from midway between the supports as they are first touched, upward
+  double x, y;  // [m] upward, from the middle between the first contacts
 };
 
-// The axis of the fibre at a state, and what holds it.
+// The axis of the specimen in a state, and the forces on it.
 struct Shape {
-  std::vector<Point> axis;    // from its one end to the other
-  Point left, right;          // of the axis, where it touches
-  double slope;               // [rad] there
-  double normal, tangential;  // [N] at each support; friction on a fibre drawn in points outwards
-  double force;               // [N] at midspan
+  std::vector<Point> axis;  // from end to end
+  Point left, right;        // of the axis, at the contacts
+  double slope;             // [rad] at the contacts
+  // [N] at each support; while the specimen slides in, friction on it points outwards
+  double normal, tangential;
+  double force;  // [N] at midspan
 };
 
-// Of a fibre so much of which [m, over both supports] has been drawn in, with a mobilised friction; `beyond` [m] of it lie past each support as it is
-// straight. Where a thick fibre, hardly bent, has two states of a length: the more bent one.
-// Domain:     points >= 2 between the supports; a state that exists; std::invalid_argument otherwise.
+// The shape of a specimen for a sliding length `drawn` [m, over both supports] and a mobilised
+// friction. A length `beyond` [m] of the straight specimen lies outside each support. If two states
+// of a thick specimen have this length, the one with the larger deflection.
+// Domain:     points >= 2 between the supports; an existing state; std::invalid_argument otherwise.
 // Max error:  1e-6 of the span.
 Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond);
 
-// What is written in a box, [SI], by the parser that reads it in a case: of "a length", "a stiffness" (may be "inf"), "a modulus" or another kind of
-// io/quantity.h, by its name.
-// Fails:      InputError with its sentence, also for a value that such a box cannot have.
+// [SI] The value of a text, parsed as in a case. `kind` is a name in io/quantity.h: "a length", "a
+// stiffness" (may be "inf"), "a modulus".
+// Fails:      throws InputError, also for a value that is invalid for this kind.
 double quantity(std::string_view words, std::string_view kind);
 
-// What one of a unit is in SI; of a kind likewise.
-// Fails:      InputError, if it is none.
+// [SI] The value of one unit of that kind.
+// Fails:      throws InputError for an unknown unit.
 double unit(std::string_view words, std::string_view kind);
 
-// [N] 48 EI/L³ times a deflection [m].
+// [N] The linear force: 48 EI/L³ times a deflection [m].
 double euler_bernoulli(const RigInput& rig, double deflection);
 
 }  // namespace flexslip::studio

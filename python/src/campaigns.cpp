@@ -31,7 +31,7 @@ struct Options {
   bool figures, test_reports;
 };
 
-// As the command does it, so that either goes on with what the other has kept.
+// Shares stored tests with the command.
 std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::string>& common,
                               const std::vector<std::string>& changes, const Options& asked) {
   return interruptible([&](const std::atomic<bool>& stop) -> std::shared_ptr<Campaign> {
@@ -45,7 +45,8 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
     options.stop = &stop;
     if (asked.report) keep_tests_in(*asked.report, asked.test_reports, options);
     CampaignRun computed = run_campaign(plan, options);
-    if (computed.status == CampaignStatus::stopped) return nullptr;  // the signal says the rest
+    // the signal handler raises an exception
+    if (computed.status == CampaignStatus::stopped) return nullptr;
     if (asked.report) write_campaign_report(*asked.report, computed.campaign, asked.figures);
     return std::make_shared<Campaign>(std::move(computed.campaign));
   });

@@ -22,14 +22,14 @@ namespace {
 
 namespace py = pybind11;
 
-// What numbers of a key are in, if they are bare: SI; "" of plain numbers.
+// The unit of bare numbers of a key: SI; "" for plain numbers.
 std::string unit_of_bare(const CaseKey& key) {
   if (!key.kind || key.kind->units.empty()) return "";
   if (key.kind->dimension == kind::time.dimension) return "s";
   return std::string(unit_of(*key.kind, false));
 }
 
-// "quantity", as the enumeration has it.
+// The name in the enumeration: "quantity".
 std::string_view name_of(Holds holds) {
   return name_in_order<Holds::tables>(
       holds, {"quantity", "share", "whole_number", "yes_no", "estimate", "word", "text", "title", "file",
@@ -52,7 +52,7 @@ py::list keys() {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// A case whose record is in memory: its columns in SI, in the order of TableColumns.
+// A case with a record in memory: columns in SI, in the order of TableColumns.
 Test with_record(const Test& input, const std::vector<std::pair<std::string, Doubles>>& columns,
                  const std::string& name) {
   Test out = input;
@@ -66,7 +66,7 @@ Test with_record(const Test& input, const std::vector<std::pair<std::string, Dou
   return out;
 }
 
-// [SI] Numbers that are in a unit, each rounded once.
+// [SI] Converts values from a unit, with one rounding each.
 Doubles in_si(const Doubles& values, const std::string& text, const std::string& of) {
   const Unit unit = parse_unit(text, of == "force" ? kind::force : kind::length);
   Doubles out(values.size());

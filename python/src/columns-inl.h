@@ -1,4 +1,4 @@
-// Rows as columns: part of plain.h.
+// Rows as columns; part of plain.h.
 
 #include <map>
 
@@ -30,7 +30,7 @@ pybind11::dict columns_of_rows(const Fields<Row>& fields, const Rows& rows, cons
       continue;
     }
     py::list values(count);
-    std::map<std::string, py::object, std::less<>> known;  // a few words, many times
+    std::map<std::string, py::object, std::less<>> known;  // a few words occur many times
     std::size_t i = 0;
     for (const Row& row : rows) {
       hear_signals(i);

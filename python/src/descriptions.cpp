@@ -11,7 +11,7 @@ namespace py = pybind11;
 
 namespace {
 
-// That of an answer's unit; of what has none, that of plain numbers.
+// The kind with this unit; kind::number without a unit.
 const Kind& kind_of(const std::string& unit) {
   if (!unit.empty())
     for (const Kind* kind : {&kind::length, &kind::inverse_length, &kind::force, &kind::stiffness, &kind::pressure,

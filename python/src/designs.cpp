@@ -31,13 +31,13 @@ struct Map {
   std::vector<MapPoint> points;
 };
 
-py::object told_design(const DesignAnswer& answer) {
+py::object design_answer(const DesignAnswer& answer) {
   const Json json = design_fields()({answer, design_in_short(answer), changes_in_words(answer)},
                                     {answer.scales, answer.input.reduced});
   return plain(json, design_fields().descriptions());
 }
 
-py::object told_map(const Map& map) {
+py::object map_answer(const Map& map) {
   const auto fields = design_map_fields(map.axes);
   return plain(fields(map.points, {Scales(1, 1), map.input.reduced}), fields.descriptions());
 }
@@ -53,11 +53,11 @@ py::list one_figure(const Type& figure) {
 
 void add_designs(py::module_& module) {
   py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
-      .def("told", told_design)
+      .def("told", design_answer)
       .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
       .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
-      .def("told", told_map)
+      .def("told", map_answer)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
       .def("figures", [](const Map& map) { return one_figure(design_map_figure(map.input, map.axes, map.points)); });
   module.def("design", [](const Test& input) {

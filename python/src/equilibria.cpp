@@ -17,7 +17,7 @@ namespace {
 
 namespace py = pybind11;
 
-py::dict told_study(const EquilibriumStudy& study) {
+py::dict study_answer(const EquilibriumStudy& study) {
   const Frame frame{study.scales, study.reduced};
   const EquilibriumColumns columns = columns_of(study);
   const Fields<EquilibriumStudy> fields = equilibria_fields(columns);
@@ -38,7 +38,7 @@ py::dict told_study(const EquilibriumStudy& study) {
 
 void add_equilibria(py::module_& module) {
   py::class_<EquilibriumStudy, std::shared_ptr<EquilibriumStudy>>(module, "EquilibriumStudy")
-      .def("told", told_study)
+      .def("told", study_answer)
       .def("figures", [](const EquilibriumStudy& study) {
         py::list out;
         out.append(plain(equilibrium_figure(study)));

@@ -29,7 +29,7 @@ py::list columns(const Export& file, std::size_t chosen) {
   return out;
 }
 
-// In SI, of a role that one column alone has.
+// [SI] The values of a role that only one column has.
 py::array_t<double> role_in_si(const Export& file, std::size_t chosen, const std::string& role) {
   const ExportedSpecimen& specimen = file.specimens.at(chosen);
   for (const ColumnRole known :

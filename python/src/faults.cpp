@@ -21,7 +21,7 @@ py::object text_or_none(std::string_view words) {
       PyUnicode_DecodeUTF8(words.data(), static_cast<py::ssize_t>(words.size()), "surrogateescape"));
 }
 
-// The package makes the exception: it knows the classes that Python's users expect.
+// The Python package creates the exception, because it defines the exception classes.
 py::object exception_of(const InputError& error) {
   const InputFault& fault = error.fault;
   const char* kind = name_in_order<FaultKind::too_much>(fault.kind, {"wrong", "missing", "unknown", "too_much"}).data();

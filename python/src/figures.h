@@ -1,4 +1,4 @@
-// The figures of a report as data of Python, for other hands to draw.
+// The figures of a report as Python data, for other drawing programs.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,7 +7,8 @@
 
 namespace flexslip::python {
 
-// As json_of (report/plot.h), with "data": {table: {title: array}}; an empty row is one of NaN.
+// As json_of (report/plot.h), with "data": {table: {title: array}}. An empty row becomes a row of
+// NaN.
 pybind11::object plain(const Plot& plot);
 
 }  // namespace flexslip::python

@@ -23,8 +23,8 @@ namespace {
 namespace py = pybind11;
 using Fitted = const FittedTest&;
 
-// All of what is told, without the interpreter's lock; then as Python's.
-py::object told_fit(Fitted test) {
+// The whole answer, composed without the interpreter's lock and then converted to Python.
+py::object fit_answer(Fitted test) {
   const Json json = [&] {
     const py::gil_scoped_release unlocked;
     return fit_json(test);
@@ -63,7 +63,7 @@ std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, dou
 void add_fits(py::module_& module) {
   const AnalysisChoice usual;
   py::class_<FittedTest, std::shared_ptr<FittedTest>>(module, "FittedTest")
-      .def("told", told_fit)
+      .def("told", fit_answer)
       .def("curves", curves)
       .def("draws", [](Fitted test) { return plain(draw_table(test)); })
       .def("figures", figures_of_fit)

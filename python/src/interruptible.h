@@ -1,4 +1,4 @@
-// Long calls: without the interpreter's lock, while Ctrl-C is still heard.
+// Long calls without the interpreter's lock, which Ctrl-C can interrupt.
 #pragma once
 
 #include <atomic>
@@ -11,8 +11,10 @@
 
 namespace flexslip::python {
 
-// What `work` gives, computed on a thread of its own. It stops where it counts its effort, or looks at whether it should.
-// Fails:      as `work`; with what the handler of a signal raises, KeyboardInterrupt for Ctrl-C.
+// The result of `work`, computed on a separate thread. The work stops where it counts its effort or
+// checks the flag.
+// Fails:      as `work`; or with the exception of a signal handler, such as KeyboardInterrupt for
+//             Ctrl-C.
 template <class Work>
 auto interruptible(const Work& work) {
   using namespace std::chrono_literals;

@@ -1,4 +1,4 @@
-// The compiled half of the package flexslip: what it computes and how it describes itself. python/flexslip is the half that a user meets.
+// The compiled module of the package flexslip. python/flexslip is its public interface.
 #include <pybind11/pybind11.h>
 
 #include "parts.h"

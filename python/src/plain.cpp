@@ -14,13 +14,14 @@ namespace {
 
 namespace py = pybind11;
 
-// File names may be no UTF-8.
+// File names may be invalid UTF-8.
 py::str text(std::string_view words) {
   return py::reinterpret_steal<py::str>(
       PyUnicode_DecodeUTF8(words.data(), static_cast<py::ssize_t>(words.size()), "replace"));
 }
 
-// All floats, or null where there is none: an array; all whole numbers: one of these; else a list.
+// Floats or nulls become an array of floats, whole numbers an array of integers; anything else a
+// list.
 py::object numbers(const std::vector<const Json*>& values, bool as_numbers) {
   const auto all = [&](auto holds) { return std::all_of(values.begin(), values.end(), holds); };
   const auto count = static_cast<py::ssize_t>(values.size());

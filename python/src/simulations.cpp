@@ -21,7 +21,7 @@ namespace {
 
 namespace py = pybind11;
 
-// With the case that it is of, which its figure needs.
+// A simulation with its case, which the figure needs.
 struct Simulated {
   Test input;
   SimulatedTest test;
@@ -37,7 +37,7 @@ std::shared_ptr<Simulated> run(const Test& input, int points, const std::string&
   return std::make_shared<Simulated>(Simulated{input, simulate(input, options)});
 }
 
-py::dict told_simulation(const Simulated& simulated, bool energies) {
+py::dict simulation_answer(const Simulated& simulated, bool energies) {
   const SimulatedTest& test = simulated.test;
   const Frame frame{test.scales, test.reduced};
   const PathColumns columns = columns_of(test.simulation, energies);
@@ -59,7 +59,7 @@ py::list figures_of_simulation(const Simulated& simulated) {
   return out;
 }
 
-// What is read off a record without a fit.
+// Pointwise friction of a record without a fit.
 py::dict profile(const Test& input) {
   const InvertedTest test = interruptible([&](const std::atomic<bool>&) { return invert_test(input); });
   const Fields<InvertedTest> fields = inverted_test_fields();
@@ -71,7 +71,7 @@ py::dict profile(const Test& input) {
 
 void add_simulations(py::module_& module) {
   py::class_<Simulated, std::shared_ptr<Simulated>>(module, "SimulatedTest")
-      .def("told", told_simulation)
+      .def("told", simulation_answer)
       .def("figures", figures_of_simulation)
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });

@@ -1,5 +1,5 @@
-// The elastica, on edges and on rollers, as universal functions of NumPy, which do what is not mechanics: broadcasting, strides, types, `out`, and the interpreter's
-// lock, which is released.
+// The elastica, on knife edges and on rollers, as universal functions of NumPy. NumPy handles
+// broadcasting, strides, types, `out`, and releases the interpreter's lock.
 #include <algorithm>
 #include <array>
 #include <cfenv>
@@ -26,13 +26,14 @@ namespace {
 
 namespace py = pybind11;
 
-constexpr std::size_t block = 1024;  // states at a time: their arrays stay in the nearest cache, strided ones as well
+constexpr std::size_t block =
+    1024;  // states per block, so that their arrays stay in the nearest cache, also with strides
 
 constexpr std::size_t most_outputs = 9;
 using Columns = std::array<const double*, most_outputs>;
 using Numbers = std::span<const double>;
 
-// Column by column, what a function of some arrays gives.
+// A function of arrays that returns columns.
 struct TwoOf {
   static constexpr std::size_t inputs = 2, outputs = 2;
   StateArrays states{0};
@@ -59,7 +60,7 @@ struct Inverse {
     return {states.S.data(), states.q.data()};
   }
 };
-// States one by one, each of which gives some numbers; NaN where there is none.
+// A function of single states that returns n numbers; NaN if there is no state.
 template <std::size_t n>
 struct Each {
   std::array<std::array<double, block>, n> values{};
@@ -120,7 +121,8 @@ std::span<const double> gathered(const char* from, npy_intp step, std::size_t co
   return {into, count};
 }
 
-// What is computed on the way to a state divides by zero at times, of which NumPy would warn.
+// Restores the floating-point flags. Intermediate results divide by zero at times, and NumPy would
+// warn.
 class WithoutFlags {
  public:
   WithoutFlags() { std::feholdexcept(&before_); }
@@ -132,13 +134,14 @@ class WithoutFlags {
   std::fenv_t before_{};
 };
 
-// A loop of NumPy's: without the interpreter's lock, and aligned. What is outside of the domain is NaN; who calls has looked.
+// A loop of NumPy without the interpreter's lock, on aligned data. Values outside the domain are
+// NaN; the caller checks.
 template <class Function>
 void loop(char** arrays, const npy_intp* dimensions, const npy_intp* steps, void* /*data*/) {
   constexpr std::size_t inputs = Function::inputs, outputs = Function::outputs;
   const WithoutFlags guard;
   Function function;
-  // Filled where they are needed.
+  // Not initialised, because each block fills what it needs.
   std::array<std::array<double, block>, inputs> given;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   const auto all = static_cast<std::size_t>(dimensions[0]);
   for (std::size_t begin = 0; begin < all; begin += block) {

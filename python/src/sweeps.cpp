@@ -17,10 +17,10 @@ namespace {
 
 namespace py = pybind11;
 
-// {"rows", "columns", "absent"} as of plain.h, and "units" by the names of the columns.
+// {"rows", "columns", "absent"} as in plain.h, and "units" by column.
 py::dict sweep_table(const std::string& text, const std::string& source, const std::vector<std::string>& changes,
                      unsigned threads) {
-  constexpr std::uint64_t max_designs = 10'000'000;  // which take 6 GB here
+  constexpr std::uint64_t max_designs = 10'000'000;  // they take 6 GB here
   const SweepPlan plan = read_sweep(text, source, changes);
   if (plan.rows > max_designs)
     throw wrong_value(plan.loading, "sweep", fmt::format("at most {} designs, which memory holds", max_designs),

@@ -43,7 +43,7 @@ void append(std::vector<ResultLine>& lines, const std::vector<Description>& entr
   }
 }
 
-// The parameters of a design and what comes of it.
+// The parameters and the outcome of a design.
 std::vector<Description> sweep_columns() {
   std::vector<Description> columns;
   for (const DesignParameter& known : design_parameters())
@@ -64,50 +64,50 @@ Fields<CaseKey> key_fields() {
       .words("holds", "values that the key takes", what_holds)
       .words("example", "example of a value", text(&CaseKey::example))
       .words("reduced", "example of a value in a reduced case", text(&CaseKey::reduced))
-      .words("flag", "flag that says the same on the command line",
+      .words("flag", "the command-line option for the key",
              [](const CaseKey& key) { return key.has_flag ? std::optional(flag_of(key.name)) : std::nullopt; })
       .words("meaning", "meaning of the key", &CaseKey::meaning)
-      .words("more", "text that follows the meaning on the page of case files", &CaseKey::more);
+      .words("more", "additional text on the page of case files", &CaseKey::more);
 }
 
 std::vector<AnswerDescription> all_answers() {
   static const std::array<std::string, 1> draws{"draw_1, draw_2, …"};
   return {
       {"fit --json", "results of a measured test", false, fit_fields().descriptions()},
-      {"fit --profile", "friction along the specimen, read at the bending stiffness of the fit", true,
+      {"fit --profile", "friction along the specimen, inverted at the fitted bending stiffness", true,
        profile_fields().descriptions()},
-      {"fit --curves", "the record, with what was read off and fitted", true, curve_fields().descriptions()},
-      {"fit --draws", "profiles that explain the record", true, draw_fields(draws).descriptions()},
+      {"fit --curves", "the record with pointwise friction and the fit", true, curve_fields().descriptions()},
+      {"fit --draws", "posterior samples of the friction profile", true, draw_fields(draws).descriptions()},
       {"campaign --json", "results of many tests", false, campaign_fields().descriptions()},
-      {"campaign: tests.csv", "a row per test", true, test_columns().descriptions()},
-      {"campaign: categories.csv", "a row per category, without and with suspect tests", true,
+      {"campaign: tests.csv", "one row per test", true, test_columns().descriptions()},
+      {"campaign: categories.csv", "one row per category, without and with suspect tests", true,
        category_columns().descriptions()},
-      {"campaign: specimens.csv", "typical values and spread between specimens, a row per parameter", true,
+      {"campaign: specimens.csv", "typical values and spread between specimens, one row per parameter", true,
        specimen_columns().descriptions()},
       {"invert --json", "friction of a case, point by point", false, inverted_test_fields().descriptions()},
       {"invert --json of w,F", "friction of single states", false,
        states_fields(no_friction, inverted_fields()).descriptions()},
-      {"invert", "friction of a case, point by point, read off at the stated bending stiffness", true,
+      {"invert", "friction of a case, inverted point by point at the stated bending stiffness", true,
        profile_fields().descriptions()},
       {"invert of w,F", "friction of single states", true, inverted_fields().descriptions()},
       {"modulus --json", "the numbers of the bending standards", false, modulus_fields().descriptions()},
       {"read --json", "contents of an export", false, export_fields().descriptions()},
-      {"simulate --json", "what a test would measure", false, simulation_fields(all_columns).descriptions()},
+      {"simulate --json", "a simulated test", false, simulation_fields(all_columns).descriptions()},
       {"simulate", "path of a test; some columns only for some tests", true, path_fields(all_columns).descriptions()},
-      {"equilibrium --json", "the curve of loading", false, equilibria_fields({false, true}).descriptions()},
+      {"equilibrium --json", "the loading curve", false, equilibria_fields({false, true}).descriptions()},
       {"equilibrium --region --json", "all equilibria", false, equilibria_fields({true, true}).descriptions()},
-      {"equilibrium", "the curve of loading", true, equilibrium_fields({false, true}).descriptions()},
+      {"equilibrium", "the loading curve", true, equilibrium_fields({false, true}).descriptions()},
       {"equilibrium --region", "all equilibria", true, equilibrium_fields({true, true}).descriptions()},
-      {"design --json", "what a planned test will show", false, design_fields().descriptions()},
-      {"design --over --json", "planned tests, beside the parameters that are varied", false,
+      {"design --json", "prediction for a planned test", false, design_fields().descriptions()},
+      {"design --over --json", "planned tests; the varied parameters come first", false,
        design_map_fields({}).descriptions()},
-      {"design --over", "planned tests, beside the parameters that are varied", true, map_fields({}).descriptions()},
-      {"sweep", "designs of a sweep, of the parameters those that are varied", true, sweep_columns()},
-      {"state --json", "states on edges", false, states_fields(no_state, edge_state_fields(true)).descriptions()},
-      {"state --json on rollers", "states on rollers, or of a thick specimen", false,
+      {"design --over", "planned tests; the varied parameters come first", true, map_fields({}).descriptions()},
+      {"sweep", "designs of a sweep; of the parameters, only the varied ones", true, sweep_columns()},
+      {"state --json", "states on knife edges", false, states_fields(no_state, edge_state_fields(true)).descriptions()},
+      {"state --json on rollers", "states on rollers or with a thickness", false,
        states_fields(no_state, roller_state_fields()).descriptions()},
-      {"state", "states on edges", true, edge_state_fields(true).descriptions()},
-      {"state on rollers", "states on rollers, or of a thick specimen", true, roller_state_fields().descriptions()},
+      {"state", "states on knife edges", true, edge_state_fields(true).descriptions()},
+      {"state on rollers", "states on rollers or with a thickness", true, roller_state_fields().descriptions()},
       {"keys --json", "list of the keys of case files", false, key_fields().descriptions()},
       {"results --json", "list of all keys and columns", false, line_fields().descriptions()},
   };
@@ -122,7 +122,7 @@ std::vector<ResultLine> lines_of(const AnswerDescription& answer) {
 Fields<ResultLine> line_fields() {
   using L = const ResultLine&;
   return Fields<ResultLine>()
-      .words("key", "key, or title of a column; [] stands for each item of a list, * for any name", &ResultLine::key)
+      .words("key", "key, or title of a column; [] is each item of a list, * any name", &ResultLine::key)
       .words("holds", "kind of value: number, count, estimate, words, …", &ResultLine::shape)
       .words("unit", "unit of numbers and estimates; null for others",
              [](L line) { return line.unit.empty() ? std::nullopt : std::optional(line.unit); })

@@ -1,4 +1,5 @@
-// Every answer of every command, by what it holds, of which the page docs/results.md is made; and what `keys --json` tells of a key of case files.
+// The fields of every answer of every command, from which docs/results.md is generated, and the
+// fields of `keys --json`.
 #pragma once
 
 #include <string>
@@ -14,22 +15,23 @@ Fields<CaseKey> key_fields();
 
 struct AnswerDescription {
   std::string_view command;  // "fit --json"
-  std::string_view what;     // in a few words
-  bool is_table;             // CSV: of columns; else JSON, of keys
+  std::string_view what;     // a short phrase
+  bool is_table;             // CSV with columns; otherwise JSON with keys
   std::vector<Description> entries;
 };
 
 std::vector<AnswerDescription> all_answers();
 
-// A key or a column on a line.
+// One key or column in the list of `flexslip results`.
 struct ResultLine {
-  std::string key;  // "drops[].row_before"; "categories.*.mu0.mean", where * stands for any name; the title of a column
+  // "drops[].row_before"; "categories.*.mu0.mean", where * is any name; or a column title
+  std::string key;
   std::string_view shape;
   std::string_view unit, reduced_unit;  // of numbers and estimates
   std::string_view meaning;
 };
 
-// Groups and lists stand before what they hold.
+// A group or list precedes its entries.
 std::vector<ResultLine> lines_of(const AnswerDescription& answer);
 Fields<ResultLine> line_fields();
 

@@ -27,12 +27,12 @@ Fields<TestSummary> summary_parameter_fields() {
       .own_estimate(parameter::bending_stiffness, &TestSummary::bending_stiffness);
 }
 
-// Of what a test is called, and what it comes to.
+// The name of a test and its verdict.
 Fields<CampaignTest> name_fields() {
   return Fields<CampaignTest>()
       .words("name", "name of the test", &CampaignTest::name)
       .titled("test")
-      .words("status", "whether the test has an answer: a status of fit, or failed", &CampaignTest::status)
+      .words("status", "a status of fit, or failed", &CampaignTest::status)
       .words("verdict", "SLIP, SLIP AND DAMAGE, UNDECIDED, CRACK, SETTLED, NO DROPS, CHECK INPUT or NO ANSWER",
              &CampaignTest::verdict);
 }
@@ -41,7 +41,7 @@ Fields<TestSummary> verdict_fields() {
   return Fields<TestSummary>()
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](const TestSummary& test) { return name_of(test.category); })
-      .yes_no("suspect", "a finding of severity refusal or suspicion stands against the answer: the means leave it out",
+      .yes_no("suspect", "the answer has a finding of severity refusal or suspicion; means exclude the test",
               &TestSummary::suspect)
       .words("model", "fitted friction model", [](const TestSummary& test) { return name_of(test.model); });
 }
@@ -54,25 +54,25 @@ Fields<TestSummary> number_fields() {
              needed = of_loss(&LostStiffness::needed);
   return Fields<TestSummary>()
       .own("residual_rms", kind::force,
-           "root mean square difference between the measured force and the mean of the fit run forward",
+           "root mean square difference between the measured force and the simulated best-fit profile",
            &TestSummary::residual_rms)
-      .count("drops", "number of drops of the force beyond its noise", &TestSummary::drops)
-      .own("spacing", kind::length, "length of specimen from one slip to the next, median", &TestSummary::spacing)
+      .count("drops", "number of force drops beyond the noise", &TestSummary::drops)
+      .own("spacing", kind::length, "median distance along the specimen between the starts of successive slips",
+           &TestSummary::spacing)
       .own("work_of_fracture", kind::energy, "work on the specimen", &TestSummary::work_of_fracture)
-      .number(
-          "friction_share",
-          "share of the work that went into friction and snaps; null if the test is not trusted or gives only a limit",
-          &TestSummary::friction_share)
+      .number("friction_share",
+              "share of the work that went into friction and snaps; null if the test is unusable or gives only a limit",
+              &TestSummary::friction_share)
       .number("friction_share_error", "standard error of friction_share, with no stiffness lost",
               &TestSummary::friction_share_error)
-      .number("stiffness_lost", "share of the stiffness lost to the next loading; null without one", lost)
+      .number("stiffness_lost", "share of the stiffness lost before the next loading; null without one", lost)
       .number("stiffness_lost_error", "standard error of stiffness_lost", lost_error)
       .number("loss_needed",
-              "share of the stiffness that the drops would need if they were cracks only; null without a reload",
+              "stiffness loss, as a share, that the drops require if they are cracks only; null without a reload",
               needed);
 }
 
-// What the bending standards read off, and what friction at the supports adds.
+// The numbers of the bending standards, and the effect of friction at the supports.
 Fields<StandardSummary> standard_columns() {
   const auto of = [](ShareRange FrictionGain::*range, double ShareRange::*end) {
     return [range, end](const StandardSummary& standard) {
@@ -82,19 +82,20 @@ Fields<StandardSummary> standard_columns() {
   constexpr auto least = &ShareRange::least, most = &ShareRange::most;
   return Fields<StandardSummary>()
       .own_estimate("modulus", kind::pressure,
-                    "flexural modulus of the bending standards, of the chord or else of the straight part",
+                    "flexural modulus of the bending standards, from the chord or else from the linear region",
                     &StandardSummary::modulus)
-      .own("strength", kind::pressure, "flexural stress at the greatest force", &StandardSummary::strength)
-      .number("friction_least", "least friction at the supports whose part in modulus and strength is told",
+      .own("strength", kind::pressure, "flexural stress at the maximum force", &StandardSummary::strength)
+      .number("friction_least",
+              "minimum of the friction range at the supports whose effect on modulus and strength is reported",
               of(&FrictionGain::friction, least))
-      .number("friction_most", "greatest friction whose part is told", of(&FrictionGain::friction, most))
-      .number("modulus_gain_least", "least share that such friction adds to the modulus",
+      .number("friction_most", "maximum of this friction range", of(&FrictionGain::friction, most))
+      .number("modulus_gain_least", "smallest share that friction in this range adds to the modulus",
               of(&FrictionGain::modulus, least))
-      .number("modulus_gain_most", "greatest share that such friction adds to the modulus",
+      .number("modulus_gain_most", "largest share that friction in this range adds to the modulus",
               of(&FrictionGain::modulus, most))
-      .number("strength_gain_least", "least share that such friction adds to the strength",
+      .number("strength_gain_least", "smallest share that friction in this range adds to the strength",
               of(&FrictionGain::strength, least))
-      .number("strength_gain_most", "greatest share that such friction adds to the strength",
+      .number("strength_gain_most", "largest share that friction in this range adds to the strength",
               of(&FrictionGain::strength, most));
 }
 
@@ -102,8 +103,8 @@ Fields<CampaignTest> remark_fields() {
   return Fields<CampaignTest>()
       .words("reason", "reason why the status is not ok",
              [](const CampaignTest& test) { return test.reason.empty() ? std::nullopt : std::optional(test.reason); })
-      .words("remarks", "remarks on the test", &CampaignTest::remarks)
-      .words("file", "file that describes the test", &CampaignTest::file);
+      .words("remarks", "remarks", &CampaignTest::remarks)
+      .words("file", "case file or export of the test", &CampaignTest::file);
 }
 
 Fields<CampaignTest> cause_fields() {
@@ -111,7 +112,7 @@ Fields<CampaignTest> cause_fields() {
   return Fields<CampaignTest>()
       .number("cracks_alone", "probability that the drops are cracks only; null without drops that are judged",
               [](C test) { return test.causes.cracks; })
-      .number("slips_alone", "probability that they are slips only, reliable below .5 without a reload",
+      .number("slips_alone", "probability that the drops are slips only; without a reload it is reliable below 0.5",
               [](C test) { return test.causes.slips; });
 }
 
@@ -121,17 +122,17 @@ Fields<CampaignTest> test_fields() {
       .all_of(verdict_fields(), &CampaignTest::summary)
       .group("parameters", "fitted parameters; null where the fit has none", summary_parameter_fields(),
              &CampaignTest::summary)
-      .group("wave", "likeliest wave of friction, and whether it is claimed",
-             Fields<TestSummary>().yes_no("claimed", "the evidence supports the wave; otherwise it is only indicative",
+      .group("wave", "most probable wave of friction, and whether it is detected",
+             Fields<TestSummary>().yes_no("claimed", "the wave is detected; otherwise it is only indicative",
                                           &TestSummary::wave_claimed),
              &CampaignTest::summary)
       .all_of(number_fields(), &CampaignTest::summary)
-      .group("standard", "what the bending standards read off; null without a section", standard_columns(),
+      .group("standard", "numbers of the bending standards; null without a section", standard_columns(),
              &CampaignTest::standard)
       .all_of(remark_fields());
 }
 
-// Mean, least and greatest of a parameter.
+// The mean, minimum and maximum of a parameter.
 Fields<Spread> spread_fields(const Kind& kind) {
   return Fields<Spread>()
       .only_where([](const Spread& spread) { return spread.count > 0; })
@@ -145,15 +146,15 @@ Fields<Spread> spread_fields(const Kind& kind) {
 Fields<CategorySpread> category_fields() {
   return Fields<CategorySpread>()
       .count("tests", "number of tests in the category", &CategorySpread::tests)
-      .group("mu0", "mean friction, without tests that give only a limit", spread_fields(kind::number),
+      .group("mu0", "mean friction, excluding tests that give only a limit", spread_fields(kind::number),
              &CategorySpread::mu0)
-      .group("mu0_limit", "upper limits of mean friction, of the tests that give only a limit",
+      .group("mu0_limit", "upper limits of the mean friction from tests that give only a limit",
              spread_fields(kind::number), &CategorySpread::mu0_limit)
       .group("amplitude", "amplitude of the wave of friction, relative to mu0", spread_fields(kind::number),
              &CategorySpread::amplitude)
       .group("wavelength", "wavelength of the wave of friction, along the specimen", spread_fields(kind::length),
              &CategorySpread::wavelength)
-      .count("waves_claimed", "number of tests that claim a wave of friction", &CategorySpread::waves_claimed);
+      .count("waves_claimed", "number of tests with a detected wave of friction", &CategorySpread::waves_claimed);
 }
 
 std::string_view differ_by(const SpecimenLine& line) { return line.by_factors ? "factor" : "standard deviation"; }
@@ -164,13 +165,13 @@ Fields<SpecimenLine> between_fields() {
       .count("tests", "number of tests whose records determine the parameter",
              [](L line) { return line.population.tests; })
       .estimate_in(
-          "typical", "typical specimen: the mean for mu0, the median for other parameters",
+          "typical", "value of the typical specimen: the mean for mu0, the median for other parameters",
           [](L line) { return line.population.typical; }, &SpecimenLine::unit)
       .words("differ_by", "meaning of spread: a standard deviation, or a factor in either direction", differ_by)
-      .number("spread", "spread between specimens, without the errors of the records",
+      .number("spread", "spread between specimens, excluding measurement errors",
               [](L line) { return line.population.spread; })
       .number("spread_low",
-              "lower end of its 95 % interval; 0, or a factor of 1, where the records do not distinguish the specimens",
+              "lower end of its 95 % interval; 0 (or a factor of 1) if the records do not distinguish the specimens",
               [](L line) { return line.population.least_spread; })
       .number("spread_high", "upper end of its 95 % interval", [](L line) { return line.population.most_spread; });
 }
@@ -186,7 +187,7 @@ Fields<CategoryOf> category_answer_fields() {
       .all_of(
           category_fields(), [](C of) -> const auto& { return of.category.without_suspects; })
       .group(
-          "with_suspects", "the same, including suspect tests", category_fields(),
+          "with_suspects", "the same with suspect tests", category_fields(),
           [](C of) -> const auto& { return of.category.with_suspects; })
       .by_name("between_specimens", "typical value and spread between specimens, by parameter", between_fields(),
                [](C of) {
@@ -200,12 +201,12 @@ Fields<CategoryOf> category_answer_fields() {
 Fields<CampaignTest> failure_fields() {
   return name_fields()
       .words("reason", "reason why there is no answer, or the answer", &CampaignTest::reason)
-      .words("file", "file that describes the test", &CampaignTest::file);
+      .words("file", "case file or export of the test", &CampaignTest::file);
 }
 
 using SomeTests = std::vector<std::reference_wrapper<const CampaignTest>>;
 
-// The tests with a fit, or those without.
+// The tests with a fit, or the tests without one.
 SomeTests tests_of(const Campaign& campaign, bool answered) {
   SomeTests some;
   for (const CampaignTest& test : campaign.tests)
@@ -217,7 +218,7 @@ SomeTests failures_of(const Campaign& campaign) { return tests_of(campaign, fals
 
 Fields<CauseShares::Share> share_fields() {
   return Fields<CauseShares::Share>()
-      .number("median", "the likeliest half lies below", &CauseShares::Share::median)
+      .number("median", "median of the posterior", &CauseShares::Share::median)
       .number("low", "lower end of its 95 % interval", &CauseShares::Share::low)
       .number("high", "upper end of its 95 % interval", &CauseShares::Share::high);
 }
@@ -225,7 +226,8 @@ Fields<CauseShares::Share> share_fields() {
 Fields<Campaign> all_fields() {
   return Fields<Campaign>()
       .list("tests", "tests with an answer, in the order of the plan", test_fields(), answered_of)
-      .by_name("categories", "categories clear, nominal, none and all, without suspect tests", category_answer_fields(),
+      .by_name("categories", "categories clear, nominal, none and all, excluding suspect tests",
+               category_answer_fields(),
                [](const Campaign& campaign) {
                  std::vector<std::pair<std::string, CategoryOf>> categories;
                  for (const CategorySummary& category : campaign.categories)
@@ -233,26 +235,27 @@ Fields<Campaign> all_fields() {
                  return categories;
                })
       .group("causes",
-             "shares of specimens whose drops are slips only, cracks only or both; null without a probability",
+             "shares of the specimens whose drops are slips only, cracks only or both; null without any probability",
              Fields<CauseShares>()
-                 .count("tests", "tests with a probability", &CauseShares::tests)
+                 .count("tests", "number of tests with a probability", &CauseShares::tests)
                  .group("slips", "slips only", share_fields(), &CauseShares::slips)
                  .group("cracks", "cracks only", share_fields(), &CauseShares::cracks)
                  .group("both", "slips and cracks", share_fields(), &CauseShares::both),
              [](const Campaign& campaign) { return campaign.causes.tests > 0 ? &campaign.causes : nullptr; })
       .number("shared_error",
-              "standard deviation of the mean friction by load train, span and gain, which tests on one rig share",
+              "standard deviation of the mean friction due to errors of load train, span and force calibration, which "
+              "tests on one rig share",
               &Campaign::shared_error)
-      .estimate(
-          "friction_share", kind::number,
-          "mean share of the work that went into friction, over the tests that tell one and are not suspect, with no "
-          "stiffness lost; null of none",
-          [](const Campaign& campaign) {
-            return std::isfinite(campaign.friction_share.value) ? std::optional(campaign.friction_share) : std::nullopt;
-          })
-      .list("failures", "tests without a fit: without an answer, or bent too little to tell friction", failure_fields(),
-            failures_of)
-      .words("notes", "files left out, records that several tests have, sections that are not stated", &Campaign::notes)
+      .estimate("friction_share", kind::number,
+                "mean friction share of the work with no stiffness lost, over the tests that are not suspect; null "
+                "without any",
+                [](const Campaign& campaign) {
+                  return std::isfinite(campaign.friction_share.value) ? std::optional(campaign.friction_share)
+                                                                      : std::nullopt;
+                })
+      .list("failures", "tests without a fit: failed, or with a deflection too small to determine friction",
+            failure_fields(), failures_of)
+      .words("notes", "omitted files, duplicate records, missing sections", &Campaign::notes)
       .group("units", "units of plain numbers", units_of_numbers<Campaign>());
 }
 
@@ -297,9 +300,9 @@ Fields<CampaignTest> test_columns() {
       .all_of(verdict_fields(), &CampaignTest::summary)
       .all_of(summary_parameter_fields(), &CampaignTest::summary)
       .all_of(Fields<TestSummary>()
-                  .yes_no("mu0_is_bound", "mu0 cannot be distinguished from 0, and mu0_high is its upper limit",
+                  .yes_no("mu0_is_bound", "mu0 cannot be distinguished from 0; mu0_high is its upper limit",
                           &TestSummary::mu0_is_bound)
-                  .yes_no("wave_claimed", "the evidence supports the wave; otherwise it is only indicative",
+                  .yes_no("wave_claimed", "the wave is detected; otherwise it is only indicative",
                           [](const TestSummary& test) {
                             return test.wavelength ? std::optional(test.wave_claimed) : std::nullopt;
                           }),
@@ -312,13 +315,13 @@ Fields<CampaignTest> test_columns() {
 Fields<CategoryLine> category_columns() {
   return Fields<CategoryLine>()
       .words("category", "category of the sawtooth", &CategoryLine::key)
-      .words("suspects", "whether suspect tests are included: without or with", &CategoryLine::suspects)
+      .words("suspects", "suspect tests: without or with", &CategoryLine::suspects)
       .all_of(category_fields(), &CategoryLine::spread);
 }
 
 Fields<SpecimenLine> specimen_columns() {
   return Fields<SpecimenLine>()
-      .words("category", "category of the sawtooth, without suspect tests", &SpecimenLine::category)
+      .words("category", "category of the sawtooth, excluding suspect tests", &SpecimenLine::category)
       .words("parameter", "parameter of friction", &SpecimenLine::parameter)
       .words("unit", "unit of typical and its interval", &SpecimenLine::unit)
       .all_of(between_fields());

@@ -1,4 +1,4 @@
-// What `campaign` tells of many tests, described once.
+// The fields of `campaign` answers.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@
 
 namespace flexslip {
 
-// What the specimens of a category have in common in one parameter, and how they differ.
+// One parameter of a category: the typical value of its specimens, and their spread.
 struct SpecimenLine {
   std::string category;   // as key_of
   std::string parameter;  // "mu0", "roughness", "correlation_length"
   std::string unit;       // SI
-  bool
-      by_factors;  // the population is one of logarithms: typical and spreads are exp of them, and specimens differ by factors
+  // The population describes logarithms: its typical value and spreads are exp of them.
+  bool by_factors;
   Population population;
 };
 std::vector<SpecimenLine> specimen_lines(const Campaign& campaign);
@@ -26,11 +26,11 @@ std::vector<SpecimenLine> specimen_lines(const Campaign& campaign);
 // "clear", "nominal", "none", or "all".
 std::string_view key_of(const CategorySummary& category);
 
-// Of `campaign --json`.
+// The fields of `campaign --json`.
 const Fields<Campaign>& campaign_fields();
 Json campaign_json(const Campaign& campaign);
 
-// The columns of its tables.
+// The columns of the tables.
 struct CategoryLine {
   std::string_view key, suspects;
   const CategorySpread* spread;
@@ -39,14 +39,17 @@ Fields<CampaignTest> test_columns();
 Fields<CategoryLine> category_columns();
 Fields<SpecimenLine> specimen_columns();
 
-// A row per test, those that failed among them; a category with its suspects and without, and all tests; what specimens have in common,
-// a row per category and parameter; a row per test without an answer. Units: SI.
+// The tables of a campaign. Units: SI.
+// - test_table: one row per test, failed tests included.
+// - category_table: one row per category with suspects, one without, and both for all tests.
+// - specimen_table: one row per category and parameter.
+// - failure_table: one row per test without an answer.
 ResultTable test_table(const Campaign& campaign);
 ResultTable category_table(const Campaign& campaign);
 ResultTable specimen_table(const Campaign& campaign);
 ResultTable failure_table(const Campaign& campaign);
 
-// All of them that say something, in the units that read best, under their names in a workbook.
+// The tables (specimens only if not empty), in readable units, each under its name in a workbook.
 std::vector<std::pair<std::string, ResultTable>> sheets_of(const Campaign& campaign);
 
 }  // namespace flexslip

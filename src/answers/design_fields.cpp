@@ -9,27 +9,29 @@
 namespace flexslip {
 namespace {
 
-struct ToldChange {
+struct DescribedChange {
   const DesignChange& change;
   const std::string& words;
 };
 
-std::vector<ToldChange> changes_of(const ToldDesign& told) {
-  std::vector<ToldChange> all;
-  for (std::size_t i = 0; i < told.changes.size(); ++i) all.push_back({told.answer.changes[i], told.changes[i]});
+std::vector<DescribedChange> changes_of(const DescribedDesign& design) {
+  std::vector<DescribedChange> all;
+  for (std::size_t i = 0; i < design.changes.size(); ++i) all.push_back({design.answer.changes[i], design.changes[i]});
   return all;
 }
 
-Fields<ToldChange> change_fields() {
-  using C = const ToldChange&;
-  return Fields<ToldChange>()
-      .words("parameter", "parameter that changes, while the others stay", [](C c) { return c.change.parameter; })
-      .own("from", kind::number, "present value, in the unit of the parameter", [](C c) { return c.change.from; })
+Fields<DescribedChange> change_fields() {
+  using C = const DescribedChange&;
+  return Fields<DescribedChange>()
+      .words("parameter", "parameter that changes; the others keep their values",
+             [](C c) { return c.change.parameter; })
+      .own("from", kind::number, "current value, in the unit of the parameter", [](C c) { return c.change.from; })
       .own("to", kind::number, "changed value, in the unit of the parameter", [](C c) { return c.change.to; })
-      .yes_no("and_beyond", "the changed answer holds however far beyond", [](C c) { return c.change.and_beyond; })
-      .number("largest_drop_share", "largest drop after the change, as a share of the greatest force",
+      .yes_no("and_beyond", "the changed answer also holds for every value beyond `to`",
+              [](C c) { return c.change.and_beyond; })
+      .number("largest_drop_share", "largest drop after the change, as a share of the maximum force",
               [](C c) { return c.change.outcome.largest_drop / c.change.outcome.greatest_force; })
-      .words("words", "the change in a sentence", [](C c) { return c.words; });
+      .words("words", "the change as a sentence", [](C c) { return c.words; });
 }
 
 Fields<PhaseStudy> phase_fields() {
@@ -38,10 +40,10 @@ Fields<PhaseStudy> phase_fields() {
       .count("snapping", "number of phases with which the specimen snaps", &PhaseStudy::snapping)
       .number("least_largest_drop", kind::force, "smallest of the largest drops, one for each phase",
               &PhaseStudy::min_drop)
-      .number("greatest_largest_drop", kind::force, "greatest of the largest drops, one for each phase",
+      .number("greatest_largest_drop", kind::force, "largest of the largest drops, one for each phase",
               &PhaseStudy::largest_drop)
-      .number("critical_stiffness", kind::stiffness,
-              "stiffness at and above which the specimen snaps with none of the phases", &PhaseStudy::critical);
+      .number("critical_stiffness", kind::stiffness, "smallest stiffness at and above which no phase leads to a snap",
+              &PhaseStudy::critical);
 }
 
 Fields<ReloadPlan> plan_fields() {
@@ -52,9 +54,9 @@ Fields<ReloadPlan> plan_fields() {
       .own("force", kind::force, "force at the end of the unloading", &ReloadPlan::force)
       .count("drops", "number of drops in the first loading", &ReloadPlan::drops)
       .number("loss_needed",
-              "share of the stiffness that the drops need if they are cracks only; null if none is determined",
+              "stiffness loss, as a share, that the drops require if they are cracks only; null if undetermined",
               &ReloadPlan::loss_needed)
-      .number("loss_error", "standard error of the share of the stiffness lost; null if none is determined",
+      .number("loss_error", "standard error of the measured stiffness loss, as a share; null if undetermined",
               &ReloadPlan::loss_error)
       .number("chance_if_cracks", "probability that fit says CRACK if the drops are cracks only",
               [](P plan) { return plan.chances.cracks; })
@@ -67,82 +69,88 @@ Fields<ReloadStudy> reload_fields() {
   const auto changes =
       Fields<ReloadChange>()
           .words("parameter", "travel, stiffness, step or noise", &ReloadChange::parameter)
-          .own("from", kind::number, "present value, in the unit of the parameter", &ReloadChange::from)
+          .own("from", kind::number, "current value, in the unit of the parameter", &ReloadChange::from)
           .own("to", kind::number, "changed value, in the unit of the parameter", &ReloadChange::to)
           .group("plan", "plan with this change", plan_fields(), &ReloadChange::plan);
   return Fields<ReloadStudy>()
-      .count("drops", "number of drops that fit would find in the planned loading: snaps, and smooth falls as steep",
-             &ReloadStudy::drops)
+      .count(
+          "drops",
+          "number of drops that fit would detect in the planned loading: snaps, and smooth decreases that are as steep",
+          &ReloadStudy::drops)
       .own("noise", kind::force, "standard deviation of a force reading, as used", &ReloadStudy::noise)
-      .yes_no("noise_is_usual", "no noise is stated: it is 0.1 % of the maximum force", &ReloadStudy::noise_is_usual)
+      .yes_no("noise_is_usual", "no noise is stated; 0.1 % of the maximum force is assumed",
+              &ReloadStudy::noise_is_usual)
       .own("step", kind::length, "distance between two readings, as used", &ReloadStudy::step)
-      .number("required_chance", "chance of the right verdict from which on a plan suffices",
-              &ReloadStudy::least_chance)
+      .number("required_chance", "minimum probability of the right verdict for a plan to suffice",
+              &ReloadStudy::required_chance)
       .group("planned",
-             "planned travel with the shallowest unloading that suffices, or the surest; null where there is nothing "
-             "to decide",
+             "planned travel with the shallowest sufficient unloading, or else the most reliable one; null if there is "
+             "nothing to decide",
              plan_fields(),
              [](S study) { return study.plans.empty() ? std::nullopt : std::optional(study.of_travel()); })
-      .group("least", "least travel that suffices, with the shallowest unloading that does; null if none does",
+      .group("least", "smallest sufficient travel, with the shallowest sufficient unloading; null if no plan suffices",
              plan_fields(), [](S study) { return study.least(); })
       .list("plans",
-            "plans that were tried, by travel, then from the shallowest unloading to the deepest; empty where there is "
-            "nothing to decide",
+            "plans tried, by travel, then from the shallowest unloading to the deepest; empty if there is nothing to "
+            "decide",
             plan_fields(), &ReloadStudy::plans)
-      .list("changes", "single changes with which a plan suffices; empty if one suffices already", changes,
+      .list("changes", "single changes that make a plan sufficient; empty if one is sufficient already", changes,
             &ReloadStudy::changes);
 }
 
-// Those that the case has, each in its unit.
-Fields<ToldDesign> changed_parameter_fields() {
-  Fields<ToldDesign> fields;
+// The parameters of the case, each in its unit.
+Fields<DescribedDesign> changed_parameter_fields() {
+  Fields<DescribedDesign> fields;
   fields.left_out_where_missing();
   for (const DesignParameter& known : design_parameters())
-    fields.own(known.name, known.kind(), known.description,
-               [parameter = known.name](const ToldDesign& told) { return value_of(told.answer.input, parameter); });
+    fields.own(known.name, known.kind(), known.description, [parameter = known.name](const DescribedDesign& design) {
+      return value_of(design.answer.input, parameter);
+    });
   return fields;
 }
 
-DesignResult outcome_told(const ToldDesign& told) {
-  const DesignAnswer& answer = told.answer;
+DesignResult design_result(const DescribedDesign& design) {
+  const DesignAnswer& answer = design.answer;
   return {status_of(answer.outcome), DesignUnits{answer.scales, answer.surface}, answer.outcome};
 }
 
 constexpr std::string_view statuses =
-    "whether the design was computed: ok, slipped_through or breaks (the outcomes are those up to there), "
-    "impossible or not_computable";
+    "ok; slipped_through or breaks (results up to that point); impossible; or not_computable";
 
 }  // namespace
 
-Fields<ToldDesign> design_fields() {
-  return Fields<ToldDesign>()
-      .in_frame([](const ToldDesign& told) {
-        return Frame{told.answer.scales, told.answer.input.reduced};
+Fields<DescribedDesign> design_fields() {
+  return Fields<DescribedDesign>()
+      .in_frame([](const DescribedDesign& design) {
+        return Frame{design.answer.scales, design.answer.input.reduced};
       })
-      .words("status", statuses, [](const ToldDesign& told) { return word_of(status_of(told.answer.outcome)); })
-      .all_of(outcome_fields(), outcome_told)
-      .yes_no("wraps_nose", "the specimen is bent more sharply than the nose",
-              [](const ToldDesign& told) { return told.answer.wraps_nose; })
+      .words("status", statuses,
+             [](const DescribedDesign& design) { return word_of(status_of(design.answer.outcome)); })
+      .all_of(outcome_fields(), design_result)
+      .yes_no("wraps_nose", "the specimen is curved more sharply than the loading nose",
+              [](const DescribedDesign& design) { return design.answer.wraps_nose; })
       .number("friction_share", "share of the work that goes into friction and snaps",
-              [](const ToldDesign& told) { return friction_share(told.answer.outcome); })
-      .words("answer", "whether the test shows a sawtooth, in a sentence",
-             [](const ToldDesign& told) { return told.words; })
+              [](const DescribedDesign& design) { return friction_share(design.answer.outcome); })
+      .words("answer", "prediction whether the test shows a sawtooth, as a sentence",
+             [](const DescribedDesign& design) { return design.words; })
       .number("critical_stiffness", kind::stiffness,
-              "smallest stiffness at and above which this loading meets no snap; null if it snaps on every rig, 0 if "
-              "on none",
-              [](const ToldDesign& told) { return told.answer.critical; })
+              "smallest load-train stiffness at and above which this loading has no snap; null if it snaps on every "
+              "rig, 0 if on no rig",
+              [](const DescribedDesign& design) { return design.answer.critical; })
       .number("pin_limit",
-              "greatest friction that can act, at which the rollers turn on their pins; null for other supports",
-              [](const ToldDesign& told) { return pin_limit_of(told.answer.input); })
-      .yes_no("snaps_whatever_the_stiffness", "the specimen snaps even if the deflection itself is controlled",
-              [](const ToldDesign& told) { return told.answer.critical > 0 && !std::isfinite(told.answer.critical); })
-      .group("phases", "what the phase of the friction decides; null if it decides nothing", phase_fields(),
-             [](const ToldDesign& told) { return told.answer.phases; })
+              "largest friction that can act, because the rollers turn on their pins; null for other supports",
+              [](const DescribedDesign& design) { return pin_limit_of(design.answer.input); })
+      .yes_no("snaps_whatever_the_stiffness", "the specimen snaps even under displacement control",
+              [](const DescribedDesign& design) {
+                return design.answer.critical > 0 && !std::isfinite(design.answer.critical);
+              })
+      .group("phases", "effect of the phase of the waves of friction; null if it has none", phase_fields(),
+             [](const DescribedDesign& design) { return design.answer.phases; })
       .list("changes", "single changes that reverse the answer", change_fields(), changes_of)
-      .group("reload", "whether a second loading will tell slips from cracks; null if it is not asked for",
-             reload_fields(), [](const ToldDesign& told) { return told.answer.reload; })
+      .group("reload", "whether a second loading will distinguish slips from cracks; null unless requested",
+             reload_fields(), [](const DescribedDesign& design) { return design.answer.reload; })
       .group("parameters", "parameters of the design, in their units; null if infinite", changed_parameter_fields())
-      .group("units", "units of plain numbers", units_of_numbers<ToldDesign>());
+      .group("units", "units of plain numbers", units_of_numbers<DescribedDesign>());
 }
 
 Fields<DesignPoint> point_fields(const std::vector<DesignAxis>& axes) {
@@ -162,7 +170,7 @@ Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes) {
       .left_out_where_missing()
       .all_of(point_fields(axes), [](P point) -> const DesignPoint& { return point; })
       .number("stiffness_margin",
-              "ln of the ratio of stiffness to critical stiffness, within ±3: above 0 the specimen does not snap",
+              "ln of the ratio of stiffness to critical stiffness, limited to ±3; the specimen does not snap above 0",
               [](P point) { return point.result.outcome ? std::optional(point.margin) : std::nullopt; });
 }
 

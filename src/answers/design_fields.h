@@ -1,4 +1,4 @@
-// What `design` and `sweep` tell, described once: of a planned test, and of a map or a sweep of them.
+// The fields of `design` and `sweep` answers: a planned test, a map, a sweep.
 #pragma once
 
 #include <string>
@@ -10,17 +10,17 @@
 
 namespace flexslip {
 
-// An answer with the sentences that tell it.
-struct ToldDesign {
+// A design answer with its sentences.
+struct DescribedDesign {
   const DesignAnswer& answer;
   std::string words;
-  std::vector<std::string> changes;  // one of each change
+  std::vector<std::string> changes;  // one per change
 };
 
-// Units: those of the case. What is infinite or does not exist is null.
-Fields<ToldDesign> design_fields();
+// Units:      as in the case. Infinite and undefined values are null.
+Fields<DescribedDesign> design_fields();
 
-// A sweep: a row for each of its designs. A map: likewise.
+// The fields of one design of a sweep, and of one point of a map.
 Fields<DesignPoint> point_fields(const std::vector<DesignAxis>& axes);
 Fields<MapPoint> map_fields(const std::vector<DesignAxis>& axes);
 Fields<std::vector<MapPoint>> design_map_fields(const std::vector<DesignAxis>& axes);

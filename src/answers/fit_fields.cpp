@@ -22,7 +22,7 @@ using T = const FittedTest&;
 
 // ---- The drops of the force and the rises between them
 
-// A drop of the force and the record that it is in.
+// A force drop with its record.
 struct DropOf {
   const Record& record;
   const Slip& slip;
@@ -30,10 +30,8 @@ struct DropOf {
 
 Fields<Slip> slip_fields() {
   return Fields<Slip>()
-      .number("length_before", kind::length,
-              "length between the supports before the slip: the span and what was pulled in", &Slip::S_before)
-      .number("length_after", kind::length,
-              "length between the supports after the slip: the span and what was pulled in", &Slip::S_after);
+      .number("length_before", kind::length, "span plus sliding length before the slip", &Slip::S_before)
+      .number("length_after", kind::length, "span plus sliding length after the slip", &Slip::S_after);
 }
 
 Fields<DropOf> drop_fields() {
@@ -47,14 +45,14 @@ Fields<DropOf> drop_fields() {
       .own("stage", kind::length, "stage position before the drop", before(&Record::stage))
       .own("deflection_before", kind::length, "deflection before the drop", before(&Record::deflection))
       .own("force_before", kind::force, "force before the drop", before(&Record::force))
-      .own("force_fall", kind::force, "fall of the force in the drop", [](D drop) { return drop.slip.drop.force_fall; })
+      .own("force_fall", kind::force, "force drop", [](D drop) { return drop.slip.drop.force_fall; })
       .words("slip",
-             "whether the drop can be a slip: possible, too_short, or not: unexplained, implausible, negative or "
+             "whether the drop can be a slip: possible or too_short; otherwise unexplained, implausible, negative or "
              "moves_out",
              [](D drop) { return name_of(drop.slip.verdict); })
-      .words("reading", "what the drop can be, as tables and page print it: slip, crack, either or neither",
+      .words("reading", "what the drop can be, as in tables and on the page: slip, crack, either or neither",
              [](D drop) { return reading_of(drop.slip); })
-      .number("pulled_in", kind::length, "length pulled in (both supports) if the drop is a slip",
+      .number("pulled_in", kind::length, "length that slides in over both supports if the drop is a slip",
               [](D drop) { return drop.slip.S_after - drop.slip.S_before; })
       .number("mu_before", "friction before the drop, if it is a slip", [](D drop) { return drop.slip.mu_before; })
       .number("mu_after", "friction after the drop, if it is a slip", [](D drop) { return drop.slip.mu_after; });
@@ -66,20 +64,21 @@ Fields<TestAnalysis> slips_fields() {
   };
   return Fields<TestAnalysis>()
       .number("median_spacing", kind::length,
-              "median distance along the specimen from the beginning of one slip to that of the next",
+              "median distance along the specimen between the starts of successive slips",
               summary(&SlipSummary::median_spacing))
-      .number("median_fall_of_mu", "median fall of friction in a slip", summary(&SlipSummary::median_fall))
-      .list("slips", "drops that can be slips, in the order of drops", slip_fields(), [](const TestAnalysis& analysis) {
-        std::vector<Slip> possible;
-        for (const Slip& slip : analysis.slips)
-          if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
-        return possible;
-      });
+      .number("median_fall_of_mu", "median decrease of friction in a slip", summary(&SlipSummary::median_fall))
+      .list("slips", "drops that can be slips, in the order of `drops`", slip_fields(),
+            [](const TestAnalysis& analysis) {
+              std::vector<Slip> possible;
+              for (const Slip& slip : analysis.slips)
+                if (slip.verdict == SlipVerdict::possible) possible.push_back(slip);
+              return possible;
+            });
 }
 
 // ---- Friction: parameters, waves, explanations, checks
 
-// A part of the fit, where there is one.
+// A getter of a member of the fit.
 template <class Part>
 auto of_fit(Part FrictionFit::*part) {
   return [part](T test) { return test.analysis.fit.*part; };
@@ -91,7 +90,7 @@ Fields<WaveEstimate> wave_fields() {
       .estimate(parameter::wavelength, &WaveEstimate::wavelength);
 }
 
-// As a parameter of its own: in a rough friction it is part of the roughness.
+// True if drift is a separate parameter. With rough friction it is part of the roughness.
 bool has_drift(ProfileModel model) { return model != ProfileModel::roughness && model != ProfileModel::constant; }
 
 Fields<FittedTest> parameter_fields() {
@@ -106,7 +105,7 @@ Fields<FittedTest> parameter_fields() {
       .estimate("amplitude_2", kind::number, "amplitude of the second wave, relative to mu0", &WaveEstimate::amplitude)
       .estimate("wavelength_2", kind::length, "wavelength of the second wave, along the specimen",
                 &WaveEstimate::wavelength)
-      .estimate("phase_2", kind::angle, "phase of the second wave at the length 0", &WaveEstimate::phase);
+      .estimate("phase_2", kind::angle, "phase of the second wave at length 0", &WaveEstimate::phase);
   return Fields<FittedTest>()
       .left_out_where_missing()
       .only_where(is_fitted)
@@ -128,21 +127,20 @@ Fields<FittedTest> parameter_fields() {
       .estimate(parameter::bending_stiffness, of_fit(&FrictionFit::bending_stiffness))
       .anywhere()
       .own_estimate(
-          "contact_offset", kind::length, "stage position of the contact in the file, which is subtracted",
+          "contact_offset", kind::length, "stage position of the contact point in the file; it is subtracted",
           [](T test) { return normal_estimate(test.measurement.contact_offset, test.measurement.contact_error); });
 }
 
-Fields<FittedTest> likeliest_wave_fields() {
+Fields<FittedTest> most_probable_wave_fields() {
   return Fields<FittedTest>()
-      .yes_no("claimed", "the evidence supports the wave, and it is shorter than a quarter of the specimen seen",
+      .yes_no("claimed", "the evidence supports the wave, and its length is below a quarter of the observed length",
               of_fit(&FrictionFit::wave_claimed))
-      .number("log_evidence", "ln of the ratio of the evidence with and without a wave",
-              of_fit(&FrictionFit::log_evidence_of_wave))
+      .number("log_evidence", "log Bayes factor of a wave against none", of_fit(&FrictionFit::log_evidence_of_wave))
       .all_of(
           wave_fields(), [](T test) -> const auto& { return test.analysis.fit.waves.front(); });
 }
 
-// All of the fit that is made of the bands along the fibre.
+// The fitted friction along the specimen.
 Fields<FittedTest> band_fields() {
   return Fields<FittedTest>()
       .numbers("length", kind::length, "length between the contacts",
@@ -160,7 +158,7 @@ Fields<FittedTest> band_fields() {
 
 // ---- Passes
 
-// A pass, and the points of the record that it has.
+// A pass with its points of the record.
 struct RecordOfPass {
   const PassFriction& pass;
   Record record;
@@ -178,7 +176,7 @@ std::string_view name_of(PassesStatus status) {
 
 Fields<PassFriction> pass_fields() {
   return Fields<PassFriction>()
-      .words("direction", "in, where the stage advances, or out",
+      .words("direction", "in (the stage advances) or out",
              [](const PassFriction& pass) {
                return std::string_view(pass.rows.direction == Direction::loading ? "in" : "out");
              })
@@ -186,10 +184,9 @@ Fields<PassFriction> pass_fields() {
                    [](const PassFriction& pass, const Frame& frame) {
                      return std::optional(std::vector{frame.row(pass.rows.first), frame.row(pass.rows.last - 1)});
                    })
-      .count("sliding_rows", "rows fitted in which the specimen slides", &PassFriction::sliding)
+      .count("sliding_rows", "fitted rows in which the specimen slides", &PassFriction::sliding)
       .only_where([](const PassFriction& pass) { return std::isfinite(pass.friction.value); })
-      .estimate("friction", kind::number, "mean friction over what the specimen slid over in the pass",
-                &PassFriction::friction);
+      .estimate("friction", kind::number, "mean friction over the sliding length of the pass", &PassFriction::friction);
 }
 
 Fields<FittedTest> passes_fields() {
@@ -202,72 +199,71 @@ Fields<FittedTest> passes_fields() {
                      .row = [&test](std::size_t point) { return cyclic_file_row(test.measurement, point); }};
       })
       .words("status",
-             "whether all passes were fitted together: ok, not_sliding_out (the record was not unloaded far enough) or "
+             "whether the joint fit of all passes succeeded: ok, not_sliding_out (not unloaded far enough) or "
              "not_explained",
              [](T test) { return name_of(test.passes->status); })
       .only_where(is_ok)
-      .count("sliding_out_rows", "rows fitted in which the specimen slides outwards",
+      .count("sliding_out_rows", "fitted rows in which the specimen slides outwards",
              [](T test) { return test.passes->sliding_out; })
-      .estimate("settled", kind::length, "deflection that is left for good by the loadings that another pass follows",
+      .estimate("settled", kind::length, "permanent deflection after the loadings that another pass follows",
                 [](T test) { return test.passes->settled; })
       .number("loss_needed",
-              "share of the stiffness that the drops of these loadings would need if they were cracks only",
+              "stiffness loss, as a share, that the drops of these loadings require if they are cracks only",
               [](T test) { return test.passes->loss_needed; })
       .anywhere()
       .count("drops_again",
-             "drops of later loadings before they reach the greatest deflection of this one: slips come again, cracks "
-             "do not",
+             "drops of later loadings below the maximum deflection of this one; slips recur, cracks do not",
              [](T test) { return test.passes->drops_again; })
-      .list("passes", "the passes in the order of time",
+      .list("passes", "the passes in order of time",
             Fields<RecordOfPass>()
                 .all_of(
                     pass_fields(), [](const RecordOfPass& of) -> const auto& { return of.pass; })
                 .own_numbers("deflection", kind::length,
-                             "deflection of the points of the pass, from the turn before it on",
+                             "deflection of the points of the pass, from the reversal before it",
                              [](const RecordOfPass& of) { return of.record.deflection; })
-                .own_numbers("force", kind::force, "force of these points",
+                .own_numbers("force", kind::force, "force at these points",
                              [](const RecordOfPass& of) { return of.record.force; }),
             records_of_passes);
 }
 
-// ---- All of it
+// ---- The whole answer
 
 Fields<Verdict> verdict_of_fit_fields() {
   return Fields<Verdict>()
       .words("code", "slip, slip_and_damage, undecided, crack, settled, no_drops, check_input or no_answer",
              [](const Verdict& verdict) { return name_of(verdict.code); })
-      .words("sentence", "the verdict and what belongs to it, as the screen has it", sentence_of);
+      .words("sentence", "the verdict with its conditions, as on the screen", sentence_of);
 }
 
 Fields<AnswerRow> answer_row_fields() {
   return Fields<AnswerRow>()
       .words("label", "drops, slip or crack, friction, work, reload, stiffness, hangs on or assumed", &AnswerRow::label)
-      .words("words", "what the screen says there", &AnswerRow::words);
+      .words("words", "text of the row on the screen", &AnswerRow::words);
 }
 
 Fields<FindingNumber> finding_number_fields() {
   return Fields<FindingNumber>()
-      .words("name", "what the number is", &FindingNumber::name)
-      .number("value", "in SI units, or reduced if the test is", &FindingNumber::value);
+      .words("name", "meaning of the number", &FindingNumber::name)
+      .number("value", "value in SI units; in reduced variables if the test is reduced", &FindingNumber::value);
 }
 
 Fields<Finding> finding_fields() {
   return Fields<Finding>()
-      .words("code", "a name that stays", &Finding::code)
+      .words("code", "a name that never changes", &Finding::code)
       .words("severity", "refusal, suspicion, doubt, condition, note, passed or unjudged",
              [](const Finding& finding) { return name_of(finding.severity); })
-      .words("sentence", "what was found, as every door prints it", &Finding::sentence)
-      .words("short_form", "a few words, for a table of many tests or a row of one; may be empty", &Finding::short_form)
-      .words("remedy", "what to do; empty where there is nothing to do", &Finding::remedy)
-      .list("numbers", "what the sentence rests on", finding_number_fields(), &Finding::numbers);
+      .words("sentence", "the finding, as printed everywhere", &Finding::sentence)
+      .words("short_form", "a short phrase for tables and rows; may be empty", &Finding::short_form)
+      .words("remedy", "suggested action; empty if there is none", &Finding::remedy)
+      .list("numbers", "the numbers behind the sentence", finding_number_fields(), &Finding::numbers);
 }
 
 Fields<Answer> answer_fields() {
   return Fields<Answer>()
-      .group("verdict", "what the test comes to", verdict_of_fit_fields(), &Answer::verdict)
+      .group("verdict", "overall verdict on the test", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
-      .list("findings", "all that was found out, the weightiest first", finding_fields(), &Answer::findings)
-      .words("next", "the one step that would tell most; empty where there is none", &Answer::next);
+      .list("findings", "all findings, most serious first", finding_fields(), &Answer::findings)
+      .words("next", "the most informative next step; empty if there is none", &Answer::next);
 }
 
 // Domain: judgement is given.
@@ -275,79 +271,84 @@ Fields<FittedTest> judgement_fields() {
   return Fields<FittedTest>()
       .number("cracks_alone", "probability that the drops are cracks only: causes.cracks",
               [](T test) { return test.judgement.causes.cracks; })
-      .group("causes", "probabilities of what made the drops; null where no drops are judged",
-             Fields<Causes>()
-                 .number("slips", "slips only; without a reload it is reliable below .5", &Causes::slips)
-                 .number("cracks", "cracks only", &Causes::cracks)
-                 .number("both", "slips and cracks; null without a reload, which alone tells it from slips only",
-                         &Causes::both),
-             [](T test) {
-               Causes causes = test.judgement.causes;
-               if (!is_reloaded(test.analysis)) causes.both = not_a_number;
-               return causes;
-             })
+      .group(
+          "causes", "probabilities of the causes of the drops; null if no drops are judged",
+          Fields<Causes>()
+              .number("slips", "slips only; without a reload it is reliable below 0.5", &Causes::slips)
+              .number("cracks", "cracks only", &Causes::cracks)
+              .number(
+                  "both",
+                  "slips and cracks; null without a reload, because only a reload distinguishes this from slips only",
+                  &Causes::both),
+          [](T test) {
+            Causes causes = test.judgement.causes;
+            if (!is_reloaded(test.analysis)) causes.both = not_a_number;
+            return causes;
+          })
       .only_where([](T test) { return test.passes && test.passes->is_reloaded; })
-      .number("stiffness_lost", "share of the stiffness lost between the first loading and the last pass",
+      .number("stiffness_lost", "share of the stiffness lost from the first loading to the last pass",
               [](T test) { return test.passes->loss.value; })
       .number("stiffness_lost_error", "standard error of stiffness_lost",
               [](T test) { return test.passes->loss.standard_error; })
       .anywhere();
 }
 
-bool tells_friction_work(const MeasuredEnergy& energy) { return std::isfinite(energy.friction_share); }
+bool has_friction_share(const MeasuredEnergy& energy) { return std::isfinite(energy.friction_share); }
 
-// Of the whole record up to failure, what friction took off the work under the curve.
+// The energy account of the record up to failure.
 Fields<MeasuredEnergy> measured_energy_fields() {
   const auto part = [](double EnergyAccount::*of) {
     return [of](const MeasuredEnergy& energy) { return energy.account.*of; };
   };
   return with_work<MeasuredEnergy>(
              Fields<MeasuredEnergy>()
-                 .number("bending", kind::energy, "energy stored in the bent specimen", part(&EnergyAccount::bending))
-                 .only_where(tells_friction_work)
+                 .number("bending", kind::energy, "bending energy of the specimen", part(&EnergyAccount::bending))
+                 .only_where(has_friction_share)
                  .number("friction", kind::energy, "heat of friction at the supports", part(&EnergyAccount::friction))
-                 .number("snaps", kind::energy, "energy lost in drops beyond friction", part(&EnergyAccount::snaps))
+                 .number("snaps", kind::energy, "energy lost in drops in excess of friction",
+                         part(&EnergyAccount::snaps))
                  .anywhere(),
              &MeasuredEnergy::work_of_fracture, &MeasuredEnergy::friction_share)
       .numbers(
           "friction_share_interval95", kind::number,
-          "95 % interval of friction_share, by the errors of all that is stated of the rig, with no stiffness lost",
+          "95 % interval of friction_share, from the uncertainties of the inputs, with no stiffness lost",
           [](const MeasuredEnergy& energy) {
             const Estimate share = energy.share();
             return std::isfinite(share.standard_error) ? std::vector{share.low, share.high} : std::vector<double>();
           });
 }
 
-// By the quantity, as told.
 Fields<Sensitivity> sensitivity_fields() {
   return Fields<Sensitivity>()
       .words("quantity",
              "bending_stiffness, load_train, span, force_gain, contact, preload, thickness or support_radius",
              &Sensitivity::quantity)
-      .words("title", "the same in words", &Sensitivity::title)
-      .words("stated", "what the case states of it, or what is taken instead", &Sensitivity::stated)
-      .words("may_be_off", "by how much it may be off; of what is taken for none, what the effect is told for",
+      .words("title", "title of the quantity", &Sensitivity::title)
+      .words("stated", "value stated in the case, or the assumed value", &Sensitivity::stated)
+      .words("may_be_off",
+             "uncertainty, as one standard deviation; for a quantity assumed to be absent, the amount for which the "
+             "effects are given",
              &Sensitivity::may_be_off)
       .number("friction",
-              "by how much the mean friction would be told larger by the whole of it, or a metre or span of it",
+              "derivative of the mean friction with respect to the relative error of the quantity, or to its error in "
+              "metres or spans",
               &Sensitivity::friction)
-      .number("friction_moves",
-              "by how much the mean friction would be told larger, were it stated larger by what it may be off",
+      .number("friction_moves", "increase in the mean friction if the stated value were larger by its uncertainty",
               &Sensitivity::friction_moves)
-      .number("work_moves", "by how much friction's share of the work would, likewise", &Sensitivity::work_moves);
+      .number("work_moves", "increase in the friction share of the work for the same change", &Sensitivity::work_moves);
 }
 
 Fields<Correlation> parameter_correlation_fields() {
   return Fields<Correlation>()
       .words("of", "parameter", [](const Correlation& each) { return std::string(each.of); })
-      .words("with", "another", [](const Correlation& each) { return std::string(each.with); })
+      .words("with", "another parameter", [](const Correlation& each) { return std::string(each.with); })
       .number("correlation",
-              "correlation of their errors; of bending_stiffness, roughness and correlation_length that of "
+              "correlation of their errors; for bending_stiffness, roughness and correlation_length, of the errors of "
               "their logarithms",
               &Correlation::value);
 }
 
-// Of the parameters that the answer has.
+// The correlations between the parameters in the answer.
 std::vector<Correlation> correlations_of(T test) {
   if (!is_fitted(test)) return {};
   std::vector<Correlation> correlations = test.analysis.fit.correlations;
@@ -361,39 +362,40 @@ Fields<FittedTest> measurement_fields() {
   const auto of = [](auto get) { return [get](T test) { return get(test.measurement); }; };
   return Fields<FittedTest>()
       .count("rows", "rows of the file", of([](M m) { return m.rows; }))
-      .count("first_row", "first row of the file that is evaluated", [](T test) { return file_row(test, 0); })
-      .count("last_row", "last row of the file that is evaluated", [](T test) { return last_row(test); })
+      .count("first_row", "first evaluated row of the file", [](T test) { return file_row(test, 0); })
+      .count("last_row", "last evaluated row of the file", [](T test) { return last_row(test); })
       .words(
-          "ends_with", "what ends the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
+          "ends_with",
+          "reason for the end of the evaluated loading: last_row, until, failure, turn or overload (of the load cell)",
           of([](M m) {
             return name_in_order<MeasurementEnd::overload>(m.end, {"last_row", "until", "failure", "turn", "overload"});
           }))
       .only_where(of([](M m) { return m.relaxation.has_value(); }))
-      .estimate("relaxation", kind::number, "share of the force lost while the stage rests, in all rests together",
+      .estimate("relaxation", kind::number, "share of the force lost while the stage is stationary, over all stops",
                 of([](M m) { return m.relaxation->share; }))
       .anywhere();
 }
 
 Fields<FittedTest> contact_fields() {
   return Fields<FittedTest>().words(
-      "source", "where the contact comes from: stated, found, or first_point of the file", [](T test) {
+      "source", "source of the contact point: stated, found, or first_point of the file", [](T test) {
         return name_in_order<ContactSource::first_point>(test.measurement.contact, {"stated", "found", "first_point"});
       });
 }
 
 Fields<FittedTest> nominal_stiffness_fields() {
   return Fields<FittedTest>()
-      .own("nominal", kind::bending_stiffness, "EI known before the fit",
+      .own("nominal", kind::bending_stiffness, "nominal EI, before the fit",
            [](T test) { return test.analysis.scales.bending_stiffness(); })
       .number("relative_error", "relative standard deviation of EI",
               [](T test) { return test.analysis.bending_stiffness_error; })
-      .words("source", "where EI comes from: stated, stated_without_uncertainty or initial_slope",
+      .words("source", "source of EI: stated, stated_without_uncertainty or initial_slope",
              [](T test) { return name_of(test.stiffness); });
 }
 
 Fields<InputFile> input_fields() {
   return Fields<InputFile>()
-      .words("name", "name of the file, as it was given", &InputFile::name)
+      .words("name", "name of the file, as given", &InputFile::name)
       .words("sha256", "SHA-256 of the file; null for standard input",
              [](const InputFile& file) { return file.sha256.empty() ? std::nullopt : std::optional(file.sha256); });
 }
@@ -401,15 +403,15 @@ Fields<InputFile> input_fields() {
 Fields<Provenance> provenance_fields() {
   return Fields<Provenance>()
       .words("version", "version of the program", &Provenance::version)
-      .list("inputs", "files that were read", input_fields(), &Provenance::inputs)
+      .list("inputs", "input files", input_fields(), &Provenance::inputs)
       .group("options", "options of the analysis", analysis_fields(), &Provenance::options)
-      .words("case", "case as TOML, even if it was given by flags", &Provenance::test);
+      .words("case", "the case as TOML, including values given by options", &Provenance::test);
 }
 
 Fields<FittedTest> every_fit_field() {
   const auto analysis = [](auto part) { return [part](T test) { return test.analysis.*part; }; };
   return Fields<FittedTest>()
-      .words("status", "ok, or why there is no answer: too_few_points (bent too little), not_explained",
+      .words("status", "ok; without an answer too_few_points (deflection too small) or not_explained",
              [](T test) { return status_of(test); })
       .words("name", "name of the test", &FittedTest::name)
       .only_where(is_fitted)
@@ -419,31 +421,31 @@ Fields<FittedTest> every_fit_field() {
       .all_of(answer_fields(), [](T test) { return answer_of(test); })
       .words("category", "how clear the sawtooth is: clear, nominal or none",
              [](T test) { return name_of(test.analysis.category); })
-      .yes_no("suspect", "a finding of severity refusal or suspicion stands against the answer",
+      .yes_no("suspect", "the answer has a finding of severity refusal or suspicion",
               [](T test) { return is_suspect(findings_of(test)); })
       .group("parameters", "fitted parameters of the friction model", parameter_fields())
       .only_where(is_fitted)
       .yes_no("snaps_overshoot",
-              "whether snaps carry the specimen beyond the nearest stable state, as stated or as the record shows",
+              "snaps carry the specimen past the nearest stable state, as stated or as determined from the record",
               [](T test) { return test.analysis.fit.overshoots; })
       .number("residual_rms", kind::force,
-              "root mean square difference between the force and the mean of the fit run forward",
+              "root mean square difference between the measured force and the simulated best-fit profile",
               [](T test) { return test.analysis.fit.residual_rms; })
       .anywhere()
       .list("sensitivities",
-            "what the answer hangs on, to first order, what moves friction most first; empty without an answer, or of "
-            "a constant",
+            "first-order sensitivity of the answer to each input, largest effect on friction first; empty without an "
+            "answer, or with a constant friction",
             sensitivity_fields(), sensitivities_of)
       .list("correlations",
-            "how pairs of the parameters go together, each pair once; empty without an answer, or of a constant",
+            "correlations between pairs of parameters; empty without an answer, or with a constant friction",
             parameter_correlation_fields(), correlations_of)
-      .group("wave", "likeliest wave of friction, claimed or not; null without one", likeliest_wave_fields(),
+      .group("wave", "most probable wave of friction, detected or not; null without one", most_probable_wave_fields(),
              [](T test) {
                const FrictionFit& fit = test.analysis.fit;
                return is_fitted(test) && !fit.waves.empty() && tells_variation(fit) ? &test : nullptr;
              })
       .group(
-          "judgement", "the probability that the drops are cracks only, and the loss of stiffness that a reload shows",
+          "judgement", "probability that the drops are cracks only, and the stiffness loss shown by a reload",
           judgement_fields(), [](T test) -> const auto& { return test; })
       .list("drops", "drops of the force", drop_fields(),
             [](T test) {
@@ -452,38 +454,35 @@ Fields<FittedTest> every_fit_field() {
               return drops;
             })
       .group(
-          "slips", "drops that can be slips at the stated bending stiffness, read off at that of the fit",
+          "slips", "drops that can be slips at the stated bending stiffness, evaluated at the fitted one",
           slips_fields(), [](T test) -> const auto& { return test.analysis; })
       .only_where(is_fitted)
       .group("energy",
-             "where the work went, from contact to failure, computed from the measured points at the bending stiffness "
-             "of the fit",
+             "energy account from contact to failure, from the measured points at the fitted bending stiffness",
              measured_energy_fields(), analysis(&TestAnalysis::energy))
       .anywhere()
-      .group("passes", "all passes of a test that was unloaded, fitted together; null otherwise", passes_fields(),
+      .group("passes", "joint fit of all passes of a test with unloading; null otherwise", passes_fields(),
              [](T test) { return test.passes ? &test : nullptr; })
-      .group("band", "friction along the specimen, from the fit", band_fields())
-      .group(
-          "small_deflection", "the straight part of the curve, beside the fit",
-          Fields<FittedTest>().number("over_fit", "bending stiffness of the straight part divided by that of the fit",
-                                      [](T test) {
-                                        const auto beside = small_deflection_beside_fit(test);
-                                        return beside ? std::optional(beside->ratio) : std::nullopt;
-                                      }))
-      .group("measurement", "part of the file that is evaluated", measurement_fields())
+      .group("band", "fitted friction along the specimen", band_fields())
+      .group("small_deflection", "comparison of the linear region with the fit",
+             Fields<FittedTest>().number(
+                 "over_fit", "bending stiffness of the linear region divided by the fitted bending stiffness",
+                 [](T test) {
+                   const auto comparison = compare_stiffness(test);
+                   return comparison ? std::optional(comparison->ratio) : std::nullopt;
+                 }))
+      .group("measurement", "evaluated part of the file", measurement_fields())
       .list("preparation", "steps from the file to the record", preparation_fields(),
             [](T test) { return test.measurement.preparation; })
       .group("contact", "point of first contact with the specimen", contact_fields())
-      .group("nominal_bending_stiffness", "what was known about EI before the fit", nominal_stiffness_fields())
-      .group(
-          "draws", "profiles that --draws writes",
-          Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
-                                       "EI that belongs to each profile, in the unit of parameters.bending_stiffness",
-                                       [](T test) { return test.analysis.fit.draw_stiffness; }))
-      .list("profile",
-            "friction along the specimen, read off the curve point by point at the bending stiffness of the fit",
-            read_friction_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
-      .group("provenance", "what the same version needs to give the same answer", provenance_fields(),
+      .group("nominal_bending_stiffness", "bending stiffness EI before the fit", nominal_stiffness_fields())
+      .group("draws", "posterior samples of the profile, written by --draws",
+             Fields<FittedTest>().numbers("bending_stiffness", kind::bending_stiffness,
+                                          "EI of each sample, in the unit of parameters.bending_stiffness",
+                                          [](T test) { return test.analysis.fit.draw_stiffness; }))
+      .list("profile", "friction along the specimen, inverted point by point at the fitted bending stiffness",
+            pointwise_friction_fields(), [](T test) { return points_of(test.analysis.record, profile_of(test)); })
+      .group("provenance", "inputs that reproduce the answer with the same version", provenance_fields(),
              &FittedTest::provenance);
 }
 

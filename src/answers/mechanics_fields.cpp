@@ -5,11 +5,11 @@
 namespace flexslip {
 namespace {
 
-// Of a jump: where it begins and ends.
+// The start and the end of a jump.
 template <class Jump>
 Fields<Jump> jump_fields() {
   return Fields<Jump>()
-      .number("stage", kind::length, "stage position, which stays the same", &Jump::stage)
+      .number("stage", kind::length, "stage position, constant during the jump", &Jump::stage)
       .number("deflection_before", kind::length, "deflection before the jump",
               [](const Jump& jump) { return jump.before.w; })
       .number("deflection_after", kind::length, "deflection after the jump",
@@ -20,36 +20,34 @@ Fields<Jump> jump_fields() {
 
 Fields<Snap> snap_fields() {
   return jump_fields<Snap>()
-      .number("length_before", kind::length,
-              "length between the supports before the snap: the span and what was pulled in",
+      .number("length_before", kind::length, "span plus sliding length before the snap",
               [](const Snap& snap) { return snap.before.S; })
-      .number("length_after", kind::length,
-              "length between the supports after the snap: the span and what was pulled in",
+      .number("length_after", kind::length, "span plus sliding length after the snap",
               [](const Snap& snap) { return snap.after.S; })
       .number("friction", kind::energy, "heat of friction in the snap", &Snap::friction)
-      .number("released", kind::energy, "energy that the snap sets free beyond friction", &Snap::released);
+      .number("released", kind::energy, "energy released by the snap in excess of friction", &Snap::released);
 }
 
 Fields<CrackOpened> crack_fields() {
   return jump_fields<CrackOpened>()
-      .number("left", "share of the initial bending stiffness that is left after the crack",
+      .number("left", "share of the initial bending stiffness that remains after the crack",
               [](const CrackOpened& crack) { return crack.after.left; })
-      .number("released", kind::energy, "energy that the crack sets free", &CrackOpened::released);
+      .number("released", kind::energy, "energy released by the crack", &CrackOpened::released);
 }
 
-// Of a stretch of a test, or of all of it, but for what is set free at once.
+// The energy account of a test or of a part of it, without the energy released by jumps.
 Fields<EnergyAccount> steady_energy_fields() {
   return Fields<EnergyAccount>()
       .number("stage_work", kind::energy, "work of the stage", &EnergyAccount::stage_work)
-      .number("bending", kind::energy, "energy stored in the bent specimen", &EnergyAccount::bending)
+      .number("bending", kind::energy, "bending energy of the specimen", &EnergyAccount::bending)
       .number("load_train", kind::energy, "energy stored in the load train", &EnergyAccount::load_train)
       .number("friction", kind::energy, "heat of friction at the supports", &EnergyAccount::friction);
 }
 
 Fields<EnergyAccount> part_fields() {
   return steady_energy_fields()
-      .number("snaps", kind::energy, "energy set free by snaps beyond friction", &EnergyAccount::snaps)
-      .number("cracks", kind::energy, "energy set free by cracks", &EnergyAccount::cracks);
+      .number("snaps", kind::energy, "energy released by snaps in excess of friction", &EnergyAccount::snaps)
+      .number("cracks", kind::energy, "energy released by cracks", &EnergyAccount::cracks);
 }
 
 Fields<SimulatedLeg> simulated_leg_fields() {
@@ -59,8 +57,8 @@ Fields<SimulatedLeg> simulated_leg_fields() {
              [](L leg) {
                return name_in_order<Direction::unloading>(leg.direction, {"loading", "unloading"});
              })
-      .own("from", kind::length, "stage position where the leg begins", &SimulatedLeg::from)
-      .own("to", kind::length, "stage position where the leg ends", &SimulatedLeg::to)
+      .own("from", kind::length, "stage position at the start of the leg", &SimulatedLeg::from)
+      .own("to", kind::length, "stage position at the end of the leg", &SimulatedLeg::to)
       .all_of(part_fields(), &SimulatedLeg::change)
       .number("work_of_fracture", kind::energy, "work on the specimen", &SimulatedLeg::work_of_fracture);
 }
@@ -84,39 +82,40 @@ Fields<SimulatedPoint> path_fields(const PathColumns& columns) {
       .own("length", kind::length, "length of the specimen's axis between the contacts", &SimulatedPoint::length)
       .titled("S")
       .number("q", "mobilised friction", &SimulatedPoint::q)
-      .words("motion", "how the specimen moves: stick, slip_in, slip_out, snap, crack, apart (the nose lifts off)",
+      .words("motion",
+             "motion of the specimen: stick, slip_in, slip_out, snap, crack, or apart (no contact at the nose)",
              &SimulatedPoint::motion);
   if (columns.three_lengths)
     fields
-        .own("drawn_in", kind::length, "length that has slid past the first contacts, over both supports",
+        .own("drawn_in", kind::length,
+             "sliding length: length that has slid in past the first contacts, over both supports",
              &SimulatedPoint::drawn_in)
         .own("imaged", kind::length,
-             "length of the axis between the verticals through the supports, as a camera sees it",
+             "length of the axis between the vertical planes through the supports, as in a side-view image",
              &SimulatedPoint::imaged);
   if (columns.surface)
     fields.number("strain", "bending strain of the surface at midspan", &SimulatedPoint::strain)
         .own("stress", kind::pressure, "bending stress of the surface at midspan", &SimulatedPoint::stress);
   if (columns.two_sides)
-    fields.own("left", kind::length, "length pulled in over the first support", &SimulatedPoint::left)
-        .own("right", kind::length, "length pulled in over the other support", &SimulatedPoint::right);
+    fields.own("left", kind::length, "length that has slid in over the first support", &SimulatedPoint::left)
+        .own("right", kind::length, "length that has slid in over the other support", &SimulatedPoint::right);
   if (columns.energies) fields.all_of(part_fields(), &SimulatedPoint::energy);
   return fields;
 }
 
 Fields<Simulation> simulation_fields(const PathColumns& columns) {
   return Fields<Simulation>()
-      .words("status", "whether the path is complete: ok, or why it ends early: slipped_through, contact_lost",
-             &Simulation::status)
+      .words("status", "ok; if the path ends early, slipped_through or contact_lost", &Simulation::status)
       .group("units", "units of plain numbers", units_of_numbers<Simulation>())
       .list("path", "path of the test, point by point", path_fields(columns), &Simulation::path)
       .list("snaps", "snaps of the specimen", snap_fields(), &Simulation::snaps)
-      .list("cracks", "stated cracks, where they opened", crack_fields(), &Simulation::cracks)
+      .list("cracks", "stated cracks that opened", crack_fields(), &Simulation::cracks)
       .number("wraps_nose_from", kind::length,
-              "stage position from which the specimen wraps the nose; null if it does not",
+              "stage position from which the specimen wraps around the nose; null if it does not",
               &Simulation::wraps_nose_from)
-      .list("legs", "legs from turn to turn of the stage, with the change of each energy", simulated_leg_fields(),
+      .list("legs", "legs between reversals of the stage, with the change of each energy", simulated_leg_fields(),
             &Simulation::legs)
-      .group("energy", "where the work went, from the start to the end", whole_energy_fields(), &Simulation::energy);
+      .group("energy", "energy account from start to end", whole_energy_fields(), &Simulation::energy);
 }
 
 }  // namespace flexslip

@@ -1,4 +1,4 @@
-// What a test does, as answers tell it, described once: its path, its snaps and cracks, and where the energy goes; and all that `simulate` tells.
+// The fields of simulated tests: path, snaps, cracks, energy account; and of `simulate`.
 #pragma once
 
 #include "bending_test/history.h"
@@ -7,7 +7,7 @@
 
 namespace flexslip {
 
-// The units of all plain numbers of an answer; of any row.
+// The units of all plain numbers of an answer.
 template <class Row>
 Fields<Row> units_of_numbers() {
   const auto unit = [](const Kind& kind) {
@@ -19,7 +19,7 @@ Fields<Row> units_of_numbers() {
       .words("energy", "of energies", unit(kind::energy));
 }
 
-// An account with what it says of the work of fracture.
+// The fields of an energy account with the work of fracture.
 template <class Account>
 Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<Account> friction_share) {
   return fields
@@ -29,20 +29,20 @@ Fields<Account> with_work(Fields<Account> fields, Getter<Account> work, Getter<A
               std::move(friction_share));
 }
 
-// Which fields of a point are told.
+// The optional columns of a path.
 struct PathColumns {
   bool surface, three_lengths, two_sides, energies;
 };
 inline constexpr PathColumns all_columns{true, true, true, true};
 
-// Those that a test has.
+// The columns that a test has.
 inline PathColumns columns_of(const Simulation& test, bool energies) {
   return {test.has_surface, test.has_three_lengths, test.has_two_sides, energies};
 }
 
 Fields<SimulatedPoint> path_fields(const PathColumns& columns);
 
-// Of `simulate --json`.
+// The fields of `simulate --json`.
 Fields<Simulation> simulation_fields(const PathColumns& columns);
 
 }  // namespace flexslip

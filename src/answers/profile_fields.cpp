@@ -11,8 +11,8 @@
 
 namespace flexslip {
 
-std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& profile) {
-  std::vector<ReadPoint> points;
+std::vector<PointOfProfile> points_of(const Record& record, const FrictionProfile& profile) {
+  std::vector<PointOfProfile> points;
   points.reserve(profile.points.size());
   for (const ProfilePoint& point : profile.points) points.push_back({record, point});
   return points;
@@ -20,29 +20,29 @@ std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& pr
 
 namespace {
 
-Fields<ReadPoint> place_fields() {
-  using P = const ReadPoint&;
-  return Fields<ReadPoint>()
+Fields<PointOfProfile> place_fields() {
+  using P = const PointOfProfile&;
+  return Fields<PointOfProfile>()
       .number("length", kind::length, "length of the specimen's axis between the contacts",
               [](P p) { return p.point.length; })
       .titled("S")
-      .number("mu", "mobilised friction: the coefficient of friction while the specimen slides",
+      .number("mu", "mobilised friction; equal to the friction coefficient while the specimen slides",
               [](P p) { return p.point.mu; })
       .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })
-      .number("mu_error_force", "part of mu_error from the noise of the force, without what moves all points together",
+      .number("mu_error_force", "part of mu_error due to force noise, without errors common to all points",
               [](P p) { return p.point.from_force; });
 }
 
-Fields<ReadPoint> row_fields() {
-  return Fields<ReadPoint>().row("row", "row of the file", [](const ReadPoint& p) { return p.point.index; });
+Fields<PointOfProfile> row_fields() {
+  return Fields<PointOfProfile>().row("row", "row of the file", [](const PointOfProfile& p) { return p.point.index; });
 }
 
 }  // namespace
 
-Fields<ReadPoint> read_friction_fields() { return row_fields().all_of(place_fields()); }
+Fields<PointOfProfile> pointwise_friction_fields() { return row_fields().all_of(place_fields()); }
 
-Fields<ReadPoint> profile_fields() {
-  using P = const ReadPoint&;
+Fields<PointOfProfile> profile_fields() {
+  using P = const PointOfProfile&;
   const auto measured = [](std::vector<double> Record::*column) {
     return [column](P p) { return (p.record.*column)[p.point.index]; };
   };
@@ -51,19 +51,20 @@ Fields<ReadPoint> profile_fields() {
       .titled("w_s")
       .own("deflection", kind::length, "deflection at midspan", measured(&Record::deflection))
       .titled("w")
-      .own("force", kind::force, "force measured", measured(&Record::force))
+      .own("force", kind::force, "measured force", measured(&Record::force))
       .titled("F")
       .all_of(place_fields())
-      .number("drawn_in", kind::length, "length pulled in (both supports)", [](P p) { return p.point.S - 1; })
+      .number("drawn_in", kind::length, "sliding length: length that has slid in over both supports",
+              [](P p) { return p.point.S - 1; })
       .number("imaged", kind::length,
-              "length of the axis between the verticals through the supports, as a camera sees it",
+              "length of the axis between the vertical planes through the supports, as in a side-view image",
               [](P p) { return p.point.imaged; });
 }
 
 Fields<InvertedTest> inverted_test_fields() {
   using T = const InvertedTest&;
   return Fields<InvertedTest>()
-      .words("status", "whether friction was read off: ok, or nothing_explained",
+      .words("status", "ok, or nothing_explained if friction explains no row",
              [](T test) { return test.profile.points.empty() ? "nothing_explained" : "ok"; })
       .group("units", "units of plain numbers", units_of_numbers<InvertedTest>())
       .group(
@@ -71,18 +72,19 @@ Fields<InvertedTest> inverted_test_fields() {
           Fields<BendingStiffnessUsed>()
               .own("value", kind::bending_stiffness, "EI", &BendingStiffnessUsed::value)
               .number("relative_error", "relative standard deviation of EI", &BendingStiffnessUsed::relative_error)
-              .words("source", "where EI comes from: stated, stated_without_uncertainty or initial_slope",
+              .words("source", "source of EI: stated, stated_without_uncertainty or initial_slope",
                      [](const BendingStiffnessUsed& used) { return name_of(used.source); }),
           [](T test) -> const auto& { return test.stiffness; })
-      .own("contact_offset", kind::length, "displacement of the contact, subtracted from stage and deflection",
+      .own("contact_offset", kind::length,
+           "displacement at the contact point; it is subtracted from stage and deflection",
            [](T test) { return test.measurement.contact_offset; })
       .own("force_noise", kind::force, "standard deviation of one force reading",
            [](T test) { return test.measurement.force_noise; })
-      .count("last_row", "last row of the file that is evaluated",
+      .count("last_row", "last evaluated row of the file",
              [](T test) { return last_file_row(test.measurement, test.measurement.record.force.size() - 1); })
       .list("profile", "friction along the specimen, point by point", profile_fields(),
             [](T test) { return points_of(test.measurement.record, test.profile); })
-      .own_numbers("unexplained", kind::number, "rows of the file that no friction explains", [](T test) {
+      .own_numbers("unexplained", kind::number, "rows of the file without a solution for friction", [](T test) {
         std::vector<std::size_t> rows;
         for (const std::size_t point : test.profile.unexplained) rows.push_back(file_row(test.measurement, point));
         return rows;
@@ -101,10 +103,10 @@ Fields<BandPlace> draw_fields(std::span<const std::string> names) {
   fields
       .number("length", kind::length, "length between the contacts",
               [](P p) { return p.fit->between_contacts(p.fit->band.S[p.i]); })
-      .number("mu", "friction, mean of the fit", [](P p) { return p.fit->mean.mu[p.i]; })
+      .number("mu", "best-fit friction", [](P p) { return p.fit->mean.mu[p.i]; })
       .number("deviation", "standard deviation of friction", [](P p) { return p.fit->band.deviation[p.i]; });
-  for (std::size_t k = 0; k < names.size(); ++k)  // all over the lengths of the band
-    fields.number(names[k], "friction of a profile drawn from the fit", [k](P p) { return p.fit->draws[k].mu[p.i]; });
+  for (std::size_t k = 0; k < names.size(); ++k)
+    fields.number(names[k], "friction of a posterior sample", [k](P p) { return p.fit->draws[k].mu[p.i]; });
   return fields;
 }
 
@@ -132,19 +134,19 @@ Fields<CurvePoint> curve_fields() {
       .titled("w_s")
       .own("deflection", kind::length, "deflection at midspan", own(&Record::deflection))
       .titled("w")
-      .own("force", kind::force, "force measured", own(&Record::force))
+      .own("force", kind::force, "measured force", own(&Record::force))
       .titled("F")
-      .number("model_force", kind::force, "force of the mean of the fit, run forward",
+      .number("model_force", kind::force, "simulated force of the best-fit profile",
               there([](const TestAnalysis& a) -> const auto& { return a.fit.force; }))
-      .number("replay_force", kind::force, "force of the measured profile, run forward as a table",
+      .number("replay_force", kind::force, "simulated force of the measured profile, used as a table",
               there([](const TestAnalysis& a) -> const auto& { return a.replay.force; }))
-      .number("deflection_off", kind::length,
-              "what the fit adds to the deflection read, as the rig is found to be off by it",
+      .number("deflection_off", kind::length, "fitted correction of the measured deflection for errors of the rig",
               correction(&Shift::deflection))
-      .number("force_off", kind::force, "likewise, to the force read", correction(&Shift::force))
+      .number("force_off", kind::force, "fitted correction of the measured force for errors of the rig",
+              correction(&Shift::force))
       .number("length", kind::length, "length between the contacts", read(&ProfilePoint::length))
       .titled("S")
-      .number("mu", "friction read off at this row", read(&ProfilePoint::mu))
+      .number("mu", "friction inverted at this row", read(&ProfilePoint::mu))
       .number("mu_error", "standard error of mu", read(standard_error));
 }
 
@@ -163,14 +165,15 @@ void write_profile(const std::string& path, const FittedTest& test) {
 ResultTable draw_table(const FittedTest& test) {
   const auto& fit = test.analysis.fit;
   if (!is_fitted(test)) throw std::invalid_argument("a test without a fit has no draws");
-  // Over rising lengths between the contacts, as simulate reads a table: those on the side of the middle where rollers take some off at first.
-  const auto rolls_back = [&](std::size_t i) {
+  // simulate needs a table with increasing lengths between the contacts. On rollers the length first
+  // decreases; only the branch that contains the middle of the band is written.
+  const auto moves_outward = [&](std::size_t i) {
     return fit.along.contact_moves_outward_at(fit.along.at(fit.band.S[i]));
   };
   std::vector<BandPlace> places;
   for (std::size_t i = 0; i < fit.band.S.size(); ++i)
-    if (rolls_back(i) == rolls_back(fit.band.S.size() / 2)) places.push_back({&fit, i});
-  if (rolls_back(places.front().i)) std::reverse(places.begin(), places.end());
+    if (moves_outward(i) == moves_outward(fit.band.S.size() / 2)) places.push_back({&fit, i});
+  if (moves_outward(places.front().i)) std::reverse(places.begin(), places.end());
   std::vector<std::string> names;
   for (std::size_t k = 0; k < fit.draws.size(); ++k) names.push_back(fmt::format("draw_{}", k + 1));
   return tabulated("draws", draw_fields(names), places, frame_of(test));

@@ -1,4 +1,5 @@
-// Friction read off a curve point by point, as `fit` and `invert` tell it, and the other tables of a fit, that a user may restyle or read into Excel.
+// The fields of friction determined point by point (`fit`, `invert`), and the other tables of a
+// fit.
 #pragma once
 
 #include <cstddef>
@@ -15,45 +16,45 @@
 
 namespace flexslip {
 
-// A point of a profile and the record that it was read off.
-struct ReadPoint {
+// A point of a profile with its record.
+struct PointOfProfile {
   const Record& record;  // in the unit of the test
   const ProfilePoint& point;
 };
 
-std::vector<ReadPoint> points_of(const Record& record, const FrictionProfile& profile);
+std::vector<PointOfProfile> points_of(const Record& record, const FrictionProfile& profile);
 
-// Friction at the rows of a file, and all that is read off there.
-Fields<ReadPoint> read_friction_fields();
-Fields<ReadPoint> profile_fields();
+// The friction at the rows of a file, with everything determined there.
+Fields<PointOfProfile> pointwise_friction_fields();
+Fields<PointOfProfile> profile_fields();
 
-// Of `invert --json` of a case, and its frame, which the test must outlive.
+// The fields of `invert --json` of a case, and its frame. The test must outlive the frame.
 Fields<InvertedTest> inverted_test_fields();
 Frame frame_of(const InvertedTest& test);
 
-// A point of the record with what was read there, and what the fit says.
+// A point of the record with its pointwise friction and the fit.
 struct CurvePoint {
   const FittedTest& test;
   std::size_t i;
-  const ProfilePoint* read;  // null where none was
+  const ProfilePoint* read;  // null if there is none
 };
 Fields<CurvePoint> curve_fields();
 
-// A place along the specimen, in the band of a fit.
+// A point along the specimen, in the band of a fit.
 struct BandPlace {
   const FrictionFit* fit;
   std::size_t i;
 };
-// With the names of its draws, which must outlive the fields.
+// The names of the posterior samples must outlive the fields.
 Fields<BandPlace> draw_fields(std::span<const std::string> names);
 
 void write_curves(const std::string& path, const FittedTest& test);
 
-// As profile_fields.
+// Writes profile_fields.
 void write_profile(const std::string& path, const FittedTest& test);
 
-// Friction along the specimen as the model "table" of a case takes it: length, mu (the mean of the fit), deviation, and draw_1,
-// draw_2, …: profiles that explain the record as well.
+// Writes friction along the specimen in the format of the model "table": length, mu (mean of the
+// fit), deviation, and the posterior samples draw_1, draw_2, ….
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
 void write_draws(const std::string& path, const FittedTest& test);
 ResultTable draw_table(const FittedTest& test);

@@ -17,7 +17,7 @@ std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, 
 
 Fields<Chord> chord_fields() {
   return Fields<Chord>()
-      .own_numbers("strain", kind::number, "flexural strains between which the chord is drawn",
+      .own_numbers("strain", kind::number, "flexural strains at the ends of the chord",
                    [](const Chord&) {
                      return std::vector{0.0005, 0.0025};
                    })
@@ -25,21 +25,20 @@ Fields<Chord> chord_fields() {
                    [](const Chord& chord) {
                      return std::vector{chord.deflection_from, chord.deflection_to};
                    })
-      .own_estimate("stiffness", kind::stiffness, "force over deflection between the ends of the chord",
-                    &Chord::stiffness)
+      .own_estimate("stiffness", kind::stiffness, "slope ΔF/Δw between the ends of the chord", &Chord::stiffness)
       .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as defined by ISO 178",
                     [](const Chord& chord) { return with_error_of_slope(chord.modulus, chord.stiffness); });
 }
 
 Fields<StandardTest> window_fields() {
   return Fields<StandardTest>()
-      .number("from", "beginning of the straight part, as a share of of_force",
+      .number("from", "start of the linear region, as a share of of_force",
               [](const StandardTest& t) { return t.numbers.window.from; })
-      .number("up_to", "end of the straight part, as a share of of_force",
+      .number("up_to", "end of the linear region, as a share of of_force",
               [](const StandardTest& t) { return t.numbers.window.up_to; })
-      .own("of_force", kind::force, "greatest force reached at a small deflection",
+      .own("of_force", kind::force, "maximum force at small deflection",
            [](const StandardTest& t) { return t.numbers.window_force; })
-      .own_numbers("rows", kind::number, "first and last row of the straight part in the file",
+      .own_numbers("rows", kind::number, "first and last row of the linear region in the file",
                    [](const StandardTest& t) {
                      return std::vector{file_row(t.measurement, t.numbers.first),
                                         last_file_row(t.measurement, t.numbers.last - 1)};
@@ -67,17 +66,18 @@ auto ends(ShareRange FrictionGain::*range) {
 
 Fields<FrictionGain> friction_gain_fields() {
   return Fields<FrictionGain>()
-      .own_numbers("mu", kind::number, "least and greatest friction", ends(&FrictionGain::friction))
-      .yes_no("stated", "the call or the case states it; otherwise it is the usual one", &FrictionGain::is_stated)
-      .yes_no("turns", "rollers turn on their pins before friction gets to the greatest, which limits it",
+      .own_numbers("mu", kind::number, "minimum and maximum friction", ends(&FrictionGain::friction))
+      .yes_no("stated", "stated in the call or the case; otherwise a default", &FrictionGain::is_stated)
+      .yes_no("turns", "rollers turn on their pins before friction reaches the maximum, and limit it",
               &FrictionGain::turns)
       .own_numbers("modulus_share", kind::number,
-                   "least and greatest share that friction between them adds to the modulus",
+                   "smallest and largest share that friction in this range adds to the modulus",
                    ends(&FrictionGain::modulus))
-      .own_numbers("strength_share", kind::number, "likewise to the stress at the greatest force",
+      .own_numbers("strength_share", kind::number,
+                   "smallest and largest share that it adds to the stress at the maximum force",
                    ends(&FrictionGain::strength))
       .own_numbers("work_share", kind::number,
-                   "least and greatest share of the work up to the greatest force that goes into it",
+                   "smallest and largest share of the work up to the maximum force that goes into friction",
                    ends(&FrictionGain::work));
 }
 
@@ -110,73 +110,72 @@ std::string_view name_of(SmallDeflectionStatus status) {
 }
 
 std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
-  const auto told = standard_modulus(test.numbers);
-  if (!told || !test.supports.alone) return std::nullopt;
+  const auto modulus = standard_modulus(test.numbers);
+  if (!modulus || !test.supports.alone) return std::nullopt;
   const double factor = 1 + *test.supports.alone;
-  return normal_estimate(told->value / factor, told->standard_error / factor);
+  return normal_estimate(modulus->value / factor, modulus->standard_error / factor);
 }
 
-std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test) {
+std::optional<StiffnessComparison> compare_stiffness(const FittedTest& test) {
   const SmallDeflection& numbers = test.small_deflection;
   if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
   const Estimate straight = *with_error_of_slope(numbers.bending_stiffness, numbers.stiffness);
   const Estimate& fitted = test.analysis.fit.bending_stiffness;
   const double unit = test.analysis.scales.bending_stiffness();
-  return BesideFit{straight.value / (unit * fitted.value),
-                   straight.high < unit * fitted.low || straight.low > unit * fitted.high};
+  return StiffnessComparison{straight.value / (unit * fitted.value),
+                             straight.high < unit * fitted.low || straight.low > unit * fitted.high};
 }
 
 Fields<StandardTest> modulus_fields() {
   const auto ok = [](const StandardTest& t) { return t.numbers.status == SmallDeflectionStatus::ok; };
   return Fields<StandardTest>()
       .words("status",
-             "whether there are numbers: ok, no_straight_part, uncertain (the error is more than half of the "
-             "stiffness), or too_stiff (no material has such a modulus)",
+             "ok, no_straight_part, uncertain (the error exceeds half of the stiffness), or too_stiff (no material has "
+             "such a modulus)",
              [](const StandardTest& t) { return name_of(t.numbers.status); })
-      .number("load_train_share",
-              "share of the stage's travel that the load train takes, over the straight part or else up to the "
-              "greatest force",
-              [](const StandardTest& t) { return t.numbers.load_train_share; })
+      .number(
+          "load_train_share",
+          "share of the stage travel that the load train takes, over the linear region or else up to the maximum force",
+          [](const StandardTest& t) { return t.numbers.load_train_share; })
       .only_where(ok)
-      .own_estimate("stiffness", kind::stiffness, "force over deflection, slope of the straight part",
+      .own_estimate("stiffness", kind::stiffness, "slope dF/dw of the linear region",
                     [](const StandardTest& t) { return t.numbers.stiffness; })
       .own_estimate(
           "bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
           [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
                     [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
-      .group("chord", "chord of ISO 178; null if the record does not cover both strains, or covers them in the toe",
+      .group("chord", "chord of ISO 178; null if the record does not cover both strains, or if they lie in the toe",
              chord_fields(), [](const StandardTest& t) { return t.numbers.chord; })
-      .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, and so tells no modulus",
+      .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so it determines no modulus",
               [](const StandardTest& t) { return t.numbers.chord_in_toe; })
-      .group("window", "straight part of the curve", window_fields())
+      .group("window", "linear region of the curve", window_fields())
       .own_quantity("origin", kind::length,
-                    "displacement in the file at which the straight part would meet zero force, not before the record "
-                    "begins; deflections and strains count from it",
+                    "displacement in the file at which the linear region extrapolates to zero force, at the earliest "
+                    "the start of the record; origin of deflections and strains",
                     [](const StandardTest& t) { return t.measurement.contact_offset + t.numbers.origin; })
-      .own_quantity("greatest_force", kind::force, "greatest force",
+      .own_quantity("greatest_force", kind::force, "maximum force",
                     [](const StandardTest& t) { return t.numbers.greatest.force; })
-      .own_quantity("deflection", kind::length, "deflection at the greatest force, from the origin",
+      .own_quantity("deflection", kind::length, "deflection at the maximum force, from the origin",
                     [](const StandardTest& t) { return t.numbers.greatest.deflection; })
-      .own_quantity("stress", kind::pressure, "flexural stress at the greatest force, F L depth/(8 I)",
+      .own_quantity("stress", kind::pressure, "flexural stress at the maximum force, F L depth/(8 I)",
                     [](const StandardTest& t) { return t.numbers.greatest.stress; })
-      .own_quantity("strain", kind::number, "flexural strain at the greatest force, 6 δ depth/L²",
+      .own_quantity("strain", kind::number, "flexural strain at the maximum force, 6 δ depth/L²",
                     [](const StandardTest& t) { return t.numbers.greatest.strain; })
-      .group("at_break", "the same where the specimen broke; null where the record does not show it break",
-             reached_fields(),
+      .group("at_break", "the same at break; null if the record shows no break", reached_fields(),
              [](const StandardTest& t) { return is_broken(t) ? std::optional(t.numbers.end) : std::nullopt; })
       .yes_no("deflection_large",
-              "the deflection exceeds a tenth of the span, so stress and strain of the standards do not hold",
+              "the deflection exceeds a tenth of the span, where the stress and strain of the standards are invalid",
               [](const StandardTest& t) { return t.numbers.deflection_large; })
       .number("supports_share",
-              "share that rollers and thickness, which are neglected, add to the stiffness between the deflections of "
-              "chord or straight part, without friction",
+              "share that rollers and thickness add to the stiffness over the chord or the linear region, without "
+              "friction; neglected by the standards",
               [](const StandardTest& t) { return t.supports.alone; })
       .own_estimate("modulus_less_supports", kind::pressure,
-                    "modulus of the chord, or else of the straight part, without that share", modulus_less_supports)
-      .group("friction", "what friction at the supports can have done; null without a section", friction_gain_fields(),
+                    "modulus of the chord, or else of the linear region, without that share", modulus_less_supports)
+      .group("friction", "possible effect of friction at the supports; null without a section", friction_gain_fields(),
              [](const StandardTest& t) { return t.supports.friction; })
-      .number("shear_share", "share that shear, which is neglected, adds to a small deflection",
+      .number("shear_share", "share that shear adds to a small deflection; neglected by the standards",
               [](const StandardTest& t) { return t.numbers.shear_share; })
       .anywhere()
       .list(
@@ -187,23 +186,22 @@ Fields<StandardTest> modulus_fields() {
 Fields<PreparationStep> preparation_fields() {
   using S = const PreparationStep&;
   static const std::string names =
-      fmt::format("name of the step, one of {}, which are done in this order", fmt::join(preparation_steps, ", "));
+      fmt::format("name of the step: one of {}, done in this order", fmt::join(preparation_steps, ", "));
   return Fields<PreparationStep>()
       .words("step", names, [](S step) { return std::string(step.name); })
-      .yes_no("changed", "numbers differ from those in the file, or rows are left out",
-              [](S step) { return step.changed; })
+      .yes_no("changed", "numbers differ from the file, or rows are omitted", [](S step) { return step.changed; })
       .words("done", "what was done, in words", [](S step) { return step.done; })
-      .own("value", kind::number, "value that was subtracted, applied or found",
+      .own("value", kind::number, "value that was subtracted, applied or determined",
            [](S step) { return step.value ? std::optional(step.value->value) : std::nullopt; })
       .own("uncertainty", kind::number, "standard deviation of value, if it is known",
            [](S step) { return step.value ? step.value->error : std::nullopt; })
       .words("unit", "unit of value and uncertainty",
              [](S step) { return step.value ? std::optional(si_unit(step.value->kind)) : std::nullopt; })
-      .own_numbers("rows", kind::number, "first and last row of the file that the step concerns; null for all",
+      .own_numbers("rows", kind::number, "first and last row of the file that the step affects; null for all",
                    [](S step) {
                      return step.rows ? std::optional(std::vector{step.rows->first, step.rows->last}) : std::nullopt;
                    })
-      .words("key", "what to write into the case to have the step done otherwise",
+      .words("key", "key of the case that changes the step",
              [](S step) { return step.otherwise ? std::optional(step.otherwise->in_case()) : std::nullopt; });
 }
 

@@ -1,4 +1,5 @@
-// The numbers of the bending standards and the way from the file to the record, as `fit` and `modulus` tell them.
+// The numbers of the bending standards and the preparation of the record, as in `fit` and
+// `modulus`.
 #pragma once
 
 #include <optional>
@@ -10,7 +11,7 @@
 
 namespace flexslip {
 
-// What is known of a test where only these numbers are asked for.
+// The part of a test that these numbers need.
 struct StandardTest {
   const Measurement& measurement;
   const BeamGeometry& geometry;
@@ -19,10 +20,11 @@ struct StandardTest {
   bool reduced;
 };
 
-// The modulus that a standard would publish, less what the supports add. None where they add nothing, and without a section.
+// The modulus of the standards without the effect of the supports. Empty if the supports have no
+// effect or the section is unknown.
 std::optional<Estimate> modulus_less_supports(const StandardTest& test);
 
-// Did the specimen break at the last point of the record?
+// True if the specimen broke at the last point of the record.
 bool is_broken(const StandardTest& test);
 
 // "ok", "no_straight_part", "uncertain", "too_stiff".
@@ -31,18 +33,18 @@ std::string_view name_of(SmallDeflectionStatus status);
 StandardTest standard_test(const FittedTest& test);
 StandardTest standard_test(const ModulusStudy& study);
 
-// The bending stiffness of the straight part over that of the fit.
-struct BesideFit {
-  double ratio;    // [1]
-  bool disagrees;  // the 95 % intervals of the two do not meet
+// The bending stiffness of the linear region compared with the fitted one.
+struct StiffnessComparison {
+  double ratio;    // [1] linear region / fit
+  bool disagrees;  // their 95 % intervals do not overlap
 };
 
-// Nothing where one of the two is not known.
-std::optional<BesideFit> small_deflection_beside_fit(const FittedTest& test);
+// Empty if either is unknown.
+std::optional<StiffnessComparison> compare_stiffness(const FittedTest& test);
 
 Fields<PreparationStep> preparation_fields();
 
-// Of `modulus --json`.
+// The fields of `modulus --json`.
 Fields<StandardTest> modulus_fields();
 Frame frame_of(const StandardTest& test);
 

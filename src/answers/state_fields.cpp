@@ -13,7 +13,7 @@ Fields<EdgeState> edge_state_fields(bool slopes) {
     return [part](S row) { return row.slopes ? std::optional((*row.slopes).*part) : std::nullopt; };
   };
   Fields<EdgeState> fields;
-  fields.number("S", "length between the supports, over the span L", &EdgeState::S)
+  fields.number("S", "arc length between the supports, over the span L", &EdgeState::S)
       .number("q", "mobilised friction", &EdgeState::q)
       .number("w", "deflection at midspan, over L", of(&FibreState::w))
       .number("F", "force, over EI/L²", of(&FibreState::F))
@@ -46,8 +46,8 @@ Fields<RollerState> roller_state_fields() {
       .number("U", "bending energy, over EI/L", of(&SupportedState::U))
       .number("curvature", "curvature at midspan, times L", of(&SupportedState::curvature))
       .number("length", "length of the axis between the contacts, over L", of(&SupportedState::length))
-      .number("slid", "length that has slid past the contacts along the surface, over L", of(&SupportedState::slid))
-      .number("imaged", "length of the axis between the verticals through the supports, over L",
+      .number("slid", "sliding length along the surface, over L", of(&SupportedState::slid))
+      .number("imaged", "length of the axis between the vertical planes through the supports, over L",
               of(&SupportedState::imaged));
 }
 
@@ -59,12 +59,12 @@ Fields<InvertedState> inverted_fields() {
       .number("q", "mobilised friction", &InvertedState::q);
 }
 
-Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
-  using P = const ToldEquilibrium&;
-  Fields<ToldEquilibrium> fields;
+Fields<EquilibriumRow> equilibrium_fields(const EquilibriumColumns& columns) {
+  using P = const EquilibriumRow&;
+  Fields<EquilibriumRow> fields;
   fields
       .number("length", kind::length, "length of the specimen's axis between the contacts",
-              &ToldEquilibrium::between_contacts)
+              &EquilibriumRow::between_contacts)
       .titled("S")
       .number(columns.region ? "q" : "mu", columns.region ? "mobilised friction" : "friction",
               [](P p) { return p.point.q; })
@@ -73,7 +73,8 @@ Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
       .number("force", kind::force, "force at midspan", [](P p) { return p.point.F; })
       .titled("F");
   if (columns.drawn_in)
-    fields.number("drawn_in", kind::length, "length that has slid past the first contacts, over both supports",
+    fields.number("drawn_in", kind::length,
+                  "sliding length: length that has slid in past the first contacts, over both supports",
                   [](P p) { return p.point.S - 1; });
   return fields;
 }
@@ -81,16 +82,16 @@ Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns) {
 Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns) {
   return Fields<EquilibriumStudy>()
       .words(
-          "status", "whether the curve is complete: ok, or branch_ended, where the force has fallen to zero",
+          "status", "ok, or branch_ended if the force falls to zero",
           [](const EquilibriumStudy& study) { return study.status == EquilibriumStatus::ok ? "ok" : "branch_ended"; })
       .group("units", "units of plain numbers", units_of_numbers<EquilibriumStudy>())
       .list(columns.region ? "region" : "curve",
-            columns.region ? "all equilibria, with --region" : "curve of loading, where friction is fully mobilised",
+            columns.region ? "all equilibria, with --region" : "loading curve, with friction fully mobilised",
             equilibrium_fields(columns), [](const EquilibriumStudy& study) { return points_of(study); });
 }
 
-std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study) {
-  std::vector<ToldEquilibrium> points;
+std::vector<EquilibriumRow> points_of(const EquilibriumStudy& study) {
+  std::vector<EquilibriumRow> points;
   const Fibre& fibre = study.fibre;
   for (const EquilibriumPoint& point : study.points)
     points.push_back({point, fibre.on_edges()

@@ -1,4 +1,5 @@
-// States, as `state`, `invert` and `equilibrium` tell them, described once: single ones in reduced variables, and curves of them.
+// The fields of states (`state`, `invert`, `equilibrium`) in reduced variables: single states and
+// curves.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,7 @@
 
 namespace flexslip {
 
-// A state on edges, of a length and a friction; none where none exists.
+// A state on knife edges by length and friction; empty if none exists.
 struct EdgeState {
   double S, q;
   std::optional<FibreState> state{};
@@ -21,14 +22,14 @@ struct EdgeState {
 };
 Fields<EdgeState> edge_state_fields(bool slopes);
 
-// A state on rollers, or of a thick fibre, of a deflection.
+// A state on rollers or with a thickness, by deflection; empty if none exists.
 struct RollerState {
   double w;
   std::optional<SupportedState> state{};
 };
 Fields<RollerState> roller_state_fields();
 
-// Length and friction of a deflection and a force.
+// Length and friction for a deflection and a force; empty if no friction explains them.
 struct InvertedState {
   double w, F;
   std::optional<double> S{}, q{};
@@ -44,29 +45,29 @@ template <class State>
 Fields<States<State>> states_fields(std::string_view status, const Fields<State>& of_each) {
   return Fields<States<State>>()
       .words("status", status, &States<State>::status)
-      .list("states", "row by row", of_each, &States<State>::states);
+      .list("states", "states, row by row", of_each, &States<State>::states);
 }
 
-inline constexpr std::string_view no_state = "ok, or beyond_branch: some rows have no state";
-inline constexpr std::string_view no_friction = "ok, or no_friction: some rows are explained by none";
+inline constexpr std::string_view no_state = "ok, or beyond_branch if some rows have no state";
+inline constexpr std::string_view no_friction = "ok, or no_friction if some rows have no solution";
 
-struct ToldEquilibrium {
+struct EquilibriumRow {
   EquilibriumPoint point;
   double between_contacts;  // [L]
 };
 
 struct EquilibriumColumns {
-  bool region;    // all equilibria, not the curve of loading
-  bool drawn_in;  // is not told by the length
+  bool region;    // all equilibria, instead of the loading curve
+  bool drawn_in;  // the sliding length is not determined by the length
 };
 
-Fields<ToldEquilibrium> equilibrium_fields(const EquilibriumColumns& columns);
+Fields<EquilibriumRow> equilibrium_fields(const EquilibriumColumns& columns);
 
-// Of `equilibrium --json`.
+// The fields of `equilibrium --json`.
 Fields<EquilibriumStudy> equilibria_fields(const EquilibriumColumns& columns);
 
-// What a study tells, and in which columns.
-std::vector<ToldEquilibrium> points_of(const EquilibriumStudy& study);
+// The points of a study and its columns.
+std::vector<EquilibriumRow> points_of(const EquilibriumStudy& study);
 EquilibriumColumns columns_of(const EquilibriumStudy& study);
 
 }  // namespace flexslip

@@ -32,8 +32,8 @@ CampaignCurves curves_of(const TestAnalysis& analysis) {
   return curves;
 }
 
-// A few words for each finding against a test that a verdict in one word does not tell, the weightiest first; and why there is no answer, where it is
-// none.
+// A short phrase for each objection to a test that its one-word verdict does not express, most
+// serious first; and the reason for NO ANSWER.
 std::vector<std::string> remarks_of(const Answer& answer) {
   std::vector<std::string> remarks;
   for (const Finding& finding : answer.findings)

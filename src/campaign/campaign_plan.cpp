@@ -33,7 +33,8 @@ namespace fs = std::filesystem;
 constexpr std::array<std::string_view, 9> data_endings{".csv", ".tsv", ".txt",  ".dat", ".asc",
                                                        ".tra", ".lvm", ".xlsx", ".xlsm"};
 
-// In the titles of tables that the program writes and that are no records: of fit --profile, --curves and --draws, and of a campaign.
+// Beginnings of titles in tables that FlexSlip writes and that are no records: fit --profile,
+// --curves and --draws, and campaigns.
 constexpr std::array<std::string_view, 5> titles_of_results{",drawn_in [", ",model_force [", ",deviation,draw_1",
                                                             "test,status,", "category,"};
 
@@ -43,8 +44,8 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// Names whose folders differ: those that several tests have are told apart by number.
-void tell_apart(std::vector<PlannedTest>& tests) {
+// Adds numbers to names that several tests share, so that their folders differ.
+void make_names_unique(std::vector<PlannedTest>& tests) {
   std::map<std::string, std::size_t, std::less<>> used;
   for (const auto& test : tests) used[lower_case(folder_name(test.name))] = 0;
   for (auto& test : tests) {
@@ -58,14 +59,14 @@ void tell_apart(std::vector<PlannedTest>& tests) {
   }
 }
 
-// Cases from what they have in common and what each says itself.
+// ---- Cases from shared and individual settings
 
 toml::table read_common(const std::optional<std::string>& path) {
   if (!path) return {};
   std::ostringstream text;
   text << open_to_read(*path)->rdbuf();
   toml::table common = parse_toml(text.str(), *path);
-  // Its paths are relative to it; from here on all are relative to the working directory.
+  // Paths in the common case are relative to it. Make them relative to the working directory.
   const fs::path folder = fs::absolute(*path).parent_path();
   for (const CaseKey& key : case_keys())
     if (auto* file = key.holds == Holds::file ? common[key.section][key.name].as_string() : nullptr)
@@ -79,14 +80,14 @@ Test case_from(const toml::table& table, const std::string& source, const std::v
   return read_case(text.str(), source, changes);
 }
 
-// The key of a case file that a column of a table stands for.
+// The key of a case file in the title of a column.
 struct TableKey {
   std::string title;
   std::string section, key, part;  // part: "uncertainty", or empty
   std::string unit;                // of plain numbers in the column
 };
 
-// The section of a key that a title names without one: that of the record, or else of the specimen or the rig.
+// The section of a key named without one: record if it has the key, otherwise specimen or rig.
 std::string section_of(std::string_view name) {
   for (const char* section : {"record", "specimen", "rig"})
     if (case_key(section, name)) return section;
@@ -108,7 +109,7 @@ TableKey key_named(const std::string& title, std::string name, const std::string
 
 bool is_known(const TableKey& key) { return case_key(key.section, key.key) != nullptr; }
 
-// "span [um]", "span (mm)", "span_m": a unit as in the titles of a record.
+// Parses "span [um]", "span (mm)", "span_m": units as in the titles of records.
 TableKey key_of(const std::string& title) {
   const ColumnTitle column = parse_column_title(title);
   const TableKey key = key_named(title, column.name, column.unit);
@@ -139,7 +140,7 @@ std::optional<std::int64_t> as_whole_number(std::string_view cell) {
 void set(toml::table& table, const std::string& key, const std::string& cell, const std::string& unit) {
   const auto number = as_number(cell);
   auto whole = as_whole_number(cell);
-  constexpr double largest = 1e15;  // "267.0", as spreadsheets write a count
+  constexpr double largest = 1e15;  // spreadsheets write a count as "267.0"
   if (number && !whole && *number == std::floor(*number) && std::abs(*number) < largest)
     whole = static_cast<std::int64_t>(*number);
   if (number && !unit.empty())
@@ -157,7 +158,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
   if (key.part.empty()) {
     const CaseKey* known = case_key(key.section, key.key);
     if (known != nullptr && (known->holds == Holds::text || known->holds == Holds::name_or_number) && key.unit.empty())
-      section.insert_or_assign(key.key, cell);  // the number of a sheet or a column is a name of it
+      section.insert_or_assign(key.key, cell);  // a number is the name of a sheet or column
     else
       set(section, key.key, cell, key.unit);
     return;
@@ -165,7 +166,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
   set(table_at(section, key.key), key.part, cell, key.unit);
 }
 
-// A case as a test of a campaign.
+// Refuses a case that is no test of a campaign.
 Test checked(Test input) {
   if (!input.record) throw missing(input, "record");
   if (input.reduced)
@@ -174,7 +175,7 @@ Test checked(Test input) {
   return input;
 }
 
-// A complaint about a case in the words of the table whose row it is.
+// An error in a case, reported at the row of its table.
 InputError in_row(const InputError& error, const TextTable& table, const TextRow& row,
                   const std::vector<TableKey>& keys) {
   InputFault fault = error.fault;
@@ -229,7 +230,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
   std::vector<PlannedTest> tests;
   for (const TextRow& row : table.rows) {
     toml::table text = common;
-    // Uncertainties last: they make a table of a value that is there.
+    // Uncertainties come last, because they turn an existing value into a table.
     for (const bool of_uncertainties : {false, true})
       for (std::size_t i = 0; i < keys.size(); ++i)
         if (!row.cells[columns[i]].empty() && keys[i].part.empty() != of_uncertainties)
@@ -272,7 +273,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vec
     PlannedTest test{name_of_test(file.string()), file.string(), InputError({})};
     try {
       Test input = read_case(file.string(), changes);
-      if (!input.record) continue;  // for simulating, or what others have in common
+      if (!input.record) continue;  // a case for simulation, or shared settings
       test.input = checked(std::move(input));
     } catch (const InputError& error) {
       test.input = error;
@@ -284,7 +285,7 @@ std::vector<PlannedTest> plan_of_cases(const std::string& folder, const std::vec
 
 bool is_workbook(const fs::path& file) { return lower_case(file.extension().string()).starts_with(".xls"); }
 
-// The first lines of a text; none if it cannot be read.
+// The first lines of a text file; empty if it cannot be read.
 std::vector<std::string> first_lines(const fs::path& file) {
   constexpr std::size_t count = 4;
   std::vector<std::string> lines;
@@ -304,7 +305,8 @@ bool is_result(const fs::path& file) {
   });
 }
 
-// Is a file named as another with an ending, and each of its lines that of the other with cells behind it?
+// True if the name of the file begins like the other's, and each of its lines is a line of the other
+// with additional cells.
 bool has_rows_of(const fs::path& file, const fs::path& other) {
   const std::string name = file.stem().string(), base = other.stem().string();
   if (file == other || name.size() <= base.size() || !name.starts_with(base) || is_workbook(file) || is_workbook(other))
@@ -329,7 +331,7 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
   for (const auto& file : files_in(folder, false)) {
     const std::string ending = lower_case(file.extension().string());
     if (std::find(data_endings.begin(), data_endings.end(), ending) == data_endings.end()) continue;
-    if (file.filename().string().starts_with("~$")) continue;  // Excel's mark that the workbook is open
+    if (file.filename().string().starts_with("~$")) continue;  // a lock file of Excel
     (is_result(file) ? results : files).push_back(file);
   }
   for (const auto& file : files) {
@@ -342,7 +344,8 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
     table_at(text, "record").insert_or_assign("file", file.string());
     try {
       Test input = checked(case_from(text, "", changes));
-      for (auto& [key, line] : input.lines) line = 0;  // of the text made here, which is no file
+      // lines of this composed text mean nothing to the user
+      for (auto& [key, line] : input.lines) line = 0;
       test.input = std::move(input);
     } catch (const InputError& error) {
       test.input = located(error, error.fault.file, error.fault.file.empty() ? 0 : error.fault.line, error.fault.field);
@@ -359,17 +362,17 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
   return plan;
 }
 
-// What tells a record apart from others of the same file.
+// True if both use the same part of a file.
 bool is_same_part(const RecordInput& a, const RecordInput& b) {
   return a.specimen == b.specimen && a.sheet == b.sheet && a.first == b.first && a.until == b.until;
 }
 
-// A record on the disk; files of one size are compared by their hashes.
+// A record on disk. Files of equal size are compared by hash.
 struct KeptRecord {
   const PlannedTest* test;
   const RecordInput* record;
   std::uintmax_t size;
-  std::string hash{}, stated{};  // once they are asked for
+  std::string hash{}, stated{};  // computed on demand
 };
 
 const std::string& hash_of(KeptRecord& kept) {
@@ -377,7 +380,7 @@ const std::string& hash_of(KeptRecord& kept) {
   return kept.hash;
 }
 
-// All that its test states but where the record lies.
+// All statements of its test, except the path of the record.
 const std::string& stated_of(KeptRecord& kept) {
   if (kept.stated.empty()) {
     Test test = std::get<Test>(kept.test->input);
@@ -387,7 +390,8 @@ const std::string& stated_of(KeptRecord& kept) {
   return kept.stated;
 }
 
-// Tests whose records are the same: of one file, or of files with the same bytes. They are one specimen, and one test where all else is the same, too.
+// Finds tests with the same record: of one file, or of identical files. They are one specimen; if
+// everything else is the same too, they are one test.
 void count_same_records_once(CampaignPlan& plan) {
   std::vector<KeptRecord> all;
   std::vector<PlannedTest> tests;
@@ -442,7 +446,7 @@ std::string folder_name(std::string_view name) {
     return at;
   };
   std::string fit(name);
-  if (name.size() > longest)  // its end tells it from others
+  if (name.size() > longest)  // keep the end, which distinguishes it
     fit = fmt::format("{}…{}", name.substr(0, between_characters(longest - tail)),
                       name.substr(between_characters(name.size() - tail)));
   for (char& c : fit)
@@ -474,7 +478,7 @@ CampaignPlan plan_campaign(const std::string& path, const std::optional<std::str
   } else {
     plan.tests = plan_of_table(path, shared, changes);
   }
-  tell_apart(plan.tests);
+  make_names_unique(plan.tests);
   count_same_records_once(plan);
   note_missing_sections(plan);
   return plan;

@@ -1,5 +1,5 @@
-// The tests of a campaign, before any is computed: from a folder of case files, a folder of data files with what they have in
-// common, or a table with a test a row.
+// The plan of a campaign: its tests, before any is computed. They come from a folder of case files,
+// a folder of data files with shared settings, or a table with one test per row.
 #pragma once
 
 #include <optional>
@@ -13,31 +13,35 @@
 
 namespace flexslip {
 
-// A name made fit for a folder: no separators, no control characters, not hidden, not too long for a file system.
+// A valid name of a folder: without separators and control characters, not hidden, not too long.
 std::string folder_name(std::string_view name);
 
 struct PlannedTest {
-  std::string name;                      // as the user wrote it; folder_name of it is unique in the campaign
-  std::string file;                      // what describes the test, as the user named it
-  std::variant<Test, InputError> input;  // or why it cannot be read
+  // as written by the user; its folder_name is unique in the campaign
+  std::string name;
+  std::string file;                      // the file with the test, as named by the user
+  std::variant<Test, InputError> input;  // InputError: why the test cannot be read
 };
 
 struct CampaignPlan {
   std::vector<PlannedTest> tests;
-  std::vector<std::string> notes;  // files left out, records that several tests have, sections that are not stated
+  std::vector<std::string> notes;  // omitted files, duplicate records, missing sections
 };
 
-// The tests of a campaign.
-//   a folder                 every case file (.toml) with a [record], in the folder and those below it, by path
-//   a folder with `common`   every data file (.csv .tsv .txt .dat .asc .tra .lvm .xlsx) of the folder, by name, but those that the program wrote and
-//                            those that hold the rows of another, named as that with an ending, and columns besides ("SS04_dS.csv")
-//   a table (any other file) a test a row, a column a key of a case file: "file", "span [um]", "span (mm)", "span_m", "modulus uncertainty [GPa]",
-//                            "record.until"; "name" is the name of the test, by default that of its file. An empty cell says
-//                            nothing; a column whose title begins with # is not read. Paths are relative to the table.
-// `common` is a case file that says what all tests have in common; a row says otherwise where it wants.
-// `changes` from the command line (case_changes.h) are made to every test.
-// Fails:      InputError for a folder without tests, a table without rows or with a column that is no key, a common case that
-//             cannot be read. A test that cannot be read is planned all the same, with its error.
+// The tests of a campaign, from `path`:
+// - a folder: every case file (.toml) with a [record] in it and in its subfolders, sorted by path.
+// - a folder, with `common`: every data file (.csv .tsv .txt .dat .asc .tra .lvm .xlsx) in it,
+//   sorted by name. Omitted are files written by FlexSlip, and copies of another file with extra
+//   columns and a longer name ("SS04_dS.csv").
+// - any other file: a table with one row per test and one column per key of a case file: "file",
+//   "span [um]", "span (mm)", "span_m", "modulus uncertainty [GPa]", "record.until". "name" is the
+//   name of the test; default: the name of its file. Empty cells, and columns whose title begins
+//   with #, are ignored. Paths are relative to the table.
+// `common` is a case file with settings for all tests; a row of a table overrides them. `changes`
+// (case_changes.h) apply to every test.
+// Fails:      throws InputError if a folder has no tests, a table has no rows or an unknown key, or
+//             the common case cannot be read. A test that cannot be read stays in the plan with its
+//             error.
 CampaignPlan plan_campaign(const std::string& path, const std::optional<std::string>& common,
                            const std::vector<std::string>& changes = {});
 

@@ -28,10 +28,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int layout_of_store = 9;  // of the kept text: another one is computed anew
+constexpr int layout_of_store = 9;  // a stored text of another version is computed again
 constexpr const char* kept_name = "result.json";
 
-// What a result is made of, for the way into the text and back.
+// One member of a result, for conversion to text and back.
 template <class Row, class Member>
 struct Part {
   const char* name;
@@ -129,7 +129,7 @@ constexpr bool is_vector = false;
 template <class T>
 constexpr bool is_vector<std::vector<T>> = true;
 
-constexpr const char* infinite = "infinite";  // JSON knows no infinity, and no NaN, which is null
+constexpr const char* infinite = "infinite";  // JSON has no infinity; NaN is null
 
 template <class T>
 Json kept(const T& value) {
@@ -199,7 +199,7 @@ CampaignStore::CampaignStore(fs::path folder) : folder_(std::move(folder)) {
 fs::path CampaignStore::emptied_folder(const std::string& test) const {
   fs::path folder = folder_ / folder_name(test);
   std::error_code error;
-  fs::remove(folder / kept_name, error);  // first: from here on the test is not done
+  fs::remove(folder / kept_name, error);  // first, because the test is unfinished from here on
   if (!error) fs::remove_all(folder, error);
   if (!error) fs::create_directories(folder, error);
   if (error) refuse(folder, error);
@@ -225,7 +225,7 @@ void CampaignStore::keep(const CampaignTest& test, const std::string& key) const
 
 namespace {
 
-// All that the answer depends on.
+// Everything on which the answer depends.
 std::string key_of(const PlannedTest& planned, const Test& input, const AnalysisOptions& options,
                    const std::string& presented) {
   const std::string source = input.source.empty() ? "" : digest_of(*open_to_read(input.source)).sha256;
@@ -234,7 +234,7 @@ std::string key_of(const PlannedTest& planned, const Test& input, const Analysis
                                digest_of(*open_to_read(input.record.value().file)).sha256));
 }
 
-// A device has no end, and standard input no second reading.
+// Devices have no end, and standard input cannot be read twice.
 void require_file(const std::string& file) {
   std::error_code missing;
   if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
@@ -254,7 +254,7 @@ class Runner {
       const Stoppable stoppable(options_.stop);
       try {
         finish(i, computed(plan_[i]));
-      } catch (const Stopped&) {  // the test is as if it had not been begun
+      } catch (const Stopped&) {  // the test counts as not started
       }
     });
     CampaignRun result{CampaignStatus::ok, {}, found_};
@@ -304,7 +304,8 @@ class Runner {
     const auto folder = store_->emptied_folder(planned.name);
     if (options_.present) options_.present(*test, folder.string());
     store_->keep(line, key);
-    return {campaign_test_from(to_text(line)).value(), false};  // as a later run finds it
+    // identical to what a later run reads
+    return {campaign_test_from(to_text(line)).value(), false};
   }
 
   void finish(std::size_t index, Computed computed) {
@@ -318,7 +319,7 @@ class Runner {
   const std::vector<PlannedTest>& plan_;
   const CampaignOptions& options_;
   std::optional<CampaignStore> store_;
-  std::mutex mutex_;  // guards all below
+  std::mutex mutex_;  // guards all members below
   std::vector<std::optional<CampaignTest>> tests_;
   std::size_t done_ = 0;
   std::size_t found_ = 0;

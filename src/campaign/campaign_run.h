@@ -1,5 +1,6 @@
-// A campaign computed: every test on its own, on as many threads as wanted, with the same answers for any number of them;
-// each test kept in a folder, so that a run that was stopped goes on.
+// Computes a campaign. Each test is computed separately, and the answers do not depend on the
+// number of threads. Every finished test is stored in a folder, so a later run continues an
+// interrupted one.
 #pragma once
 
 #include <atomic>
@@ -15,29 +16,28 @@
 
 namespace flexslip {
 
-// What a campaign has computed so far, in a folder: a file a test, there whole or not at all, so that a campaign that was
-// stopped at any moment goes on where it was.
-
-// The text of a kept test, and back: to the last bit, but that text which is no UTF-8 is made so.
+// Converts a test to text and back, without loss except that invalid UTF-8 is repaired.
 std::string to_text(const CampaignTest& test);
-// Fails:      none for what is no such text, or that of another version.
+// Fails:      empty if the text is not of this format and version.
 std::optional<CampaignTest> campaign_test_from(const std::string& text);
 
+// The stored tests of a campaign, in a folder with one file per test. A file exists completely or not
+// at all.
 class CampaignStore {
  public:
-  // Fails:      InputError if the folder cannot be made.
+  // Fails:      throws InputError if the folder cannot be created.
   explicit CampaignStore(std::filesystem::path folder);
 
-  // Where the files of a test are to be written: an empty folder, so that nothing in it is of another run.
-  // Fails:      InputError if it cannot be made or emptied.
+  // An empty folder for the files of a test, without files of earlier runs.
+  // Fails:      throws InputError if it cannot be created or emptied.
   std::filesystem::path emptied_folder(const std::string& test) const;
 
-  // A test that was kept under this key; none if it was kept under another, or not at all. A key says all that the answer
-  // depends on.
+  // The test stored under this key; empty if there is none. The key contains everything on which
+  // the answer depends.
   std::optional<CampaignTest> find(const std::string& test, const std::string& key) const;
 
   // Domain:     emptied_folder(test.name) has been called.
-  // Fails:      InputError if it cannot be written.
+  // Fails:      throws InputError if the file cannot be written.
   void keep(const CampaignTest& test, const std::string& key) const;
 
  private:
@@ -47,29 +47,33 @@ class CampaignStore {
 struct CampaignOptions {
   std::function<AnalysisOptions(const Test&)> analysis = [](const Test&) { return AnalysisOptions{}; };
   unsigned threads = 1;
-  std::optional<std::string> folder;  // where each test is kept once it is done, and found again by a later run
-  // Called while the campaign runs, by one thread at a time.
+  // where finished tests are stored and found again by a later run
+  std::optional<std::string> folder;
+  // Called during the run, by one thread at a time.
   std::function<void(std::size_t done, std::size_t tests)> progress = {};
-  // Called for each test computed, by several threads at once, with the folder where its files belong; before it is kept.
-  // What it does belongs to the answer: `presented` names it, for the key under which a test is kept.
+  // Called once for each computed test, before it is stored, by several threads at once. `folder`
+  // is for its files. Its output belongs to the answer; `presented` describes it in the key of the
+  // stored test.
   std::function<void(const FittedTest& test, const std::string& folder)> present = {};
   std::string presented = {};
-  const std::atomic<bool>* stop = nullptr;  // becomes true: no further test is begun, and those under way are given up
+  // if true, no further test starts and running ones are abandoned
+  const std::atomic<bool>* stop = nullptr;
 };
 
 enum class CampaignStatus {
   ok,
-  stopped,  // by `stop`: tests holds those that are done, and nothing else is valid
+  stopped,  // by `stop`: only the finished `tests` are valid
 };
 
 struct CampaignRun {
   CampaignStatus status;
   Campaign campaign;
-  std::size_t found;  // tests that a run before had kept
+  std::size_t found;  // number of tests stored by earlier runs
 };
 
 // Domain:     threads >= 1.
-// Fails:      stopped; InputError if a folder or a file of it cannot be written. A test that fails is listed with its reason.
+// Fails:      status `stopped`. Throws InputError if a folder or a file in it cannot be written. A
+//             test that fails is listed with its reason.
 CampaignRun run_campaign(const CampaignPlan& plan, const CampaignOptions& options);
 
 }  // namespace flexslip

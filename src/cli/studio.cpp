@@ -41,7 +41,7 @@ void run_studio(const StudioRequest& request) {
                                 "which installs Emscripten and takes a few minutes"});
   if (request.output != "-") files_of_this_call().writes(request.output, "--output");
   std::vector<GivenTest> tests;
-  for (const std::string& file : request.files) tests.push_back(taken_along(file));
+  for (const std::string& file : request.files) tests.push_back(with_its_files(file));
   write_studio_page(request.output, *built, tests);
   if (request.output == "-") return;
   const std::string page = std::filesystem::absolute(request.output).lexically_normal().string();

@@ -17,7 +17,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double close = 1e-4;  // to where a change is reached
+constexpr double close = 1e-4;  // [1] precision of a change
 
 struct PowerInBendingStiffness {
   std::string_view parameter;
@@ -28,7 +28,7 @@ constexpr std::array powers_in_bending_stiffness{
     PowerInBendingStiffness{"diameter", 4, true}, PowerInBendingStiffness{"height", 3, true},
     PowerInBendingStiffness{"width", 1, false}, PowerInBendingStiffness{"modulus", 1, false}};
 
-// None if there is no such design.
+// Empty if there is no such design.
 std::optional<DesignOutcome> outcome_with(Test input, std::string_view parameter, double value) {
   if (!is_within(design_parameter(parameter), value)) return std::nullopt;
   set(input, parameter, value);
@@ -40,11 +40,11 @@ std::optional<bool> snaps_with(Test input, std::string_view parameter, double va
   return snaps(design_of(input).design);
 } catch (const InputError&) {
   return std::nullopt;
-} catch (const std::invalid_argument&) {  // too extreme a number
+} catch (const std::invalid_argument&) {  // a value is too extreme
   return std::nullopt;
 }
 
-// Between two values, of which the one snaps and the other does not: the one nearest to the first that is as the other.
+// The value nearest to `as_now` that reverses the answer, between two values; one of them snaps.
 double nearest_between(const Test& input, std::string_view parameter, double as_now, double otherwise, bool now) {
   const auto is_close = [](const Bracket& values) { return !(std::abs(values.width()) > close * values.high); };
   const auto is_otherwise = [&](double value) { return snaps_with(input, parameter, value) == !now; };
@@ -52,15 +52,16 @@ double nearest_between(const Test& input, std::string_view parameter, double as_
 }
 
 struct Way {
-  double factor;  // of a step
-  double last;    // value that is as now
+  double factor;  // of each step
+  double last;    // the last value that does not reverse the answer
   bool goes_on;
 };
 
-// The nearest values with which it is otherwise, one more and one less, the nearer first; no more than are wanted.
+// The nearest values that reverse the answer, one larger and one smaller, the nearer first; at most
+// `wanted`.
 std::vector<double> nearest_changes(const Test& input, std::string_view parameter, bool now, std::size_t wanted) {
   constexpr double step = 1.1;
-  constexpr int steps = 36;  // to 30 times as much
+  constexpr int steps = 36;  // up to a factor of 30
   const double from = value_of(input, parameter).value();
   const bool is_nothing = from == 0;
   const double start = is_nothing ? design_parameter(parameter).most * std::pow(step, -2 * steps) : from;
@@ -79,7 +80,7 @@ std::vector<double> nearest_changes(const Test& input, std::string_view paramete
   return found;
 }
 
-// Of load train and supports together, in the units of the case.
+// Changes of the combined stiffness of load train and supports, in units of the case.
 std::vector<double> stiffness_changes(const Test& input, double own, bool now, double critical) {
   const double just_below = critical * (1 - close);
   if (!now && critical <= own) return critical > 0 ? std::vector{just_below} : std::vector<double>{};
@@ -93,7 +94,8 @@ std::vector<double> stiffness_changes(const Test& input, double own, bool now, d
   return values;
 }
 
-// Rounded away from what it is now, to as few digits, three or more, as leave it otherwise.
+// `to` rounded away from the current value, to the fewest digits (three or more) that still reverse
+// the answer.
 double as_printed(const Test& input, std::string_view parameter, double to, bool now) {
   constexpr int min_digits = 3;
   constexpr int max_digits = 9;
@@ -107,10 +109,12 @@ double as_printed(const Test& input, std::string_view parameter, double to, bool
   return to;
 }
 
-// How far the first snap is, sought ever farther, until the specimen is bent through its supports.
+// The travel of the first snap. The range grows until a snap is found or the specimen passes
+// between its supports.
 std::optional<double> travel_change(const Test& input, const DesignAnswer& answer) {
   constexpr double farther = 2, much_farther = 30, deepest = 1;  // [1], [1], [L]
-  constexpr double hair = 1e-6;                                  // beyond which units are not rounded
+  // an excess that survives rounding of units
+  constexpr double hair = 1e-6;
   if (answer.outcome.first_snap) return answer.scales.physical_length(answer.outcome.first_snap->stage) * (1 - hair);
   for (double factor = farther; factor < farther * much_farther; factor *= farther) {
     const auto there =
@@ -123,8 +127,7 @@ std::optional<double> travel_change(const Test& input, const DesignAnswer& answe
 
 std::optional<PhaseStudy> phases_of(Test input) {
   constexpr int phases = 24;
-  constexpr double finest =
-      1e-5;  // [L] of a wave: the phase of finer ones moves nothing by as much as 1e-5 of the span
+  constexpr double finest = 1e-5;  // [L] a finer wave's phase moves nothing by 1e-5 of the span
   if (input.other) return std::nullopt;
   if (!value_of(input, "phase") || value_of(input, "amplitude").value() == 0) return std::nullopt;
   if (design_of(input).units.scales.reduced_length(value_of(input, "wavelength").value()) < finest) return std::nullopt;
@@ -165,31 +168,32 @@ DesignAnswer answer_of(const Test& input) {
       answer.changes.push_back({parameter, value_of(input, parameter).value(), to,
                                 as_printed(input, parameter, to, now), and_beyond, *outcome});
   };
-  const auto is_told = [&](std::string_view parameter) {
+  const auto is_listed = [&](std::string_view parameter) {
     return std::any_of(answer.changes.begin(), answer.changes.end(),
                        [&](const DesignChange& change) { return change.parameter == parameter; });
   };
   const double supports = support_compliance_of(input);
   const double own = with_supports(value_of(input, "stiffness").value(), supports);
   const double critical = scales.physical_stiffness(answer.critical);
-  // The depth decides elsewhere, too, of a specimen that stands half of it off its supports, or that may break.
+  // The depth has other effects if the axis is above the supports by half of it, or if the specimen
+  // may break.
   const bool depth_is_more = design.rig.fibre.supports().half_depth > 0 || std::isfinite(design.breaking_curvature);
   for (const double stiffness : stiffness_changes(input, own, now, critical)) {
     const bool and_beyond = now && stiffness == critical;
     const double load_train = without_supports(stiffness, supports);
     if (std::isfinite(load_train) || std::isinf(stiffness)) add("stiffness", load_train, and_beyond);
     if (!std::isfinite(own)) continue;
-    // k L^3/EI decides: what the stiffness must gain, the specimen may lose.
+    // k L^3/EI is decisive: a gain in stiffness is equivalent to a loss in the specimen.
     for (const auto& [parameter, power, is_depth] : powers_in_bending_stiffness)
       if (value_of(input, parameter) && !(is_depth && depth_is_more))
         add(parameter, value_of(input, parameter).value() * std::pow(own / stiffness, 1.0 / power), and_beyond);
   }
   std::vector<std::string_view> others{"span"};
-  // Of supports that are not alike the case varies one.
+  // If the supports differ, the case varies only one of them.
   if (!input.other) others.insert(others.end(), {"mu0", "amplitude", "wavelength", "pin_friction"});
   if (depth_is_more) others.insert(others.begin(), {"diameter", "height"});
   for (const auto parameter : others)
-    if (value_of(input, parameter) && !is_told(parameter))
+    if (value_of(input, parameter) && !is_listed(parameter))
       for (const double to : nearest_changes(input, parameter, now, 1)) add(parameter, to, false);
   if (const auto travel = travel_change(input, answer)) add("travel", *travel, true);
   return answer;

@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::string_view mu0 = "mu0", travel = "travel", step = "step";
 
-// The last position of the programme is the travel. mu0 is at most what the fibre that allows most takes; a step of 0 gives all of the curve.
+// travel is the last position of the programme. mu0 is limited by the largest friction that any
+// Fibre accepts. A step of 0 gives the continuous curve.
 DesignParameter of_key(std::string_view section, std::string_view name, std::string_view description,
                        std::string_view symbol) {
   const CaseKey* key = case_key(section, name);
@@ -27,7 +28,7 @@ DesignParameter of_key(std::string_view section, std::string_view name, std::str
   return {name, key, description, symbol, key->range, key->max};
 }
 
-// Does the number decide anything of such a test?
+// True if the parameter has an effect on such a test.
 bool counts(const Test& test, std::string_view name) {
   const SpecimenInput& specimen = *test.specimen;
   if (name == "span") return !test.reduced;
@@ -37,7 +38,7 @@ bool counts(const Test& test, std::string_view name) {
   return !test.reduced && !specimen.bending_stiffness && (name != "diameter" || is_solid);
 }
 
-// Where it stands in a test; null if there is none.
+// The place of the parameter in the test; null if it has none.
 double* number_in(Test& test, std::string_view name) {
   return counts(test, name) ? number_of(test, *design_parameter(name).key) : nullptr;
 }
@@ -93,7 +94,7 @@ bool is_within(const DesignParameter& parameter, double value) {
 }
 
 std::optional<double> value_of(const Test& test, std::string_view name) {
-  const double* number = number_in(const_cast<Test&>(test), name);  // NOLINT: it is only read
+  const double* number = number_in(const_cast<Test&>(test), name);  // NOLINT: only read
   return number ? std::optional(*number) : std::nullopt;
 }
 
@@ -112,7 +113,7 @@ void set(Test& test, std::string_view name, double value) {
 }
 
 double value_at(const AxisRange& range, double t) {
-  constexpr int halvings = 26;  // of the logarithm of the ratio, to 1e-8 of it: what is left is linear to rounding
+  constexpr int halvings = 26;  // reduces the logarithm of the ratio to 1e-8, linear to rounding
   double from = range.from;
   double to = range.to;
   if (range.spacing == Spacing::logarithmic && t > 0 && t < 1)
@@ -123,7 +124,7 @@ double value_at(const AxisRange& range, double t) {
       if (t >= 1) t -= 1;
     }
   const auto [least, most] = std::minmax(range.from, range.to);
-  return std::clamp((1 - t) * from + t * to, least, most);  // rounding must not carry it beyond its end
+  return std::clamp((1 - t) * from + t * to, least, most);  // limits rounding to the ends
 }
 
 std::uint64_t points_of(const DesignAxis& axis) {

@@ -1,4 +1,5 @@
-// A test that is being planned: the one loading that it is, what comes of it, and what would over a range of one of its numbers, or of two.
+// A planned test: its single loading, the outcome, and the outcomes over a range of one or two
+// parameters.
 #pragma once
 
 #include <array>
@@ -17,17 +18,19 @@
 
 namespace flexslip {
 
-// A test as one loading whose numbers can be varied (design_axis.h): its programme goes from 0 to its farthest position, its step is 0 if it has none, a
-// single wave is a sinusoid, and the files of its friction are read.
+// The test as one loading whose parameters can be varied (design_axis.h). The programme goes from 0
+// to its farthest position. A missing step becomes 0, a single wave becomes a sinusoid, and files
+// of friction are read.
 // Domain:     a test to simulate, with specimen, rig, friction and [stage].
-// Fails:      InputError, naming the key, for what is not there, cannot be computed, or cannot be loaded once: a measured programme, one that turns
-//             back before its farthest position, static friction above the kinetic one, snaps that overshoot.
+// Fails:      throws InputError, naming the key, if something is missing, cannot be computed, or is
+//             no single loading: a measured programme, a reversal before the farthest position,
+//             static friction above the kinetic one, snaps that overshoot.
 Test one_loading_of(const Test& given);
 
-// What makes numbers of the case of those of a design.
+// Converts results of a design to the units of the case.
 struct DesignUnits {
   Scales scales;
-  std::optional<SurfaceStrain> surface;  // none without a section
+  std::optional<SurfaceStrain> surface;  // empty without a section
 };
 
 struct PlannedDesign {
@@ -35,17 +38,18 @@ struct PlannedDesign {
   DesignUnits units;
 };
 
-// What the numbers of one loading as they are now make.
-// Fails:      ImpossibleTest, or InputError for what cannot be computed.
-// Cost:       some µs, but for tables and rough profiles.
+// The design with the current parameters of a loading.
+// Fails:      throws ImpossibleTest, or InputError for a design that cannot be computed.
+// Cost:       a few µs, except for tables and rough profiles.
 PlannedDesign design_of(const Test& loading);
 
 enum class ResultStatus {
   ok,
-  slipped_through,  // the outcomes are those up to there
-  impossible,       // there is no such test, as ImpossibleTest (case/mechanics.h): no outcomes
-  not_computable,   // beyond what FlexSlip can compute: friction above largest_q, roughness too fine; no outcomes
-  breaks,           // the outcomes are those up to there
+  slipped_through,  // the outcome covers the loading up to that point
+  impossible,       // no such test exists (ImpossibleTest, case/mechanics.h); no outcome
+  // outside the limits of FlexSlip: friction above largest_q, roughness too fine; no outcome
+  not_computable,
+  breaks,  // the outcome covers the loading up to that point
 };
 inline constexpr std::array<std::string_view, 5> result_status_words{"ok", "slipped_through", "impossible",
                                                                      "not_computable", "breaks"};
@@ -54,42 +58,46 @@ ResultStatus status_of(const DesignOutcome& outcome);
 
 struct DesignResult {
   ResultStatus status;
-  std::optional<DesignUnits> units;  // both, or none
+  std::optional<DesignUnits> units;  // present if outcome is
   std::optional<DesignOutcome> outcome;
 };
 
-// What a number is too extreme for is not computable, whatever part of the computation finds out.
+// The result of one loading. A value that is too extreme for any part of the computation gives
+// not_computable.
 DesignResult result_of(const Test& loading);
 
-// The numbers of an outcome, each described once: the same names in CSV and JSON. None where there is no outcome.
+// The fields of an outcome, with the same names in CSV and JSON; missing without an outcome.
 const Fields<DesignResult>& outcome_fields();
 
-// A range from "stiffness=10 N/m:1000 N/m:50": name, ends and how many values. They are evenly spaced, in the logarithm where the ends
-// are ten times apart or more.
-// Fails:      InputError, without a place, for a name or a range that the case does not have.
+// Parses "stiffness=10 N/m:1000 N/m:50": a name, two ends, and the number of values. The spacing is
+// logarithmic if the ends differ by a factor of ten or more.
+// Fails:      throws InputError without a place if the case has no such parameter or range.
 DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usual_points);
 
-// One axis or two, each from such a text; none of none. Errors name the flag --over.
-// Fails:      InputError as map_axis; for more axes, the same parameter twice, and more than a million designs.
+// At most two axes from such texts. Errors name the option --over.
+// Fails:      throws InputError as map_axis, and for more axes, a repeated parameter, or more than
+//             a million designs.
 std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::string>& texts);
 
-// A design of a map or a sweep.
+// One design of a map or a sweep.
 struct DesignPoint {
-  std::vector<double> values;  // of the parameters of the axes
+  std::vector<double> values;  // one per axis
   DesignResult result;
 };
 
 struct MapPoint : DesignPoint {
-  double margin;  // [1] as stiffness_margin; above 0 the specimen does not snap; NaN where there is no outcome
+  // [1] stiffness_margin: positive if the specimen does not snap; NaN without an outcome
+  double margin;
 };
 
-// All of the grid, the last axis fastest.
+// All designs of the grid; the last axis changes fastest. They do not depend on the number of
+// threads.
 // Domain:     axes of ranges.
-// Cost:       one outcome and one critical stiffness each. The same points for any number of them.
+// Cost:       one outcome and one critical stiffness per design.
 std::vector<MapPoint> design_map(const Test& input, const std::vector<DesignAxis>& axes, unsigned threads);
 
-// Where the margin of a map over two axes vanishes: on the edges of the grid's cells, evenly in the logarithm of a logarithmic axis, and straight
-// between them.
+// The zero contour of the margin of a map over two axes. Its points on the edges of the grid cells
+// are interpolated linearly, in the logarithm for a logarithmic axis.
 struct BorderPiece {
   std::array<double, 2> from, to;  // the two parameters
 };

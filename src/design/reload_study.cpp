@@ -21,9 +21,10 @@ namespace flexslip {
 namespace {
 
 constexpr std::array travels{0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};  // [travel]
-constexpr std::array forces{0.8, 0.6, 0.4, 0.2, 0.05};  // [force at which the specimen begins to slide outwards]
+// [force at which outward sliding begins]
+constexpr std::array forces{0.8, 0.6, 0.4, 0.2, 0.05};
 
-// A plan before it is tried. Units: those of the case.
+// A plan before it is evaluated. Units: as in the case.
 struct Programme {
   double travel, unload_to, force;
 };
@@ -37,8 +38,8 @@ std::vector<SimulatedPoint> path_of(const Test& test, const ReloadOptions& optio
   return simulate(test, {.noise = options.noise.value_or(0), .seed = options.seed}).simulation.path;
 }
 
-// The programmes to a stage position, the deepest unloading last: forces are shares of that at which the specimen begins to slide outwards, or, where
-// friction holds it to the end, of the force at the turn.
+// The programmes to a stage position, the deepest unloading last. Forces are shares of the force at
+// which outward sliding begins, or, if friction prevents it, of the force at the reversal.
 std::vector<Programme> programmes_to(const Test& loading, double travel) {
   const auto path = path_of(with_programme(loading, {0, travel, 0}), {});
   const auto turn = std::max_element(path.begin(), path.end(),
@@ -54,7 +55,7 @@ std::vector<Programme> programmes_to(const Test& loading, double travel) {
   return all;
 }
 
-// The test as one that was measured.
+// The simulated test as a measured one.
 Test as_measured(Test test, const std::vector<SimulatedPoint>& path) {
   Table table{.source = "the plan", .columns = {{"stage", {}}, {"force", {}}}, .lines = {}};
   for (const SimulatedPoint& point : path) {
@@ -80,7 +81,7 @@ Measurement measured(const Test& loading, std::vector<double> positions, const R
   return read_measurement(as_measured(loading, path), {.points = min_fitted_points, .span = true});
 }
 
-// What one loading alone tells of its drops, and how many there are.
+// The result of one loading alone, and its number of drops.
 struct LoadingAlone {
   std::size_t drops;
   Causes causes;
@@ -97,7 +98,7 @@ bool has_enough_readings(const Test& loading, double travel) {
   return travel > static_cast<double>(min_fitted_points) * *loading.stage->step;
 }
 
-// Does the stage go back so far that a record has an unloading?
+// True if the stage moves back far enough for an unloading to be recognised.
 bool is_unloaded(const Programme& programme) {
   constexpr double clearly = 1.5;
   return programme.travel - programme.unload_to > clearly * LegOptions{}.min_travel * programme.travel;
@@ -127,7 +128,7 @@ ReloadPlan tried(const Test& loading, const Programme& programme, const ReloadOp
   return plan;
 }
 
-// [N]
+// [N] The maximum force.
 double greatest_force(const Test& loading, double travel) {
   const auto path = path_of(with_programme(loading, {0, travel}), {});
   return std::max_element(path.begin(), path.end(),
@@ -135,7 +136,7 @@ double greatest_force(const Test& loading, double travel) {
       ->force;
 }
 
-// As far as the specimen can be loaded, and a little less where that is its end.
+// The travel, or slightly less than the stage position at which the loading ends early.
 double travel_of(const Test& loading) {
   constexpr double before_end = 0.95;
   const PlannedDesign planned = design_of(loading);
@@ -145,7 +146,7 @@ double travel_of(const Test& loading) {
               : loading.stage->program.back();
 }
 
-// What may make a plan suffice, each alone, in its deepest unloading.
+// The changes, each alone, that make a plan with its deepest unloading sufficient.
 std::vector<ReloadChange> changes_that_suffice(const Test& loading, const ReloadStudy& study,
                                                const ReloadOptions& options) {
   constexpr double farther = 1.25, softer = 0.5, finer = 1.0 / 3;
@@ -189,9 +190,9 @@ std::optional<ReloadPlan> ReloadStudy::least() const {
 }
 
 ReloadStudy reload_study(const Test& given, const ReloadOptions& asked) {
-  if (!(asked.noise.value_or(1) > 0) || !(asked.least_chance > 0 && asked.least_chance < 1))
+  if (!(asked.noise.value_or(1) > 0) || !(asked.required_chance > 0 && asked.required_chance < 1))
     throw std::invalid_argument("a noise of 0 or less, or a chance that is none");
-  constexpr double readings = 300;  // of a loading whose case has no step
+  constexpr double readings = 300;  // per loading, if the case has no step
   Test loading = given;
   const double travel = travel_of(loading);
   if (*loading.stage->step == 0) loading.stage->step = travel / readings;
@@ -200,7 +201,7 @@ ReloadStudy reload_study(const Test& given, const ReloadOptions& asked) {
   ReloadStudy study{.noise = *options.noise,
                     .noise_is_usual = !asked.noise,
                     .step = *loading.stage->step,
-                    .least_chance = options.least_chance,
+                    .required_chance = options.required_chance,
                     .drops = 0,
                     .plans = {},
                     .changes = {}};

@@ -21,7 +21,8 @@
 namespace flexslip {
 namespace {
 
-constexpr std::uint64_t max_rows = 1'000'000'000'000;  // three days of a thousand cores; more is a slip of the pen
+// three days on a thousand cores; more is a typing error
+constexpr std::uint64_t max_rows = 1'000'000'000'000;
 
 enum class Method { grid, latin_hypercube };
 
@@ -30,7 +31,7 @@ constexpr std::string_view example_axis =
 
 std::string axis_key(const DesignAxis& axis) { return fmt::format("sweep.axes.{}", axis.parameter.name); }
 
-// A stiffness may be infinite, and a step continuous, in a list.
+// A value in a list. A stiffness may be infinite and a step continuous.
 double listed_value(const Keys& keys, const toml::node& node, const std::string& key,
                     const DesignParameter& parameter) {
   if (parameter.name == "step" && node.value_exact<std::string_view>() == "continuous") return 0;
@@ -102,7 +103,7 @@ std::uint64_t rows_of(const Keys& sweep, const std::vector<DesignAxis>& axes,
                       const std::variant<Grid, LatinHypercube>& method) {
   const auto* hypercube = std::get_if<LatinHypercube>(&method);
   std::uint64_t rows = hypercube ? hypercube->samples : 1;
-  auto product = static_cast<double>(rows);  // which does not overflow
+  auto product = static_cast<double>(rows);  // cannot overflow
   if (!hypercube)
     for (const DesignAxis& axis : axes) {
       rows *= points_of(axis);
@@ -122,12 +123,13 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// Where a permutation of 0, ..., count - 1, chosen by the key, takes i.
+// The image of i under a permutation of 0, ..., count - 1, selected by the key.
 std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::uint64_t key) {
-  constexpr int rounds = 6;  // four make a pseudorandom permutation of a good hash (Luby & Rackoff 1988)
+  // four give a pseudorandom permutation with a good hash (Luby & Rackoff 1988)
+  constexpr int rounds = 6;
   const int half = std::max(1, (static_cast<int>(std::bit_width(count - 1)) + 1) / 2);
   const std::uint64_t mask = (std::uint64_t{1} << half) - 1;
-  do {  // on average at most four times
+  do {  // at most four times on average
     std::uint64_t left = i >> half;
     std::uint64_t right = i & mask;
     for (int round = 0; round < rounds; ++round)
@@ -137,14 +139,15 @@ std::uint64_t permuted(std::uint64_t i, std::uint64_t count, std::uint64_t key) 
   return i;
 }
 
-// Uniform in [0, 1), a multiple of 2^-53.
+// A uniform number in [0, 1), a multiple of 2^-53.
 double fraction(std::uint64_t bits) { return std::ldexp(static_cast<double>(bits >> 11), -53); }
 
 std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube& hypercube, std::uint64_t row) {
   std::vector<double> inputs;
   inputs.reserve(plan.axes.size());
   for (const DesignAxis& axis : plan.axes) {
-    // By the parameter, not by the place of its axis: one that is added leaves the others as they were.
+    // The stratum depends on the parameter, not on the position of its axis, so a new axis does not
+    // change the others.
     const auto parameter = &design_parameter(axis.parameter.name) - design_parameters().data();
     const std::uint64_t key = mixed(hypercube.seed ^ mixed(static_cast<std::uint64_t>(parameter)));
     const std::uint64_t stratum = permuted(row, hypercube.samples, key);
@@ -155,7 +158,7 @@ std::vector<double> inputs_of_sample(const SweepPlan& plan, const LatinHypercube
   return inputs;
 }
 
-// A refusal of a number, told as one of the axis that it stands in.
+// Sets a value; a refusal names the axis.
 void set_from_axis(Test& design, const SweepPlan& plan, const DesignAxis& axis, const std::string& key, double value) {
   try {
     set(design, axis.parameter.name, value);
@@ -223,7 +226,7 @@ std::vector<double> inputs_of(const SweepPlan& plan, std::uint64_t row) {
 std::vector<DesignPoint> points_of(const SweepPlan& plan, RowSpan rows, unsigned threads) {
   std::vector<DesignPoint> points(rows.count);
   for_each_index(points.size(), threads, [&](std::size_t i) {
-    effort_spent += 1;  // A design that is refused at once can be stopped, too.
+    effort_spent += 1;  // lets designs that are refused at once be stopped, too
     points[i].values = inputs_of(plan, rows.first + i);
     points[i].result = result_of(with_values(plan.loading, plan.axes, points[i].values));
   });

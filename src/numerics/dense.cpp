@@ -49,7 +49,7 @@ Symmetric::Symmetric(const MatrixView& symmetric) : matrix_(symmetric), log_dete
   for (Index i = 0; i < symmetric.rows(); ++i) log_determinant_ += elementary::log(std::abs(factor.vectorD()[i]));
 }
 
-// Refined once, as an inverse loses more than the factors do.
+// One refinement step: the inverse alone is less accurate than a solution from the factors.
 VectorXd Symmetric::solved(const VectorView& right) const {
   const VectorXd x = inverse_ * right;
   return x + inverse_ * (right - matrix_ * x);

@@ -73,7 +73,7 @@ namespace {
 
 using Two = hn::CappedTag<double, 2>;
 
-// A function of two numbers at once, of all; the last may go alone.
+// Calls function(tag, i) for two numbers at a time; a last odd number is processed alone.
 template <class Function>
 void for_all(std::span<const double> x, Function function) {
   const std::size_t lanes = hn::Lanes(Two());
@@ -123,7 +123,7 @@ GaussianBelow gaussian_below(double z) {
 }
 
 double gaussian_quantile(double probability) {
-  // By the tail that is the smaller: there the logarithm loses no digits.
+  // The smaller tail is used, because its logarithm loses no digits.
   const double wanted = log(std::min(probability, 1 - probability));
   const double z =
       halved(60, {-10, 0}, [&](double below) { return !(gaussian_below(below).log_probability < wanted); }).low;

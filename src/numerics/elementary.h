@@ -1,12 +1,11 @@
-// Elementary functions that give the same bits on every processor and with every compiler, and what is no number or beyond all numbers.
+// Elementary functions that give the same bits on every processor and with every compiler, and the
+// constants NaN and infinity.
 #pragma once
 
 #include <limits>
 #include <span>
 
 namespace flexslip {
-
-// What is no number, and what is beyond all numbers.
 
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -15,10 +14,9 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 namespace flexslip::elementary {
 
-// Elementary functions that give the same bits on every processor.
-//
-// The C library chooses variants of its functions when the program runs, and those with fused products round differently. These are
-// compiled once, for the least processor, and fuse nothing.
+// The C library chooses variants of its functions at run time, and variants with fused products
+// round differently. These functions are compiled once, for the oldest supported processor, without
+// fused products.
 
 // Max error:  2 ulp. Below -708 the result is 0.
 double exp(double x);
@@ -27,15 +25,15 @@ double exp(double x);
 // Max error:  4 ulp.
 double log(double x);
 
-// exp(x) - 1 and ln(1 + x), also for small x.
+// exp(x) - 1 and ln(1 + x), accurate for small x.
 // Domain:     |x| < 700; x > -0.99.
 // Max error:  8 ulp.
 double exp_less_one(double x);
 double log_of_one_and(double x);
 
-// Σ ln x over many numbers, of whose product a logarithm is taken now and then.
+// A sum of ln x over many numbers. It takes the logarithm of their product only now and then.
 // Domain:     1e-100 < x < 1e100.
-// Max error:  1 ulp of 1 a number, and that of log.
+// Max error:  1 ulp of 1 for each number, plus the error of log.
 class LogProduct {
  public:
   void multiply(double x) {
@@ -58,31 +56,33 @@ struct SineAndCosine {
 // Max error:  4 ulp of 1.
 SineAndCosine sine_and_cosine(double x);
 
-// The same of many numbers, in about half the time: each as it is alone.
-// Domain:     as many results as numbers; a result may take the place of its number.
+// The same for many numbers, in about half the time. Each result equals the result of the
+// scalar function.
+// Domain:     as many results as numbers; a result may overwrite its number.
 void exp(std::span<const double> x, std::span<double> results);
 void sine_and_cosine(std::span<const double> x, std::span<double> sines, std::span<double> cosines);
 
-// sqrt(a^2 + b^2). Domain: no overflow of the squares.
+// sqrt(a^2 + b^2).
+// Domain:     the squares do not overflow.
 double length(double a, double b);
 
-// Of the point (x, y), from -π to π; 0 at the origin.
+// The polar angle of the point (x, y), from -π to π; 0 at the origin.
 // Max error:  4 ulp of π.
 double angle(double y, double x);
 
-// The same direction, from -π to π.
+// An angle that differs by a multiple of 2π, from -π to π.
 double wrapped_angle(double angle);
 
-// The standard Gaussian where a bound cuts it: ln P(z' < z), and the density at z over that probability.
+// The standard Gaussian below z: ln P(z' < z), and the density at z divided by that probability.
 struct GaussianBelow {
   double log_probability;
   double hazard;  // phi(z)/Phi(z)
 };
 
-// Max error:  relative 1e-13 of the hazard and, absolute, of the logarithm, for z > -1e5.
+// Max error:  relative 1e-13 of the hazard, absolute 1e-13 of the logarithm, for z > -1e5.
 GaussianBelow gaussian_below(double z);
 
-// z with Φ(z) = probability.
+// The quantile: z with Φ(z) = probability.
 // Domain:     1e-12 < probability < 1 - 1e-12.
 // Max error:  1e-12.
 double gaussian_quantile(double probability);

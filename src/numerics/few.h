@@ -1,4 +1,5 @@
-// A few numbers, a square matrix of a few, and products of them: what Eigen takes seconds to compile, source by source.
+// Vectors and square matrices of a few numbers, and their products. Eigen's would take seconds to
+// compile in each source.
 #pragma once
 
 #include <array>
@@ -19,7 +20,7 @@ struct Square {
 template <int M>
 using Few = std::array<double, static_cast<std::size_t>(M)>;
 
-// Of M terms, paired: a + b, a + (b + c), (a + b) + (c + d), as Eigen sums them.
+// The sum of M terms in pairs: a + b, a + (b + c), (a + b) + (c + d). Eigen sums in this order.
 template <int M, class Term>
 double paired_sum(const Term& term, int first = 0) {
   if constexpr (M == 1)

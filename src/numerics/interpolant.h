@@ -10,21 +10,24 @@
 
 namespace flexslip {
 
-// Linear maps from values at the nodes -cos(π j/n), j = 0, ..., n, where n is the degree; these include both ends.
+// Linear maps from values at the nodes -cos(π j/n), j = 0, ..., n, to coefficients. n is the
+// degree; the nodes include both ends.
 template <std::size_t degree>
 class Interpolant {
  public:
   using Values = std::array<double, degree + 1>;
 
   static double node(std::size_t j) { return maps().node[j]; }
-  // Coefficients of T_0, ..., T_n.
+  // The coefficients of T_0, ..., T_n.
   static Values chebyshev(const Values& at_nodes) { return apply(maps().chebyshev, at_nodes); }
-  // Bernstein coefficients on [-1, 1]: the polynomial lies between the least and the greatest of them, and has no more zeros than
-  // they have changes of sign (Descartes).
+  // The Bernstein coefficients on [-1, 1]. The polynomial lies between their minimum and maximum.
+  // It has at most as many zeros as they have changes of sign (Descartes).
   static Values bernstein(const Values& at_nodes) { return apply(maps().bernstein, at_nodes); }
 
  private:
-  using Matrix = std::array<Values, degree + 1>;  // a row for each node: sums of many coefficients side by side
+  using Matrix =
+      // one row per node, so that the sums of all coefficients run in parallel
+      std::array<Values, degree + 1>;
 
   static Values apply(const Matrix& map, const Values& values) {
     Values result{};
@@ -46,7 +49,7 @@ class Interpolant {
         return value;
       };
       const auto half_at_end = [](std::size_t i) { return i == 0 || i == degree ? 0.5 : 1.0; };
-      // The cosine of π i/n, of an argument within a turn.
+      // cos(π i/n), with the argument reduced to one turn.
       const auto cosine = [&](std::size_t i) {
         return elementary::sine_and_cosine(std::numbers::pi * real(i % (2 * degree)) / real(degree)).cosine;
       };
@@ -54,7 +57,7 @@ class Interpolant {
       for (std::size_t k = 0; k <= degree; ++k)
         for (std::size_t j = 0; j <= degree; ++j)
           chebyshev[j][k] = (k % 2 == 0 ? 2.0 : -2.0) / real(degree) * half_at_end(j) * half_at_end(k) * cosine(k * j);
-      // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to the full one.
+      // T_k = Σ_i (-1)^(k-i) C(2k, 2i)/C(k, i) B_i^k, raised from degree k to degree n.
       for (std::size_t i = 0; i <= degree; ++i)
         for (std::size_t k = 0; k <= degree; ++k) {
           double from_k = 0;

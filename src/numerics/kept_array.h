@@ -1,4 +1,5 @@
-// Arrays for objects that come and go by the thousand, each about as long as the one before: the thread keeps their memory.
+// Arrays for short-lived objects of similar size, thousands of them. The thread keeps and reuses
+// their memory.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +11,12 @@
 
 namespace flexslip {
 
-// What a thread keeps: no more than a handful of blocks.
+// The memory that a thread keeps: a few blocks.
 class KeptMemory {
  public:
   using Block = std::vector<double>;
 
-  // At least so many doubles.
+  // A block of at least `size` doubles.
   static Block take(std::size_t size) {
     const auto found = std::find_if(kept.begin(), kept.end(), [&](const Block& block) { return block.size() >= size; });
     if (found == kept.end()) return Block(size + size / 4);
@@ -23,17 +24,17 @@ class KeptMemory {
     kept.erase(found);
     return block;
   }
-  static void give_back(Block block) {
-    if (kept.size() == most) kept.erase(kept.begin());
+  static void put(Block block) {
+    if (kept.size() == max_blocks) kept.erase(kept.begin());
     kept.push_back(std::move(block));
   }
 
  private:
-  static constexpr std::size_t most = 8;
+  static constexpr std::size_t max_blocks = 8;
   static inline thread_local std::vector<Block> kept;
 };
 
-// Values that are not initialised.
+// An array of uninitialised values.
 template <class T>
 class KeptArray {
   static_assert(std::is_trivially_default_constructible_v<T> && std::is_trivially_destructible_v<T> &&
@@ -51,7 +52,7 @@ class KeptArray {
     return *this;
   }
   ~KeptArray() {
-    if (!block_.empty()) KeptMemory::give_back(std::move(block_));
+    if (!block_.empty()) KeptMemory::put(std::move(block_));
   }
   T* data() { return reinterpret_cast<T*>(block_.data()); }
   const T* data() const { return reinterpret_cast<const T*>(block_.data()); }

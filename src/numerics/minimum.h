@@ -1,4 +1,5 @@
-// Where functions are greatest or least: of one number, of a few numbers, and of a few with slopes.
+// Maxima and minima of functions: of one variable, of several without a gradient, and of several
+// with a gradient.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +13,20 @@
 
 namespace flexslip {
 
-// Of one number.
+// ---- One variable
 
 struct Greatest {
   double at, value;
 };
 
-// The greatest value of a function between two numbers, or at a place where it is greater than about it.
-// Domain:     low < high, tolerance above the rounding of both. The function is asked between them alone.
-// Max error:  of the place 2 `tolerance`, and what rounding leaves of a smooth peak: the root of 1e-16 of its width.
-// Method:     parabolas through the best three points, golden sections where they lead nowhere (Brent 1973, chapter 5): the function may have
-//             kinks.
-// Cost:       some 10 calls where it is smooth, 1.44 log2(width/tolerance) where it is not.
+// The maximum of a function between two limits, or a local maximum within them.
+// Domain:     low < high; tolerance above the rounding of both. The function is evaluated only
+//             between them.
+// Max error:  of the position, 2 `tolerance` plus 1e-8 of the width of a smooth peak, because of
+//             rounding.
+// Method:     parabolas through the best three points, golden sections where a parabola fails
+//             (Brent 1973, chapter 5). The function may have kinks.
+// Cost:       about 10 calls for a smooth function, 1.44 log2(width/tolerance) otherwise.
 template <class Function>
 Greatest greatest_within(const Function& f, double low, double high, double tolerance) {
   constexpr double golden = 0.3819660112501051;
@@ -65,7 +68,7 @@ Greatest greatest_within(const Function& f, double low, double high, double tole
   return {x, at_x};
 }
 
-// Of a few numbers, without slopes.
+// ---- Several variables, no gradient
 
 using FunctionOfNumbers = std::function<double(std::span<const double>)>;
 
@@ -75,19 +78,20 @@ struct Least {
 };
 
 struct LeastOptions {
-  std::vector<double> steps;  // the first, of each number
-  double close_in_value;      // ends where the values met differ by less,
-  double close_in_numbers;    // or the numbers do
-  int max_calls;              // from each start
+  std::vector<double> steps;  // [units of each variable] the initial steps
+  double close_in_value;      // stop if the values of the simplex differ by less,
+  double close_in_numbers;    // or its points do, in every variable
+  int max_calls;              // for each start
 };
 
-// The least value met from any of the starts.
-// Domain:     starts not empty, each as long as the steps. The function may be infinite or no number where it has none.
-// Method:     Nelder and Mead's simplex (NLopt): the function may have kinks and steps.
-// Fails:      never; a valley that ends elsewhere is not found.
+// The smallest value found from any of the starts.
+// Domain:     starts not empty, each as long as the steps. The function may return infinity or NaN
+//             where it is undefined.
+// Method:     Nelder and Mead's simplex (NLopt). The function may have kinks and steps.
+// Fails:      never; but the result may be a local minimum.
 Least least_from(const FunctionOfNumbers& f, std::span<const std::vector<double>> starts, const LeastOptions& options);
 
-// Of a few numbers, with slopes, in a box.
+// ---- Several variables with a gradient, within a box
 
 template <class Vector>
 struct Box {
@@ -99,24 +103,27 @@ template <class Vector>
 using SquareOf = Eigen::Matrix<double, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime, 0,
                                Vector::MaxRowsAtCompileTime, Vector::MaxRowsAtCompileTime>;
 
-// Uphill until a step gains less than `negligible` and the next promises no more, or none of six lengths of a step gains at all, or for so many
-// iterations.
-// Domain:     Vector: a column of Eigen's; f(Vector) gives a struct with `value` and `gradient`, finite in the box. inverse: that of minus the
-//             curvature, roughly; it is left as it was learned. Numbers and values of the order of 1: of steps shorter than 1e-6 no curvature is learned.
-// Method:     BFGS, each step shortened to the longest and to the box, then by 0.3 until it rises, at most five times.
-// Fails:      never; where none of six lengths of a step rises it ends, in a bent valley that leads into a wall maybe before its end.
-// Cost:       1 + (1 to 6) calls an iteration.
+// A local maximum of f within a box. The search ends after `iterations`, or when a step gained less
+// than `negligible` and the next promises as little, or when no step increases f.
+// Domain:     Vector: an Eigen column; f(Vector) returns a struct with `value` and `gradient`,
+//             finite within the box. Variables and values are of the order of 1. inverse: roughly
+//             the inverse of minus the Hessian.
+// Method:     BFGS. Each step is limited to the longest step and to the box, then shortened by 0.3
+//             at most five times until f increases. `inverse` is updated, except by steps shorter
+//             than 1e-6.
+// Fails:      never; but in a curved valley that meets a wall the search may end early.
+// Cost:       1 + (1 to 6) calls per iteration.
 template <class Function, class Vector>
 Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector>& box, SquareOf<Vector>& inverse,
                         int iterations, double negligible) {
   const Eigen::Index n = start.size();
-  if (n < 1) return start;  // no number can move, and a gradient of none has no first element
+  if (n < 1) return start;  // without variables, the gradient has no first element
   Vector x = start.cwiseMax(box.low).cwiseMin(box.high);
   auto now = f(x);
   double gain = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < iterations; ++iteration) {
     Vector step = inverse * now.gradient;
-    for (Eigen::Index i = 0; i < n; ++i)  // at a wall, nothing moves into it
+    for (Eigen::Index i = 0; i < n; ++i)  // at a wall, do not step into it
       if ((x[i] <= box.low[i] && step[i] < 0) || (x[i] >= box.high[i] && step[i] > 0)) step[i] = 0;
     if (!step.allFinite()) break;
     if (gain < negligible && 0.5 * now.gradient.dot(step) < negligible) break;
@@ -131,7 +138,7 @@ Vector maximised_in_box(const Function& f, const Vector& start, const Box<Vector
       has_risen = then.value > now.value;
     }
     if (!has_risen) break;
-    const Vector s = next - x, y = (now.gradient - then.gradient).head(n);  // of minus the function
+    const Vector s = next - x, y = (now.gradient - then.gradient).head(n);  // y: of minus f
     const double sy = s.dot(y);
     gain = then.value - now.value;
     if (sy > 1e-12) {

@@ -1,4 +1,5 @@
-// Polynomials: their values, slopes and roots, cubics through values and slopes, series of Chebyshev's.
+// Polynomials on [-1, 1] or [0, 1] by their Chebyshev or Bernstein coefficients: values, slopes,
+// zeros; and cubics.
 #pragma once
 
 #include <array>
@@ -7,13 +8,11 @@
 
 namespace flexslip {
 
-// Polynomials on [-1, 1] or [0, 1], by their Chebyshev or Bernstein coefficients, and their zeros.
-
 struct ValueAndSlope {
   double value, slope;
 };
 
-// The cubic over [0, 1] through two values with their slopes (Hermite), written from its beginning.
+// The cubic over [0, 1] through two values with two slopes (Hermite), in powers of t.
 struct Cubic {
   double value, slope, c2, c3;
   Cubic(double from, double to, double slope_from, double slope_to)
@@ -27,7 +26,7 @@ struct Cubic {
   }
 };
 
-// A Chebyshev series at t in [-1, 1] (Clenshaw).
+// The value of a Chebyshev series at t in [-1, 1] (Clenshaw).
 template <std::size_t size>
 double series_at(const std::array<double, size>& c, double t) {
   double b1 = 0;
@@ -36,7 +35,7 @@ double series_at(const std::array<double, size>& c, double t) {
   return c[0] + t * b1 - b2;
 }
 
-// The same at some points, four of them side by side.
+// The same at several points, four in parallel.
 template <std::size_t size, std::size_t points>
 std::array<double, points> series_at(const std::array<double, size>& c, const std::array<double, points>& t) {
   constexpr std::size_t width = 4;
@@ -52,7 +51,7 @@ std::array<double, points> series_at(const std::array<double, size>& c, const st
   return values;
 }
 
-// The same with its derivative, which is Σ c_k k U_{k-1}.
+// The value and the derivative, Σ c_k k U_{k-1}.
 template <std::size_t size>
 ValueAndSlope series_slope_at(const std::array<double, size>& c, double t) {
   double b1 = 0;
@@ -66,7 +65,7 @@ ValueAndSlope series_slope_at(const std::array<double, size>& c, double t) {
   return {c[0] + t * b1 - b2, d1};
 }
 
-// The integral of a series that vanishes at -1, times `scale`.
+// The integral of a series, times `scale`. It is 0 at -1.
 template <std::size_t size>
 std::array<double, size + 1> integrated(const std::array<double, size>& c, double scale) {
   std::array<double, size + 1> integral{};
@@ -90,7 +89,7 @@ std::array<double, size - 1> derivative(const std::array<double, size>& c) {
   return slope;
 }
 
-// The product of two series, up to so many terms.
+// The product of two series, truncated to `terms` terms.
 template <std::size_t terms, std::size_t a_size, std::size_t b_size>
 std::array<double, terms> product(const std::array<double, a_size>& a, const std::array<double, b_size>& b) {
   static_assert(terms >= a_size && terms >= b_size);
@@ -104,7 +103,7 @@ std::array<double, terms> product(const std::array<double, a_size>& a, const std
   return sum;
 }
 
-// A Bernstein polynomial and its derivative at t in [0, 1] (de Casteljau).
+// The value and the derivative of a Bernstein polynomial at t in [0, 1] (de Casteljau).
 template <std::size_t size>
 ValueAndSlope bernstein_at(std::array<double, size> b, double t) {
   double slope = 0;
@@ -115,7 +114,7 @@ ValueAndSlope bernstein_at(std::array<double, size> b, double t) {
   return {b[0], slope};
 }
 
-// The same polynomial over the first and over the second half.
+// The Bernstein coefficients of the same polynomial on the first half and on the second.
 template <std::size_t size>
 std::array<std::array<double, size>, 2> bernstein_halves(const std::array<double, size>& b) {
   std::array<double, size> first, second = b;

@@ -5,38 +5,38 @@
 
 namespace flexslip {
 
-Watch::Watch(std::function<void(const Reached&)> told)
-    : told_(std::move(told)), before_(effort_spent.watch_), begun_(effort_spent.spent_), entered_(begun_) {
-  effort_spent.watched_by(this);
+Watch::Watch(std::function<void(const Reached&)> report)
+    : report_(std::move(report)), before_(effort_spent.watch_), begun_(effort_spent.spent_), entered_(begun_) {
+  effort_spent.set_watch(this);
 }
 
-Watch::~Watch() { effort_spent.watched_by(before_); }
+Watch::~Watch() { effort_spent.set_watch(before_); }
 
-void Watch::go_on_with(const Stretch& next) {
+void Watch::begin(const Stretch& next) {
   now_ = next;
   entered_ = effort_spent.spent();
-  tell();
+  notify();
 }
 
-void Watch::tell() { told_({now_.stage, share()}); }
+void Watch::notify() { report_({now_.stage, share()}); }
 
 double Watch::share() const {
   const double before = static_cast<double>(entered_ - begun_),
                since = static_cast<double>(effort_spent.spent() - entered_);
   if (!(before > 0 && now_.from > 0 && now_.to > now_.from)) return now_.from;
   const double expected = before / now_.from * (now_.to - now_.from), of_it = since / expected;
-  const double done = of_it < 0.5 ? of_it : 1 - 0.25 / of_it;  // smooth where they meet
+  const double done = of_it < 0.5 ? of_it : 1 - 0.25 / of_it;  // smooth at 0.5
   return std::min(now_.from + (now_.to - now_.from) * done, now_.to);
 }
 
-void Effort::watched_by(Watch* watch) {
+void Effort::set_watch(Watch* watch) {
   watch_ = watch;
-  next_told_ = watch ? spent_ + Watch::every : never;
+  next_report_ = watch ? spent_ + Watch::every : never;
 }
 
-void Effort::tell() {
-  next_told_ = spent_ + Watch::every;
-  watch_->tell();
+void Effort::notify() {
+  next_report_ = spent_ + Watch::every;
+  watch_->notify();
 }
 
 Stages::Stages() : watch_(effort_spent.watch_) {
@@ -52,7 +52,7 @@ void Stages::enter(std::string_view name, double share) {
   done_ += next_;
   next_ = share;
   const auto at = [&](double part) { return std::min(whole_.from + (whole_.to - whole_.from) * part, whole_.to); };
-  watch_->go_on_with({name.empty() ? whole_.stage : name, at(done_), at(done_ + next_)});
+  watch_->begin({name.empty() ? whole_.stage : name, at(done_), at(done_ + next_)});
 }
 
 }  // namespace flexslip

@@ -1,4 +1,5 @@
-// How far the work of a thread has come, for whoever waits for it: work enters its stages where it does them, and no signature knows of it.
+// The progress of the work of a thread. The work enters its stages where it does them; no signature
+// mentions progress.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +11,20 @@
 namespace flexslip {
 
 struct Reached {
-  std::string_view stage;  // what is being done, in words
-  double share;            // [1] what is usually done of the whole by then; between 0 and 1, and never less than before
+  std::string_view stage;  // the current activity, in words
+  // [1] share of the whole that is usually done by now; from 0 to 1, never decreasing
+  double share;
 };
 
-// While it lives, `told` hears on this thread what its work has reached: at each stage, and in between every so much effort.
-// Within a stage the share grows by the effort spent, by what the stages before it took: evenly up to half of what is expected, then ever more slowly.
+// While a Watch lives, it calls `report` on this thread with the progress of its work: at each
+// stage, and after every `every` states. Within a stage the share grows with the effort spent,
+// scaled by the effort of the stages before: linearly up to half of the expected effort, then ever
+// more slowly.
 class Watch {
  public:
   static constexpr std::uint64_t every = 100'000;  // [states] a few ms
 
-  explicit Watch(std::function<void(const Reached&)> told);
+  explicit Watch(std::function<void(const Reached&)> report);
   ~Watch();
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
@@ -28,39 +32,40 @@ class Watch {
  private:
   friend class Effort;
   friend class Stages;
-  // What is being done takes the whole from one share to another.
+  // The current activity, and the share of the whole before and after it.
   struct Stretch {
     std::string_view stage;
     double from, to;  // [1]
   };
-  void go_on_with(const Stretch& next);
-  void tell();
+  void begin(const Stretch& next);
+  void notify();
   double share() const;
 
-  std::function<void(const Reached&)> told_;
+  std::function<void(const Reached&)> report_;
   Watch* before_;
-  std::uint64_t begun_, entered_;  // [states] spent until then
+  std::uint64_t begun_, entered_;  // [states] the effort spent at that moment
   Stretch now_{"", 0, 1};
 };
 
-// Stages of a piece of work, one after the other: together they are the stage of the work that it is a piece of. Where nobody watches,
-// they do nothing.
+// Consecutive stages of a piece of work. Together they make up the current stage of the enclosing
+// work. Without a Watch they do nothing.
 class Stages {
  public:
   Stages();
-  // The piece is over; if it ended early, what it left out counts as done.
+  // Ends the piece. If it ended early, its omitted stages count as done.
   ~Stages();
   Stages(const Stages&) = delete;
   Stages& operator=(const Stages&) = delete;
 
-  // Ends the stage before. An empty name is that of the work as a whole.
-  // Domain:     `share` [1] of the piece, of its time as measured (bench/stages); all together at most 1. The name outlives the Watch.
+  // Begins a stage and ends the one before. An empty name keeps the name of the enclosing work.
+  // Domain:     `share` [1] of the time of the piece, as measured (bench/stages); the sum is at
+  //             most 1. The name outlives the Watch.
   void enter(std::string_view name, double share);
 
  private:
   Watch* watch_;
   Watch::Stretch whole_;
-  double done_ = 0, next_ = 0;  // [1] of the piece
+  double done_ = 0, next_ = 0;  // [1] share of the piece
 };
 
 }  // namespace flexslip

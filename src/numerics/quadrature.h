@@ -12,8 +12,8 @@ struct GaussRule {
   std::array<double, size> weight;
 };
 
-// The error over an interval h of a function that varies as exp(i x/l) is, relative to it, below 5e-7 (h/l)^6, 2e-16 (h/l)^12
-// and 6e-31 (h/l)^20.
+// The relative errors for exp(i x/l) over an interval h are below 5e-7 (h/l)^6, 2e-16 (h/l)^12 and
+// 6e-31 (h/l)^20.
 inline constexpr GaussRule<3> gauss_3{{-0.77459666924148338, 0.0, 0.77459666924148338},
                                       {0.55555555555555556, 0.88888888888888889, 0.55555555555555556}};
 inline constexpr GaussRule<6> gauss_6{{-0.93246951420315203, -0.66120938646626451, -0.23861918608319691,
@@ -33,7 +33,7 @@ inline constexpr GaussRule<12> gauss_12{
      0.24914704581340279, 0.24914704581340279, 0.23349253653835481, 0.20316742672306592, 0.16007832854334623,
      0.10693932599531843, 0.047175336386511827}};
 
-// Σ weight f(x) over [a, b]; f returns something that can be scaled and added.
+// Σ weight f(x) over [a, b]. f returns a type that can be scaled and added.
 template <std::size_t size, class Function>
 auto integral(const GaussRule<size>& rule, double a, double b, Function f) {
   const double middle = 0.5 * (a + b);

@@ -1,9 +1,9 @@
-// What the domain of a declaration asks of a number.
+// Checks of the domain of a number.
 #pragma once
 
 namespace flexslip {
 
-// Fails:      std::invalid_argument "name = value is out of range" where it does not hold.
+// Fails:      throws std::invalid_argument "name = value is out of range" unless `holds`.
 void require(bool holds, const char* name, double value);
 
 }  // namespace flexslip

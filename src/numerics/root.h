@@ -1,4 +1,5 @@
-// Where a function of one number vanishes, and where something becomes true: within a bracket that is never left.
+// Zeros of functions of one variable, and the points at which a condition becomes true. Every
+// search stays within its bracket.
 #pragma once
 
 #include <cmath>
@@ -8,7 +9,7 @@
 
 namespace flexslip {
 
-// By halves.
+// ---- Bisection
 
 struct Bracket {
   double low, high;
@@ -17,9 +18,10 @@ struct Bracket {
   double middle() const { return 0.5 * (low + high); }
 };
 
-// A bracket is halved until it is `enough`, or two neighbouring numbers; is_beyond(x) is false at its low end, true at its high one, and neither is
-// asked. Low and high in either order.
-// Fails:      never; where is_beyond turns more than once, one of the turns is kept.
+// Bisects the bracket until enough(bracket) is true or its ends are neighbouring numbers. is_beyond
+// is false at `low`, true at `high`, and evaluated at neither. `low` may exceed `high`.
+// Fails:      never; where is_beyond changes more than once, the result brackets one of the
+//             changes.
 template <class Predicate, class Enough>
 Bracket halved_until(const Enough& enough, Bracket bracket, const Predicate& is_beyond) {
   while (!enough(bracket)) {
@@ -30,33 +32,37 @@ Bracket halved_until(const Enough& enough, Bracket bracket, const Predicate& is_
   return bracket;
 }
 
-// Halved so many times: to 2^-halvings of its width.
+// Bisects `halvings` times, to a width of 2^-halvings.
 template <class Predicate>
 Bracket halved(int halvings, Bracket bracket, const Predicate& is_beyond) {
   const auto enough = [&](const Bracket&) { return halvings-- <= 0; };
   return halved_until(enough, bracket, is_beyond);
 }
 
-// The first number from which on something is true, on the way from one at which it is false to `end`, in either direction; `end` where it is
-// false even there.
-// Max error:  none: the neighbour is false. (2^-200 of the way, which only a place next to 0 is near to.)
-// Cost:       one call at the end, and some 50 more where it is true there.
+// The first number at which is_true holds, on the way from `is_false` to `end`, in either
+// direction; `end` if it is false there too.
+// Max error:  none: is_true is false at the neighbour. Exception: a point closer to 0 than 2^-200
+//             of the way.
+// Cost:       one call at the end, and about 50 more if it is true there.
 template <class Predicate>
 double first_where(double is_false, double end, const Predicate& is_true) {
   constexpr int max_halvings = 200;
   return is_true(end) ? halved(max_halvings, {is_false, end}, is_true).high : end;
 }
 
-// By Newton's iteration.
+// ---- Newton's iteration
 
-// The zero of a function between a place where it is negative and one where it is positive, in either order; f(x) gives its value and slope.
-// Domain:     x between the two; where f does not change its sign, the result lies between them, too.
-// Max error:  the square of a step of `close` + `relative` |x|, if the bend is of the order of the slope: the last step is no longer than that.
-// Method:     Newton's iteration from x; a step that would leave the bracket halves it.
-// Cost:       at most 60 calls of f, the last at the place before the result, or at the result itself where f is 0.
+// The zero of a function between a point where it is negative and one where it is positive, in
+// either order. f(x) returns value and slope.
+// Domain:     x between the two. If f does not change sign, the result still lies between them.
+// Max error:  the square of a step of `close` + `relative` |x|, if f'' is of the order of f'. The
+//             last step is at most that long.
+// Method:     Newton's iteration from x; bisection where a step would leave the bracket.
+// Cost:       at most 60 calls of f. The last is at the point before the result, or at the result
+//             where f is 0.
 template <class Function>
 double zero_between(const Function& f, double negative, double positive, double x, double close, double relative = 0) {
-  constexpr int max_steps = 60;  // as many halvings leave nothing of a bracket
+  constexpr int max_steps = 60;  // 60 bisections exhaust any bracket
   for (int i = 0; i < max_steps; ++i) {
     const auto [value, slope] = f(x);
     if (value == 0) return x;
@@ -65,7 +71,7 @@ double zero_between(const Function& f, double negative, double positive, double 
     const double newton = x - value / slope;
     const bool is_between = (newton - negative) * (newton - positive) < 0;
     if (!is_between && std::isfinite(slope) && std::abs(newton - x) <= tolerance)
-      return x;  // a step that rounding has made none
+      return x;  // rounding made the step zero
     const double next = is_between ? newton : 0.5 * (negative + positive);
     const double step = std::abs(next - x);
     x = next;
@@ -74,17 +80,19 @@ double zero_between(const Function& f, double negative, double positive, double 
   return x;
 }
 
-// Without slopes.
+// ---- Without a slope
 
 struct Tried {
   double x, value;
 };
 
-// The zero of a function between a place where it is negative and one where it is positive, in either order. A value that is infinite or none counts
-// as positive.
+// The zero of a function between a point where it is negative and one where it is positive, in
+// either order. NaN and infinity count as positive.
 // Domain:     negative.value < 0, and not positive.value < 0.
-// Max error:  |f| <= `small` there; or else its neighbour has the other sign, or both have been approached 200 times.
-// Method:     the secant, where an end that stays counts for half each time (Dowell and Jarratt, BIT 11, 1971); halves where it leads nowhere.
+// Max error:  |f| <= `small` at the result. Otherwise f changes sign at the neighbouring number, or
+//             200 steps were made.
+// Method:     regula falsi with the retained end's value halved each time (Illinois method: Dowell
+//             and Jarratt, BIT 11, 1971); otherwise bisection.
 template <class Function>
 double zero_by_secant(const Function& f, Tried negative, Tried positive, double small) {
   constexpr int max_steps = 200;
@@ -105,12 +113,13 @@ double zero_by_secant(const Function& f, Tried negative, Tried positive, double 
   return negative.x;
 }
 
-// As first_where, for a function that is positive until then.
-// Domain:     before.value > 0; f continuous but for jumps; where it is not a number it counts as not positive.
+// The first number at which f is not positive, as first_where.
+// Domain:     before.value > 0; f continuous except for jumps. NaN counts as not positive.
 // Max error:  as first_where.
-// Method:     as zero_by_secant down to some ulp, no closer to an end than half of these, halving where three steps have not halved the bracket; then
-//             by halves.
-// Cost:       one call at the end, and some ten more where it is not positive there; at a jump up to 250.
+// Method:     as zero_by_secant down to a few ulp, with at least half of that distance from both
+//             ends. Bisection if three steps have not halved the bracket, and at the end.
+// Cost:       one call at the end, and about ten more if f is not positive there; at a jump up to
+//             250.
 template <class Function>
 double first_not_positive(const Function& f, Tried before, double end) {
   Tried after{end, f(end)};

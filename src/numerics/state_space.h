@@ -1,5 +1,5 @@
-// A linear Gaussian state-space model of a few numbers that change along a line and are observed through noise, for several series at once: the Kalman
-// filter and its smoother.
+// A linear Gaussian state-space model: a state that changes along a line and is observed with
+// noise. The Kalman filter and smoother process several series at once.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,15 @@
 
 namespace flexslip {
 
-// A state x of so many numbers, of which each of the series has its own: x = mean ± covariance, the same covariance for all.
+// A state x of several `numbers`: x = mean ± covariance. Each series has its own mean; all have the
+// same covariance.
 template <int numbers, int series>
 struct GaussianState {
   Eigen::Matrix<double, numbers, series> mean;
   Eigen::Matrix<double, numbers, numbers> covariance;
 };
 
-// From one place to the next: x becomes A x + u, u of mean 0.
+// The transition to the next point: x becomes A x + u, where u has mean 0.
 template <int numbers>
 struct Transition {
   Eigen::Matrix<double, numbers, numbers> matrix;  // A
@@ -28,16 +29,17 @@ GaussianState<numbers, series> predicted(const GaussianState<numbers, series>& s
   return {to.matrix * state.mean, to.matrix * state.covariance * to.matrix.transpose() + to.added};
 }
 
-// What an observation y = h'x + ε tells, of each of the series.
+// The result of an observation y = h'x + ε in each series.
 template <int numbers, int series>
 struct Update {
-  GaussianState<numbers, series> state;         // with it
-  Eigen::Matrix<double, 1, series> innovation;  // y less its prediction
+  GaussianState<numbers, series> state;         // given the observation
+  Eigen::Matrix<double, 1, series> innovation;  // y minus its prediction
   double variance;                              // of the innovation
 };
 
-// Domain:     variance of ε >= 0, and that of the innovation > 0.
-// Method:     Joseph's form, whose covariance stays positive, however little is left of a diffuse state.
+// Domain:     the variance of ε is >= 0, the variance of the innovation > 0.
+// Method:     Joseph's form, which keeps the covariance positive even if a diffuse state becomes
+//             nearly certain.
 template <int numbers, int series>
 Update<numbers, series> updated(const GaussianState<numbers, series>& prediction,
                                 const Eigen::Matrix<double, numbers, 1>& h, const Eigen::Matrix<double, 1, series>& y,
@@ -54,15 +56,15 @@ Update<numbers, series> updated(const GaussianState<numbers, series>& prediction
           total};
 }
 
-// A place on the line: how the state came there, what was expected of it, and what is known with the observation there.
+// One point on the line: the transition to it, and the state before and after its observation.
 template <int numbers, int series>
 struct FilterStep {
-  Transition<numbers> from_before;  // that of the first place is not asked
+  Transition<numbers> from_before;  // unused at the first point
   GaussianState<numbers, series> prediction, state;
 };
 
-// The mean of the state at each place, given all observations, those after it, too.
-// Domain:     covariances of the predictions regular.
+// The mean of the state at each point, given all observations.
+// Domain:     the covariances of the predictions are regular.
 // Method:     Rauch, Tung and Striebel (AIAA J. 3, 1965).
 template <int numbers, int series>
 std::vector<Eigen::Matrix<double, numbers, series>> rts_means(const std::vector<FilterStep<numbers, series>>& steps) {

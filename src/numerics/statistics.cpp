@@ -138,7 +138,7 @@ double correlation_lost_to_line(std::span<const double> residuals) {
 
 namespace {
 
-// ln Γ(a), Stirling's series from 12 on: its next term is below 1e-13 there.
+// ln Γ(a) by Stirling's series for a >= 12, where the next term is below 1e-13.
 double log_gamma(double a) {
   double shift = 0;
   for (; a < 12; a += 1) shift += elementary::log(a);
@@ -147,7 +147,8 @@ double log_gamma(double a) {
   return (a - 0.5) * elementary::log(a) - a + 0.5 * elementary::log(2 * std::numbers::pi) + series - shift;
 }
 
-// The incomplete gamma function Q(a, x), by the series of 1 - Q below a + 1 and the continued fraction of Q (Lentz) above.
+// The incomplete gamma function Q(a, x): for x < a + 1 by the series of 1 - Q, otherwise by the
+// continued fraction of Q (Lentz).
 double gamma_beyond(double a, double x) {
   if (!(x > 0)) return 1;
   const double front = elementary::exp(a * elementary::log(x) - x - log_gamma(a));
@@ -212,7 +213,7 @@ double probability_below(const NormalMixture& mixture, double x) {
 }
 
 double quantile_of(const NormalMixture& mixture, double probability) {
-  constexpr double reach = 12;  // deviations, beyond which nothing is
+  constexpr double reach = 12;  // deviations; the probability beyond is negligible
   double low = infinity, high = -low;
   for (const auto& part : mixture) {
     low = std::min(low, part.mean - reach * part.deviation);

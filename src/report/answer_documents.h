@@ -1,5 +1,6 @@
-// What the answers say for people: the sentence, and all of it as the document that the text on a terminal, the report and the paper lay out. A source
-// each: fit_document.cpp, modulus_document.cpp, campaign_document.cpp, design_document.cpp.
+// Answers for people: a short sentence, and a document for the terminal, the report and the paper.
+// One source per kind of answer: fit_document.cpp, modulus_document.cpp, campaign_document.cpp,
+// design_document.cpp.
 #pragma once
 
 #include <cstddef>
@@ -16,82 +17,81 @@
 
 namespace flexslip {
 
-// ---- A fitted test: the answer on one screen, and all of it
+// ---- A fitted test
 
-// How the screen is laid out.
+// The layout of the screen.
 struct ScreenStyle {
   std::size_t width = line_length;  // [characters]
-  bool colour = false;              // bold, and a colour for the verdict, as terminals take it
+  bool colour = false;              // bold text, and a colour for the verdict, as escape sequences
 };
 
-// The verdict with its numbers on the first line; the rows; at most three doubts, each with its remedy; the checks; one next step. 24 lines at
-// most on a terminal of 100 characters or more (tests/outside/fit.py).
+// The answer on one screen: the verdict with its numbers, the rows, at most three warnings with
+// their suggested actions, the checks, and one next step. At most 24 lines on a terminal of 100
+// characters or more (tests/outside/fit.py).
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
-// The rows of an answer and what stands against it, each doubt with its remedy.
+// The rows of an answer, followed by its warnings with their suggested actions.
 Rows rows_of(const Answer& answer);
 
-// What the rows leave to tell. Of a test of any status; the test must outlive it.
+// The document of a test of any status, without the content of the rows. The test must outlive it.
 std::vector<Chapter> document_of(const FittedTest& test);
 
-// The screen and the document, for a terminal.
+// The screen and the document as text for a terminal.
 std::string fit_text(const FittedTest& test);
 
-// Why a test has no answer, and what to look at; "" if it has one.
+// The reason why a test has no answer, and what to check; "" if it has an answer.
 std::string why_no_answer(const FittedTest& test);
 
 // The steps from the file to the record.
 Rows preparation_rows(const Measurement& measurement);
 
-// What the literature gives for the materials that the case states.
+// The friction that the literature gives for the stated materials.
 std::optional<LiteratureFriction> literature_of(const FittedTest& test);
 
 inline constexpr std::size_t listed_explanations = 8;
 
 // ---- The numbers of the bending standards
 
-// All of `modulus`.
+// The document of `modulus`.
 std::vector<Chapter> document_of(const StandardTest& test);
 
-// The numbers in the document of a fit, and how they lie to those of the fit.
+// The chapter with these numbers in the document of a fit, compared with the fit.
 Chapter small_deflection_chapter(const FittedTest& test);
 
-// What a reader of these numbers should know, sentence by sentence; one that says why if there are none.
+// Remarks on these numbers, one sentence each; the reason if there are no numbers.
 std::vector<std::string> small_deflection_in_words(const StandardTest& test);
 
 // ---- A campaign
 
-// How many tests, with what verdicts, what friction, what share of the work, what is suspect and what failed.
+// A summary: the number of tests, verdicts, friction, share of the work, suspect and failed tests.
 std::string campaign_in_short(const Campaign& campaign);
 
-// An estimate in print, "0.519 (0.40 to 0.64)" or "0.519 ± 0.060", in a unit that is `factor` of its own.
+// Prints an estimate as "0.519 (0.40 to 0.64)" or "0.519 ± 0.060", divided by `factor`.
 using WriteEstimate = std::string(const Estimate& estimate, double factor);
 WriteEstimate with_interval, with_error;
 
-// All of it: test by test, by category, between specimens, what tests share, what failed, the force curves, what the
-// columns say. The estimates of the tests are written so; links lead to the reports of the tests with an answer, in their order, if they are given.
+// The document of a campaign: tests, categories, spread between specimens, shared inputs, failures,
+// force curves, meaning of the columns. `written` prints the estimates. `links`, if given, lead to
+// the reports of the tests with an answer, in their order.
 std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
                                  const std::vector<std::string>& links = {});
 
-// For a terminal.
+// The document as text for a terminal.
 std::string campaign_text(const Campaign& campaign);
 
-// What the literature gives for the materials, if all tests state the same ones.
+// The friction that the literature gives for the materials, if all tests state the same ones.
 std::optional<LiteratureFriction> literature_of(const Campaign& campaign);
 
 // ---- A planned test
 
-// The answer in a sentence.
+// The answer in one sentence.
 std::string design_in_short(const DesignAnswer& answer);
 
-// What to change for it to be otherwise, one change each: "a load train of at least 438 N/m instead of 90.65 N/m".
+// Changes that reverse the answer, one each: "a load train of at least 438 N/m instead of 90.65
+// N/m".
 std::vector<std::string> changes_in_words(const DesignAnswer& answer);
 
-// The answer, what decides it, what becomes of the work, and the changes.
+// The document of a design: the answer, its reasons, the energy account, and the changes.
 std::vector<Chapter> document_of(const DesignAnswer& answer);
-
-// ---- A height trace
-
-// The answer in a sentence; all of it.
 
 }  // namespace flexslip

@@ -21,7 +21,7 @@ namespace {
 
 // ---- Numbers in print
 
-// In the unit of print that suits it, if it is one of lengths, moduli or bending stiffnesses.
+// The readable unit of a length, modulus or bending stiffness.
 TableUnit print_unit(double value, const std::string& si_unit) {
   if (si_unit == "1") return {"", 1};
   const Unit si = parse_unit(si_unit);
@@ -54,7 +54,7 @@ std::string titled(std::string_view symbol, const TableUnit& unit) {
   return fmt::format("{} ({})", symbol, typeset(unit.name));
 }
 
-// Mean (least to greatest).
+// Mean (minimum to maximum).
 std::string of_spread(const Spread& spread, double factor, int decimals) {
   if (spread.count == 0) return "";
   const std::string mean = fmt::format("{:.{}f}", factor * spread.mean, decimals);
@@ -71,10 +71,10 @@ std::string at_most(const Spread& limits) {
 }
 
 std::string of_friction(const CategorySpread& category) {
-  const std::string told = of_spread(category.mu0, 1, 3);
-  if (category.mu0_limit.count == 0) return told;
+  const std::string mean = of_spread(category.mu0, 1, 3);
+  if (category.mu0_limit.count == 0) return mean;
   const std::string limits = fmt::format("{} {}", category.mu0_limit.count, at_most(category.mu0_limit));
-  return told.empty() ? limits : fmt::format("{} of {}; {}", told, category.mu0.count, limits);
+  return mean.empty() ? limits : fmt::format("{} of {}; {}", mean, category.mu0.count, limits);
 }
 
 // ---- The answer
@@ -93,14 +93,15 @@ std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_
   return fmt::format("{} {}", out, names.size() == 1 ? is : are);
 }
 
-// Without a row in the table.
+// True if the test is missing from the table.
 bool is_failure(const CampaignTest& test) { return !test.summary && !is_answered(test); }
-// One whose friction is told and still is not counted: a crack, a wrong input and no answer are counted as what they are.
-bool is_left_out(const CampaignTest& test) {
+// True if the friction is determined but excluded: the verdict counts such a test elsewhere.
+bool is_excluded(const CampaignTest& test) {
   return test.summary && test.summary->suspect && std::isfinite(test.summary->mu0.value);
 }
 
-// "21 slip, 9 undecided, 0 crack, 8 without drops"; the others where there are some. What could not be evaluated has no verdict.
+// "21 slip, 9 undecided, 0 crack, 8 without drops"; other verdicts only if they occur. A test that
+// failed has no verdict.
 std::string verdicts_in_words(const Campaign& campaign) {
   const auto count = [&](VerdictCode code) {
     return std::count_if(campaign.tests.begin(), campaign.tests.end(),
@@ -118,7 +119,7 @@ std::string verdicts_in_words(const Campaign& campaign) {
   return words;
 }
 
-// What made the drops of all; empty where fewer than two have probabilities.
+// The causes of the drops of all specimens; empty if fewer than two tests have probabilities.
 std::string causes_in_words(const Campaign& campaign) {
   const CauseShares& shares = campaign.causes;
   if (shares.tests < 2) return "";
@@ -130,7 +131,7 @@ std::string causes_in_words(const Campaign& campaign) {
                      format_count(shares.tests, "test", "tests"));
 }
 
-// Of the work under the curves, what went into friction.
+// The friction share of the work.
 std::string work_in_words(const Campaign& campaign) {
   std::vector<double> shares;
   for (const CampaignTest& test : campaign.tests)
@@ -147,7 +148,8 @@ std::string work_in_words(const Campaign& campaign) {
                      low == high ? "" : fmt::format(", {:.0f} to {} between specimens", 100 * *least, high));
 }
 
-// Over the tests that are not suspect, or over all if all are; null without tests.
+// The spread over the tests that are not suspect, or over all if all are suspect; null without
+// tests.
 const CategorySpread* spread_of_all(const Campaign& campaign) {
   const auto all = std::find_if(campaign.categories.begin(), campaign.categories.end(),
                                 [](const CategorySummary& category) { return !category.category; });
@@ -247,7 +249,7 @@ PrintedTable category_rows(const Campaign& campaign) {
                      .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"}};
   for (const auto& category : campaign.categories)
     for (const auto* spreads : {&category.without_suspects, &category.with_suspects}) {
-      // Brackets where some of the waves are only indicative.
+      // Brackets if some of the waves are only indicative.
       const auto of_waves = [&](const Spread& spread, double factor, int decimals) {
         const std::string words = of_spread(spread, factor, decimals);
         return words.empty() || spreads->waves_claimed == spread.count ? words : fmt::format("[{}]", words);
@@ -296,9 +298,9 @@ Rows rows_without_friction(const Campaign& campaign) {
   return rows;
 }
 
-// ---- What tables do not say
+// ---- Remarks outside tables
 
-// How friction lies to the literature, test by test.
+// How the friction of the tests compares with the literature.
 std::string literature_in_words(const Campaign& campaign) {
   const auto literature = literature_of(campaign);
   const CategorySpread* over = spread_of_all(campaign);
@@ -318,7 +320,7 @@ std::string literature_in_words(const Campaign& campaign) {
                      agree, format_count(over->mu0.count, "test", "tests"));
 }
 
-// What the columns say, of those tables that there are.
+// The meaning of the columns, for the tables that exist.
 Rows column_rows(const Campaign& campaign) {
   return {{"Sawtooth",
            "none: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest "
@@ -372,7 +374,7 @@ std::string campaign_in_short(const Campaign& campaign) {
   std::string answer = fmt::format("{}: {}.{}{}", format_count(campaign.tests.size(), "test", "tests"),
                                    verdicts_in_words(campaign), causes_in_words(campaign), friction_in_words(campaign));
   for (const std::string& words :
-       {enumerated(campaign, is_left_out, "is suspect", "are suspect"),
+       {enumerated(campaign, is_excluded, "is suspect", "are suspect"),
         enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})
     if (!words.empty()) answer += fmt::format(" {}.", words);
   return answer;

@@ -36,7 +36,8 @@ std::optional<double> number_named_in(std::string_view name) {
   return std::stod(std::string(first.base(), last.base()));
 }
 
-// The numbers that the tests bear in their names, if these tell them apart and lie close enough for an axis; none otherwise.
+// The numbers in the names of the tests, if they differ and are close enough for an axis; otherwise
+// none.
 std::vector<double> named_numbers_of(const Campaign& campaign) {
   std::vector<double> numbers;
   std::set<double> seen;
@@ -50,7 +51,7 @@ std::vector<double> named_numbers_of(const Campaign& campaign) {
 }
 
 std::string clipped(const std::string& name) {
-  constexpr std::size_t longest = 20;  // [characters] above a panel
+  constexpr std::size_t longest = 20;  // [characters] of a title
   std::size_t characters = 0;
   for (std::size_t i = 0; i < name.size(); ++i)
     if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
@@ -68,14 +69,12 @@ double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> categor
 
 namespace {
 
-bool tells_loss(const CampaignTest& test) {
-  return test.summary && test.summary->loss && test.summary->loss->needed > 0;
-}
+bool has_loss(const CampaignTest& test) { return test.summary && test.summary->loss && test.summary->loss->needed > 0; }
 
 }  // namespace
 
 bool has_losses(const Campaign& campaign) {
-  return std::any_of(campaign.tests.begin(), campaign.tests.end(), tells_loss);
+  return std::any_of(campaign.tests.begin(), campaign.tests.end(), has_loss);
 }
 
 Plot losses_figure(const Campaign& campaign) {
@@ -84,7 +83,7 @@ Plot losses_figure(const Campaign& campaign) {
   PlotTable tests{"tests", {"needed (%)", "lost (%)", "low (%)", "high (%)"}};
   double most = 10, least = 0;
   for (const CampaignTest& test : campaign.tests) {
-    if (!tells_loss(test)) continue;
+    if (!has_loss(test)) continue;
     const auto& [lost, error, needed] = *test.summary->loss;
     const double reach = two_sided_95 * error;
     tests.rows.push_back({percent * needed, percent * lost, percent * (lost - reach), percent * (lost + reach)});
@@ -133,7 +132,8 @@ Plot distribution_figure(const Campaign& campaign) {
     const TestSummary& test = *campaign.tests[i].summary;
     const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
     const double number = numbers.empty() ? static_cast<double>(i + 1) : numbers[i];
-    const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;  // a limit is a line without a mark
+    // a limit is drawn as a line without a mark
+    const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;
     const Estimate wave = has_wave ? *test.wavelength : Estimate{not_known, not_known, not_known, not_known};
     tests.rows.push_back({number, static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0, test.mu0.low,
                           test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
@@ -156,11 +156,12 @@ Plot distribution_figure(const Campaign& campaign) {
         x.names.push_back({static_cast<double>(i + 1), as_it_is(clipped(campaign.tests[i].name))});
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
-  const bool tells_all = std::isfinite(all) && with_tests.size() > 1;  // of one category it is the mean of that
+  // With one category the common mean equals the mean of that category.
+  const bool has_common_mean = std::isfinite(all) && with_tests.size() > 1;
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
       indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
-  // Of the tests of a category, without suspects and these; what is only indicative is grey.
+  // The tests of a category and its suspects. Values that are only indicative are grey.
   const auto panel_of = [&](const Category& each, const Axis& y, std::size_t column, double mean, std::string title) {
     const Condition belongs{1, static_cast<double>(each.category)};
     const auto tests_that = [&](Style style, std::vector<Condition> conditions) {
@@ -172,7 +173,7 @@ Plot distribution_figure(const Campaign& campaign) {
     Panel panel{.title = std::move(title), .x = x, .y = y};
     if (is_friction && literature)
       panel.marks.push_back(rectangle(-edge, literature->low, edge, literature->high, styles::literature));
-    if (is_friction && tells_all) panel.marks.push_back(level(all, all_look));
+    if (is_friction && has_common_mean) panel.marks.push_back(level(all, all_look));
     if (std::isfinite(mean)) panel.marks.push_back(level(mean, mean_look));
     panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}, "", {belongs}});
     panel.marks.push_back(tests_that(disc, {{2, 0}, {9, 1}}));
@@ -201,7 +202,7 @@ Plot distribution_figure(const Campaign& campaign) {
                                 fmt::format("{}{}\n{}", waves > 0 && panels.size() == waves ? "B: " : "", each.title,
                                             std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean")));
     }
-  // Of what is drawn somewhere.
+  // The key has entries only for marks that are drawn.
   std::vector<Mark> entries;
   if (std::any_of(categories.begin(), categories.end(), [&](const Category& each) {
         return std::isfinite(mean_of(campaign, each.category, &CategorySpread::mu0));
@@ -210,7 +211,8 @@ Plot distribution_figure(const Campaign& campaign) {
   const auto has = [&](auto holds) { return std::any_of(tests.rows.begin(), tests.rows.end(), holds); };
   const bool has_limits = has([](const auto& row) { return std::isnan(row[3]); });
   entries.push_back({.style = {.width = 0.7}, .title = has_limits ? "95 %; without a mark: limits" : "95 %"});
-  if (tells_all) entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
+  if (has_common_mean)
+    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
   const bool has_suspects =
       has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
   if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
@@ -230,7 +232,7 @@ Plot distribution_figure(const Campaign& campaign) {
               waves > 0 ? "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a "
                           "sawtooth; grey where the wave is only indicative. B: "
                         : "The ",
-              tells_all ? ", grey line: mean of all" : "",
+              has_common_mean ? ", grey line: mean of all" : "",
               has_suspects ? " Red-orange crosses: suspect tests, which the means leave out." : "",
               literature ? fmt::format(" Green: what the literature gives for {} on {}, {:g} to {:g}.",
                                        literature->specimen, literature->support, literature->low, literature->high)
@@ -246,10 +248,10 @@ namespace {
 
 constexpr std::size_t panels_across = 4, panels_on_page = 5 * panels_across;
 
-// None of a specimen that cracked, nor where there is no answer.
-bool tells_friction(const CampaignTest& test) { return std::isfinite(test.summary->mu0.value); }
+// False for a specimen that cracked, and without an answer.
+bool has_friction(const CampaignTest& test) { return std::isfinite(test.summary->mu0.value); }
 
-// Its friction, a line each.
+// The parameters, one per line.
 std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
   std::string lines =
       fmt::format("*μ*_0 {} {:.3f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
@@ -298,7 +300,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
     add(1, {{0, 0}, {w(plane.w_max), F(initial * plane.w_max)}});
     const auto smooth = frictionless_curve(curves, summary.bending_stiffness.value);
     add(2, plane.curve("", smooth).rows);
-    if (tells_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
+    if (has_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
     add(4, line(curves.deflection, curves.force).rows);
     Panel panel{.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
                 .x = plane.x(1.04),
@@ -307,7 +309,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
       if (std::any_of(data[k].rows.begin(), data[k].rows.end(),
                       [&](const auto& row) { return !row.empty() && row[0] == number; }))
         panel.marks.push_back({Mark::line, data[k].name, {1, 2}, looks[k], "", {{0, number}}});
-    if (tells_friction(*test)) panel.marks.push_back(label(edge, -edge, parameters_of(summary, wavelength)));
+    if (has_friction(*test)) panel.marks.push_back(label(edge, -edge, parameters_of(summary, wavelength)));
     panels.push_back(std::move(panel));
   }
   for (std::size_t k = looks.size(); k-- > 0;)

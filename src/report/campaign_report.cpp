@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A name as it may stand in a link.
+// Escapes a name for a link.
 std::string in_link(std::string_view name) {
   std::string out;
   for (const char c : name) {
@@ -35,7 +35,8 @@ std::string in_link(std::string_view name) {
   return out;
 }
 
-// Where the reports of the tests with an answer are, in their order; empty where there is none.
+// The links to the reports of the tests with an answer, in their order; empty if a report is
+// missing.
 std::vector<std::string> links_to_tests(const std::string& folder, const Campaign& campaign) {
   std::vector<std::string> links;
   for (const auto& test : campaign.tests) {
@@ -47,7 +48,7 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
   return links;
 }
 
-// What lies beside report.html.
+// A file next to report.html.
 struct TableFile {
   const char *name, *holds;
   void (*write)(const std::string& path, const Campaign& campaign);
@@ -65,7 +66,8 @@ const std::array table_files{
                 write_workbook(path, "Friction in bending tests", sheets_of(campaign));
               }}};
 
-// Of a run before, besides what it was writing when it was stopped: its pages, as there may be fewer now.
+// True for unfinished files of an interrupted run, and for atlas pages, because their number may
+// have decreased.
 bool is_old_figure(const fs::path& file) {
   return is_unfinished(file) || file.filename().string().starts_with("atlas-");
 }
@@ -101,7 +103,7 @@ Drawing write_campaign_report(const std::string& folder, const Campaign& campaig
   if (!with_figures) return {};
   remove_from(fs::path(folder) / "figures", is_old_figure);
   std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));
-  FilesBeside files;
+  AccompanyingFiles files;
   for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
   chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
   return write_page(folder, "Friction in a campaign of bending tests", answer_in_html(campaign_in_short(campaign)),

@@ -20,7 +20,8 @@ class InUnits : public Print {
   std::string stiffness(double value) const {
     return std::isfinite(value) ? own(value, kind::stiffness) : "infinite stiffness";
   }
-  // A number of few digits, all of them; of inches and pounds, which turn few into many, six.
+  // All digits of a number with few digits. Six digits in inches and pounds, because conversion
+  // makes many.
   std::string exactly(double value, const Kind& kind) const {
     const Kind shown = as(kind);
     const std::string_view unit = best_unit(value, shown);
@@ -30,7 +31,7 @@ class InUnits : public Print {
   }
 };
 
-// To three digits, no less than it is.
+// Rounded up to three digits.
 double rounded_to_enough(double value) {
   if (value == 0) return value;
   const double step = std::pow(10, std::floor(std::log10(value)) - 2);
@@ -38,7 +39,7 @@ double rounded_to_enough(double value) {
 }
 
 std::string share(double part, double whole) {
-  const double percentage = std::max(0.0, 100 * part / whole);  // what is rounding may be below
+  const double percentage = std::max(0.0, 100 * part / whole);  // rounding may make it negative
   return percentage > 0 && percentage < 0.1 ? "less than 0.1 %"
                                             : fmt::format("{:.{}f} %", percentage, percentage < 10 ? 1 : 0);
 }
@@ -84,7 +85,7 @@ std::string strain_in_words(const DesignAnswer& answer, const InUnits& shown) {
                                : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)));
 }
 
-// The stiffness at and above which nothing snaps, beside that of this rig.
+// The critical stiffness, compared with the stiffness of this rig.
 std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const std::string yours = shown.stiffness(answer.scales.physical_stiffness(answer.design.rig.stiffness));
   if (answer.critical == 0) {
@@ -137,7 +138,7 @@ std::string phases_in_words(const DesignAnswer& answer, const InUnits& shown) {
           : "; with some of them however stiff the load train is");
 }
 
-// What is changed, if to more and if to less, and what stands before its values.
+// The words for a change upwards and downwards, and before its values.
 struct ChangeWords {
   std::string_view parameter;
   std::string_view more, less, of, of_less = of;
@@ -176,7 +177,8 @@ bool falls_no_less(const DesignOutcome& then, const DesignOutcome& now) {
   return then.largest_drop * now.greatest_force >= now.largest_drop * then.greatest_force;
 }
 
-// The force may fall without a snap: friction that varies along the specimen makes it wavy on any rig.
+// The force may decrease without a snap: friction that varies along the specimen makes it oscillate
+// on any rig.
 std::string what_remains(const DesignAnswer& answer, const DesignChange& change) {
   const DesignOutcome& then = change.outcome;
   if (answer.outcome.snaps == 0 || then.drops == 0) return "";
@@ -196,7 +198,7 @@ std::string answer_in_short(const DesignAnswer& answer) {
     return fmt::format("The specimen will snap {}, but readings {} apart will not show it.",
                        outcome.snaps == 1 ? "once" : fmt::format("{} times", outcome.snaps),
                        shown.length(answer.design.step));
-  constexpr double stands_out = 0.05;  // of the largest fall, which is then a smooth one
+  constexpr double stands_out = 0.05;  // [1] of the largest drop, which is a smooth one
   if (outcome.snaps > 1 && outcome.largest_snap < stands_out * outcome.largest_drop)
     return fmt::format("No visible sawtooth: the specimen will snap {} times, but by no more than {} each.",
                        outcome.snaps, shown.force(outcome.largest_snap));
@@ -214,7 +216,7 @@ std::string answer_in_short(const DesignAnswer& answer) {
 
 // ---- A second loading
 
-// [1] As a number of tests in 100, 99 at most: what a simulation can tell.
+// [1] A probability as a number of tests in 100, at most 99, the limit of a simulation.
 std::string of_tests(double chance) {
   return fmt::format("{:.0f} of 100 tests", std::min(std::floor(100 * chance), 99.0));
 }
@@ -248,7 +250,7 @@ std::string reload_in_short(const ReloadStudy& study, const InUnits& shown) {
     return fmt::format("A second loading will tell slips from cracks only after less travel: {}.",
                        programme_in_words(*least, shown));
   return fmt::format("No second loading up to this travel tells slips from cracks in {:.0f} of 100 tests or more.",
-                     100 * study.least_chance);
+                     100 * study.required_chance);
 }
 
 std::string change_of_reload_in_words(const ReloadChange& change, const InUnits& shown) {

@@ -14,7 +14,7 @@ std::string padded(std::string_view text, std::size_t width, bool to_the_right) 
   return to_the_right ? space + std::string(text) : std::string(text) + space;
 }
 
-// Where the first word ends; a percent sign belongs to its number.
+// The end of the first word; a percent sign belongs to its number.
 std::size_t end_of_word(std::string_view text) {
   std::size_t end = text.find(' ');
   while (end < text.size() - 1 && text[end + 1] == '%') end = text.find(' ', end + 1);
@@ -42,7 +42,7 @@ std::string laid_out(const PrintedTable& all, std::size_t width) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string cell = printable(cells[i]);
       line += "  ";
-      // Words at the end of a line go on below it, where there is room for them.
+      // Words that exceed the line continue below it with an indent, if there is room.
       constexpr std::size_t min_room = 30;
       if (const std::size_t indent = width_of(line);
           i == last && ends_in_words && all.on_terminal.empty() && indent + min_room <= width)
@@ -67,7 +67,7 @@ struct AsText {
     return words.empty() ? "" : wrapped(words, indent, indent, width);
   }
   std::string operator()(const Rows& rows) const {
-    // A longer label stands on a line of its own, if its words do not fit beside it.
+    // A longer label has its own line if its text does not fit on the same one.
     constexpr std::size_t usual = 30, margins = 6;
     std::size_t label_width = 13;
     for (const auto& [label, words] : rows)
@@ -91,7 +91,7 @@ struct AsText {
   }
 };
 
-// Is there an empty line between two blocks? Around tables, and after the answer.
+// True if an empty line separates two blocks: around tables, and after the answer.
 bool are_apart(const Block& above, const Block& below, const Chapter& chapter) {
   const auto is_table = [](const Block& block) { return std::holds_alternative<PrintedTable>(block); };
   return is_table(above) || is_table(below) ||

@@ -1,4 +1,5 @@
-// An answer for people, as chapters of words, rows, tables and pictures: made once, and laid out for a terminal and a page.
+// A document for people: chapters of text, rows, tables and pictures, composed once and laid out
+// for a terminal and for a page.
 #pragma once
 
 #include <cstddef>
@@ -14,39 +15,42 @@
 
 namespace flexslip {
 
-// Quantities with what is said of each; those without words are left out.
+// Labels with their text. Rows without text are omitted.
 using Rows = std::vector<AnswerRow>;
 
-// On a page alone: what is drawn when the page is made; what a machine reads, line by line; and files beside the page with what each holds.
+// Blocks that appear only on a page: figures, drawn when the page is written; text for machines,
+// kept line by line; and a list of the accompanying files.
 struct Pictures {
   std::function<std::vector<Plot>()> plots;
 };
 struct Verbatim {
   std::string text;
 };
-struct FilesBeside {
+struct AccompanyingFiles {
   Rows files;
 };
 
-using Block = std::variant<std::string, Rows, PrintedTable, Pictures, Verbatim, FilesBeside>;
+using Block = std::variant<std::string, Rows, PrintedTable, Pictures, Verbatim, AccompanyingFiles>;
 
-// A chapter of which nothing is to be shown is left out, its title too; what has no title comes right after the answer.
+// A chapter. It is omitted if its blocks are empty. A chapter without a title follows the answer
+// directly.
 struct Chapter {
   std::string title;
   std::vector<Block> blocks;
 };
 
-// ---- For a terminal
+// ---- Text for a terminal
 
-inline constexpr std::size_t line_length = 100;  // characters, where there is no terminal
+inline constexpr std::size_t line_length = 100;  // [characters] if the output is no terminal
 
-// Of so many characters a line, but tables of numbers, which are as wide as they are.
+// The chapters in lines of `width` characters. Tables of numbers may be wider.
 std::string in_text(const std::vector<Chapter>& chapters, std::size_t width = line_length);
 
-// Characters, not bytes.
+// [characters], not bytes
 std::size_t width_of(std::string_view text);
 
-// Breaks a text at spaces, to lines of so many characters; lines after the first begin with the indent, the first with `begin`.
+// Breaks a text at spaces into lines of `length` characters. The first line begins with `begin`,
+// the others with `indent`.
 std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin = "",
                     std::size_t length = line_length);
 

@@ -24,12 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double png_resolution = 400, css_resolution = 96, mm_per_inch = 25.4;  // [1/in], [1/in], [mm]
+// [1/in], [1/in], [mm]
+constexpr double png_resolution = 400, css_resolution = 96, mm_per_inch = 25.4;
 
-// Text as a word of a script, in quotes.
+// Text as a quoted word of a script.
 std::string in_script(std::string_view text) {
   if (text.find('\'') == std::string_view::npos) return fmt::format("'{}'", text);
-  // A doubled ' is misread between braces (gnuplot 5.4). Between " all that means something goes by its number.
+  // gnuplot 5.4 misreads a doubled ' between braces. Between double quotes, special characters are
+  // written as numbers.
   std::string out = "\"";
   for (const char c : text)
     out +=
@@ -45,19 +47,19 @@ std::string quoted(const std::string& markup) {
     const std::string_view text = piece.text;
     out += std::array{"", "{/:Italic ", "_{", "^{"}[piece.style];
     for (std::size_t i = 0; i < text.size(); ++i) {
-      // SVG drops plain spaces beside a change of font.
-      const bool is_beside =
+      // SVG omits plain spaces next to a change of font.
+      const bool is_at_font_change =
           (i == 0 && &piece != &pieces.front()) || (i + 1 == text.size() && &piece != &pieces.back());
       if (std::string_view("\\{}^_@&~").find(text[i]) != std::string_view::npos) out += '\\';
-      out += text[i] == ' ' && is_beside ? std::string("\u00a0") : std::string(1, text[i]);
+      out += text[i] == ' ' && is_at_font_change ? std::string("\u00a0") : std::string(1, text[i]);
     }
     if (piece.style != TextPiece::plain) out += '}';
   }
   return in_script(out);
 }
 
-// Pixels, centimetres and the fonts of the terminals are made to agree, so that all three pictures look alike: `up` sets right where SVG puts the
-// numbers below an axis.
+// Makes pixels, centimetres and fonts of the terminals agree, so that all pictures look alike. `up`
+// corrects the position of numbers below an axis in SVG.
 std::string terminals(const Plot& plot) {
   constexpr double scale = png_resolution / css_resolution;
   const auto pixels = [](double mm, double resolution) { return std::lround(mm / mm_per_inch * resolution); };
@@ -79,7 +81,7 @@ std::string line_look(const Style& style) {
                      name_in_order<Dash::dotted>(style.dash, {"solid", "(6,4)", "(14,7)", "(2,3)"}), style.colour);
 }
 
-// Several, one over the other.
+// Several looks are drawn on top of each other.
 std::vector<std::string> point_looks(const Style& style) {
   constexpr double size_of_gnuplot = 6;  // [pt] at pointsize 1
   const auto look = [&](Symbol symbol, Colour colour) {
@@ -96,9 +98,9 @@ std::string fill_look(const Style& style) {
                      style.opacity < 1 ? fmt::format("transparent solid {:g}", style.opacity) : "solid");
 }
 
-// Of the rows that are meant, as gnuplot counts them, where they follow each other; "" where they do not. Empty rows part a table into blocks, of
-// which whole ones can be told alone.
-std::string told_as_rows(const PlotTable& table, const std::vector<Condition>& only) {
+// A selection of consecutive rows in gnuplot's syntax; "" if the rows are not consecutive. Empty
+// rows divide a table into blocks; a selection across blocks must contain whole blocks.
+std::string row_selection(const PlotTable& table, const std::vector<Condition>& only) {
   struct Place {
     std::size_t block, row;
   };
@@ -107,7 +109,7 @@ std::string told_as_rows(const PlotTable& table, const std::vector<Condition>& o
   bool are_single = true;
   for (const auto& row : table.rows) {
     if (row.empty()) {
-      are_single = are_single && rows_of_block.back() > 0;  // several empty rows are one
+      are_single = are_single && rows_of_block.back() > 0;  // several empty rows count as one
       rows_of_block.push_back(0);
       continue;
     }
@@ -124,8 +126,8 @@ std::string told_as_rows(const PlotTable& table, const std::vector<Condition>& o
   return rows == meant.size() ? fmt::format(" every :::{}::{}", from.block, to.block) : "";
 }
 
-// What stands after `plot`. Columns are named, not computed, wherever that says the same: gnuplot sets a handler of
-// signals for every number that it computes.
+// The arguments of `plot`. Columns are named instead of computed where possible, because gnuplot
+// sets a signal handler for every number that it computes.
 std::string plotted(const Mark& mark, const Plot& plot) {
   const Style& style = mark.style;
   const bool is_own = mark.table.empty();
@@ -136,7 +138,7 @@ std::string plotted(const Mark& mark, const Plot& plot) {
   if (!mark.only.empty()) {
     const auto table = std::find_if(plot.data.begin(), plot.data.end(),
                                     [&](const PlotTable& each) { return each.name == mark.table; });
-    const std::string rows = told_as_rows(*table, mark.only);
+    const std::string rows = row_selection(*table, mark.only);
     std::string chosen;
     for (const Condition& condition : mark.only)
       chosen += fmt::format("{}${} == {:g}", chosen.empty() ? "" : " && ", condition.column + 1, condition.value);
@@ -158,7 +160,8 @@ std::string plotted(const Mark& mark, const Plot& plot) {
     add({x, y, fmt::format("({})-({})", to_x, x), fmt::format("({})-({})", to_y, y)},
         fmt::format("vectors {} {}", heads, line_look(style)));
   };
-  const auto box = [&](const std::vector<std::string>& ends, const std::string& with) {  // low x, high x, low y, high y
+  // low x, high x, low y, high y
+  const auto box = [&](const std::vector<std::string>& ends, const std::string& with) {
     add({fmt::format("({}+{})/2", ends[0], ends[1]), fmt::format("({}+{})/2", ends[2], ends[3]), ends[0], ends[1],
          ends[2], ends[3]},
         "boxxyerror " + with);
@@ -202,7 +205,7 @@ std::string plotted(const Mark& mark, const Plot& plot) {
   return out;
 }
 
-// None without words.
+// "" without words.
 std::string set_label(const Text& text, const Plot& plot) {
   if (text.words.empty()) return "";
   return fmt::format("  set label {} at screen {:.5f},{:.5f} {}{} front{}\n", quoted(text.words), text.x / plot.width,
@@ -210,7 +213,7 @@ std::string set_label(const Text& text, const Plot& plot) {
                      text.upright ? " rotate by 90" : "", text.boxed ? " boxed" : "");
 }
 
-// Words at a tick are a format to gnuplot.
+// gnuplot treats the text of a tick as a format.
 std::string tick_words(std::string_view words) {
   std::string out;
   for (const char character : words) out += character == '%' ? "%%" : std::string(1, character);
@@ -222,7 +225,7 @@ std::string set_axis(std::string_view name, const Axis& axis, const Plot& plot) 
   for (const Tick& tick : axis.ticks)
     ticks += fmt::format("{}{} {:.10g}{}", ticks.empty() ? "" : ", ",
                          quoted(axis.has_numbers ? tick_words(tick.text) : ""), tick.at, tick.text.empty() ? " 1" : "");
-  // A tick at the very end of a logarithmic axis would be lost to rounding.
+  // Rounding would hide a tick at the end of a logarithmic axis.
   const double beyond = axis.logarithmic ? 1 + 1e-7 : 1;
   return fmt::format("  {}set logscale {}; set {}range [{:.10g}:{:.10g}] noextend\n  set {}tics ({}){}\n",
                      axis.logarithmic ? "" : "un", name, name, axis.from / beyond, axis.to * beyond, name, ticks,
@@ -232,7 +235,7 @@ std::string set_axis(std::string_view name, const Axis& axis, const Plot& plot) 
          set_label(axis.title, plot);
 }
 
-// Samples at the places of the page, and their words.
+// The samples of a key and their text.
 std::string set_key(const Panel& panel, const Plot& plot) {
   std::string out;
   std::size_t entry = 0;
@@ -309,7 +312,7 @@ std::string csv(const PlotTable& table) {
   return text;
 }
 
-// Says what the picture shows, and takes fonts that exist everywhere.
+// Adds the title of the picture, and replaces fonts by generally available ones.
 std::string finished_svg(std::string text, const Plot& plot) {
   text = replaced(text, "<title>Gnuplot</title>", "<title>" + html_escaped(plot.title) + "</title>");
   const auto from = text.find("<desc>");
@@ -320,7 +323,7 @@ std::string finished_svg(std::string text, const Plot& plot) {
   return replaced(text, "font-family=\"Arial\"", "font-family=\"Arial, Helvetica, sans-serif\"");
 }
 
-// The date of the drawing would make every PDF another.
+// Removes the date of the drawing, which differs in every PDF.
 std::string finished_pdf(std::string text) {
   const std::string key = "/CreationDate (D:";
   const auto at = text.find(key);
@@ -328,13 +331,16 @@ std::string finished_pdf(std::string text) {
   const std::tm date = calendar_date(date_of_source(0));
   const std::string day = fmt::format("{:04}{:02}{:02}{:02}{:02}{:02}", date.tm_year + 1900, date.tm_mon + 1,
                                       date.tm_mday, date.tm_hour, date.tm_min, date.tm_sec);
-  if (day.size() == 14) text.replace(at + key.size(), day.size(), day);  // no other length: the file holds offsets
+  if (day.size() == 14)
+    // the length must stay, because the file contains offsets
+    text.replace(at + key.size(), day.size(), day);
   return text;
 }
 
-// How finely it is drawn stands in a chunk of its own, after the first one; cairo leaves it out.
+// Adds a chunk with the resolution after the first one; cairo does not write it.
 std::string finished_png(std::string text) {
-  constexpr std::size_t end_of_first = 8 + 25;  // the signature, and a header of 13 bytes with its length, name and sum
+  // the signature, and a header of 13 bytes with its length, name and sum
+  constexpr std::size_t end_of_first = 8 + 25;
   const auto per_metre = static_cast<std::uint32_t>(std::lround(png_resolution / mm_per_inch * 1000));
   const auto big_endian = [](std::uint32_t number) {
     std::string bytes;
@@ -351,7 +357,7 @@ std::string finished_png(std::string text) {
   return text;
 }
 
-// Where gnuplot draws: it would cut short or spoil a picture that is there.
+// The temporary folder in which gnuplot draws, so that a failure leaves existing pictures intact.
 class DrawingFolder {
  public:
   // Fails: std::system_error.
@@ -387,7 +393,7 @@ std::string data_file(const Plot& plot, const PlotTable& table) {
   return fmt::format("{}-{}.csv", plot.name, table.name);
 }
 
-// Refuses to write over files beside a picture that are not those of a figure of its name: of these the script is there.
+// Refuses to overwrite files that do not belong to a figure of this name, which has a script.
 void require_own_files(const Plot& plot, const fs::path& base) {
   const std::string script = plot.name + ".gp";
   const auto found = read_text((base / script).string());
@@ -413,7 +419,7 @@ Drawing draw(const Plot& plot, const std::string& folder, const std::vector<std:
   try {
     const DrawingFolder drawing;
     constexpr std::chrono::seconds limit{20};
-    // Neither a file of the user, by -d, nor a variable says how it draws.
+    // -d and the variable exclude the user's settings.
     const auto result = run_child(
         {"gnuplot", "-d", "-e",
          fmt::format("formats='{}'; folder={}", fmt::join(formats, " "), in_script((drawing.path() / "").string())),

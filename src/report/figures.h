@@ -1,4 +1,5 @@
-// The figures of all answers, in journal column widths. None of them computes: what they draw is in the answers, or asked of those who made them.
+// The figures of all answers, in widths of journal columns. They draw the content of the answers
+// and compute nothing.
 #pragma once
 
 #include <algorithm>
@@ -16,63 +17,73 @@
 
 namespace flexslip {
 
-// Of a fitted test. Domain: analysis.status is ok, unless they say otherwise.
+// ---- A fitted test. Domain: analysis.status is ok, unless stated otherwise.
 
-// Force against deflection with the mean of the fit run forward, references and drops, as Fig. 10 of the paper; residuals below.
+// Force against deflection with the simulated best-fit profile, reference curves and drops, as in
+// Fig. 10 of the paper; residuals below.
 Plot force_figure(const FittedTest& test);
 
-// Friction along the specimen, with its 95 % intervals, at the bending stiffness of the fit, and what the fit knows of it.
+// Friction along the specimen at the fitted bending stiffness: pointwise, with 95 % intervals, and
+// the fit.
 Plot profile_figure(const FittedTest& test);
 
-// What a wave of each wavelength adds to the evidence. Domain: has_waves.
+// The evidence for a wave against its wavelength. Domain: has_waves.
 Plot wavelength_figure(const FittedTest& test);
-bool has_waves(const FittedTest& test);  // is one claimed, or would any of those scanned add to the evidence?
+// a wave is detected, or a scanned one increases the evidence
+bool has_waves(const FittedTest& test);
 
-// A record of which there is no fit, to look at: force against deflection, with what the bending stiffness stated would give with small
-// deflections and without friction. Domain: analysis.status is not_explained.
+// A record without a fit: force against deflection, and the frictionless small-deflection line at
+// the stated bending stiffness. Domain: analysis.status is not_explained.
 Plot record_figure(const FittedTest& test);
 
-// The force of all passes of a test that was unloaded, and the friction of each. Domain: has_passes.
+// The force of all passes of a test with unloading, and their friction. Domain: has_passes.
 Plot passes_figure(const FittedTest& test);
 Plot boxes_figure(const FittedTest& test);
 bool has_passes(const FittedTest& test);
 
-// Wavelength and friction by test, a panel a category that there is, with the means and the literature's band, as Fig. 9 of the paper.
-// Domain: at least one test has a summary; std::invalid_argument otherwise.
+// ---- A campaign
+
+// Wavelength and friction by test, one panel per category, with means and the range in the
+// literature, as in Fig. 9 of the paper.
+// Domain:     at least one test has a summary; std::invalid_argument otherwise.
 Plot distribution_figure(const Campaign& campaign);
 
-// Stiffness lost to the next loading against the stiffness that the drops would need if they were cracks only: slips lie at zero, cracks on the diagonal.
-// Domain: has_losses.
+// The stiffness loss measured by a reload against the loss that the drops require if they are
+// cracks only. Slips lie at zero, cracks on the diagonal. Domain: has_losses.
 Plot losses_figure(const Campaign& campaign);
-bool has_losses(const Campaign& campaign);  // was a test that has drops loaded again?
+bool has_losses(const Campaign& campaign);  // a test with drops was loaded again
 
-// Force curves of all tests, as Figs. 10 to 13, on pages of at most 20 panels: clear, nominal, none, then the suspect tests once more. A test
-// without curves has no panel.
+// Force curves of all tests, as in Figs. 10 to 13, on pages of at most 20 panels: clear, nominal,
+// none, then the suspect tests again. Tests without curves have no panel.
 std::vector<Plot> atlas_pages(const Campaign& campaign);
 
-// The record of a planned test as it will be, its drops marked, beside the stiffnesses on which the specimen is at a fold: where that of the rig
-// is below them, it snaps.
+// ---- A planned test
+
+// The expected record with its drops, and the stiffnesses at which the specimen is at a fold. The
+// specimen snaps where the stiffness of the rig is below them.
 Plot design_figure(const DesignAnswer& answer);
 
-// Drops and the first snap over one parameter; or the largest drop over two, with the border of those that do not snap.
+// Drops and first snap over one parameter; or the largest drop over two, with the border of
+// snapping.
 // Domain:     one or two axes, and their points; std::invalid_argument otherwise.
 Plot design_map_figure(const Test& input, const std::vector<DesignAxis>& axes, const std::vector<MapPoint>& points);
 
-// All equilibria of the specimen in three spaces, if the study asks for the region: deflection and force, length and deflection, length and force
-// (Fig. 7). Otherwise the curve along which it slides, with that of no friction and the Euler-Bernoulli line (Fig. 8A).
+// All equilibria of the specimen (--region) in three planes: deflection and force, length and
+// deflection, length and force (Fig. 7). Otherwise the loading curve with the frictionless one and
+// the Euler-Bernoulli line (Fig. 8A).
 Plot equilibrium_figure(const EquilibriumStudy& study);
 
-// What a test measures, its snaps dashed: over the equilibrium curve (Fig. 8C) if it only loads; otherwise its loops, beside the boxes that they
-// are in length and mobilised friction. Domain: a test that was followed; likewise for the next.
+// A simulated test with dashed snaps: for one loading over the equilibrium curve (Fig. 8C),
+// otherwise as loops, also in the plane of length and mobilised friction. Domain: a test with its
+// path, here and below.
 Plot simulated_figure(const SimulatedTest& test, const std::vector<Crack>& cracks);
 
-// The overall equilibria at some stage positions [L]: stable ones filled, unstable ones open, partially stable ones in red; load lines
-// of the rig through them (Fig. 8B).
+// The overall equilibria at some stage positions [L]: stable filled, unstable open, partially
+// stable red; with load lines of the rig (Fig. 8B).
 Plot equilibria_figure(const SimulatedTest& test, std::span<const double> stages);
 
-// A height trace, what an edge sees of it, its spectrum, and the friction that it predicts.
-
-// What several of them have: marks with numbers of their own, labels, and force against deflection.
+// ---- Parts of several figures: marks with their own numbers, labels, the plane of force and
+// deflection
 inline Mark level(double y, const Style& style, std::string title = {}) {
   return {.style = style, .title = std::move(title), .at = {-edge, y, edge, y}};
 }
@@ -94,19 +105,19 @@ inline constexpr const char* friction_label = "Friction *μ*";
 
 struct ForcePlane {
   PlotUnit w, F;
-  double w_max, F_max;  // in the numbers of the answer
+  double w_max, F_max;  // in the unit of the answer
 
   PlotTable table(std::string name) const { return {std::move(name), {w.column("deflection"), F.column("force")}}; }
-  // The points of a curve that can be told apart.
+  // The points of a curve, without those too close to be distinguished.
   template <class Points>
   PlotTable curve(std::string name, const Points& points) const {
     PlotTable data = table(std::move(name));
     for (const auto& point : points) data.rows.push_back({w(point.w), F(point.F)});
     return thinned(std::move(data));
   }
-  // With those where a line begins, breaks and ends.
+  // Omits such points, except where a line begins, breaks or ends.
   PlotTable thinned(PlotTable data) const;
-  // Of a drop between two forces, a little beyond it on both sides, and the break behind.
+  // A load line between two forces, extended slightly on both sides, followed by a break.
   std::vector<std::vector<double>> load_line(double deflection, double before, double after, double stiffness) const;
   Axis x(double to, const char* label = "Deflection at midspan *w*_0") const { return w.axis(label, 0, to * w_max); }
   Axis y(double to) const { return F.axis(force_label, 0, to * F_max); }
@@ -115,7 +126,7 @@ ForcePlane force_plane(const PlotUnits& units, double w_max, double F_max);
 PlotUnits plot_units(const FittedTest& test);
 inline double largest(const std::vector<double>& values) { return *std::max_element(values.begin(), values.end()); }
 
-// The stretches of a path that `belongs` chooses, each from the point before it on, as rows with breaks.
+// The sections of a path chosen by `belongs`, each with the point before it, as rows with breaks.
 template <class Points, class Belongs, class Row>
 std::vector<std::vector<double>> stretches_of(const Points& path, Belongs belongs, Row row) {
   std::vector<std::vector<double>> rows;

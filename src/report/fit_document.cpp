@@ -43,11 +43,11 @@ std::string with_remedy(const Finding& finding) {
   return finding.sentence + (finding.remedy.empty() ? "" : " " + finding.remedy);
 }
 
-// ---- What is told of each chapter: the numbers of a group of the answer, and lists of it as tables
+// ---- The numbers of a chapter: a group of the answer, and its lists as tables
 
-PrintedTable numbers(T test, std::string_view group) { return told(fit_fields(), test, frame_of(test), group); }
+PrintedTable numbers(T test, std::string_view group) { return group_table(fit_fields(), test, frame_of(test), group); }
 
-// Open on a page.
+// Not folded on a page.
 PrintedTable open_numbers(T test, std::string_view group) {
   PrintedTable table = numbers(test, group);
   table.folding = Folding::never;
@@ -58,7 +58,7 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
   return shown(fit_fields(), test, frame_of(test), list, columns);
 }
 
-// What a reader of numbers should know that are given all the same; empty where there is nothing.
+// A warning about the numbers below; empty if not needed.
 std::string caution_of(T test, const Answer& answer) {
   if (is_refused(answer.findings))
     return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
@@ -67,14 +67,14 @@ std::string caution_of(T test, const Answer& answer) {
              : "";
 }
 
-// Why no heat of friction is told; empty where it is.
+// The reason why the heat of friction is omitted; empty if it is reported.
 std::string heat_in_words(T test) {
   return std::isfinite(test.analysis.energy.friction_share)
              ? ""
              : "The record does not show how much of the work went into friction: that is left out.";
 }
 
-// Where μ₀ lies to what the literature gives.
+// How μ₀ compares with the literature.
 std::string in_literature(T test) {
   const auto& [value, error, low, high] = test.analysis.fit.mu0;
   if (!test.materials) return "state [specimen] material and [rig] support_material to compare friction with it";
@@ -122,7 +122,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
                                                              : "at the axis of the specimen")}}}};
 }
 
-// ---- What the answer hangs on
+// ---- Sensitivity
 
 Chapter hangs_on_chapter(T test) {
   if (sensitivities_of(test).empty()) return {};
@@ -148,7 +148,7 @@ std::string_view in_words(Kernel kernel) {
   return name_in_order<Kernel::matern_9_2>(kernel, {"none", "exponential", "Matérn 3/2", "Matérn 9/2"});
 }
 
-// What the answer averages over, the likeliest first.
+// The explanations over which the answer averages, most probable first.
 PrintedTable explanation_table(T test) {
   PrintedTable table{{"Roughness", "Wave", "Weight", "ln evidence minus the best"}, {}};
   const auto& explanations = test.analysis.fit.explanations;
@@ -195,7 +195,7 @@ Chapter wave_chapter(T test) {
 // ---- Checks
 
 Chapter checks_chapter(T test, const Answer& answer) {
-  std::vector<Finding> findings = answer.findings;  // the weightiest first, and last what could not be judged
+  std::vector<Finding> findings = answer.findings;  // most serious first, unjudged checks last
   std::stable_partition(findings.begin(), findings.end(),
                         [](const Finding& finding) { return finding.severity != Severity::unjudged; });
   Rows rows;

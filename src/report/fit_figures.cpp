@@ -14,15 +14,15 @@
 namespace flexslip {
 namespace {
 
-// The size that so large a share of the numbers has at most.
-double most_of(double share, std::vector<double> sizes) {
+// The quantile of the sizes at `share`.
+double size_quantile(double share, std::vector<double> sizes) {
   if (sizes.empty()) return 0;
   const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), at, sizes.end());
   return *at;
 }
 
-// Of what has been slid over one support, of a length between both.
+// Converts a length between the supports to the length slid over one support.
 struct Slid {
   PlotUnit unit;
   double operator()(double S) const { return unit((S - 1) / 2); }
@@ -30,7 +30,7 @@ struct Slid {
 };
 Slid slid_of(const FittedTest& test) { return {plot_units(test).length(0.02)}; }
 
-// Euler-Bernoulli and the model without friction: the references of every figure of force.
+// The reference curves of every force figure: Euler-Bernoulli and the model without friction.
 std::vector<PlotTable> references(const TestAnalysis& analysis, const ForcePlane& plane) {
   PlotTable beam = plane.table("beam");
   beam.rows = {{0, 0}, {plane.w(plane.w_max), plane.F(euler_bernoulli_force(analysis, plane.w_max))}};
@@ -81,7 +81,7 @@ Plot force_figure(const FittedTest& test) {
   for (std::size_t i = 0; i < fit.force.size(); ++i)
     if (const double residual = record.force[i] - fit.force[i]; std::isfinite(residual))
       sizes.push_back(std::abs(residual));
-  const double usual = most_of(0.99, sizes), end = F(usual > 0 ? 1.25 * usual : 1e-3 * plane.F_max);
+  const double usual = size_quantile(0.99, sizes), end = F(usual > 0 ? 1.25 * usual : 1e-3 * plane.F_max);
   PlotTable measured = plane.table("measured");
   measured.titles.insert(measured.titles.end(),
                          {F.column("residual"), F.column("residual within the axis"),
@@ -313,7 +313,8 @@ bool has_passes(const FittedTest& test) { return test.passes && test.passes->sta
 
 namespace {
 
-// What a pass does, and how it is drawn: the first loading wide, so that those which follow it are seen on it.
+// The action of a pass and its style. The first loading is wide, so that later ones are visible on
+// it.
 struct PassStyle {
   std::string_view words;
   Style style;
@@ -329,7 +330,7 @@ std::size_t style_of_pass(const PassesFit& passes, std::size_t number) {
              : 0;
 }
 
-// "Passes 2, 4: out", of those drawn alike.
+// "Passes 2, 4: out", for passes with the same style.
 std::string pass_title(const PassesFit& passes, std::size_t style) {
   std::vector<std::size_t> numbers;
   for (std::size_t number = 0; number < passes.passes.size(); ++number)
@@ -383,7 +384,8 @@ Plot boxes_figure(const FittedTest& test) {
     x_max = std::max(x_max, slid(point.S));
     sizes.push_back(std::abs(point.q));
   }
-  const double top = std::max(1.25 * most_of(0.98, sizes), 1e-3);  // noise throws some points far off
+  // ignores outliers due to noise
+  const double top = std::max(1.25 * size_quantile(0.98, sizes), 1e-3);
   std::vector<Mark> marks{level(0, styles::zero)};
   std::array<bool, pass_styles.size()> is_told{};
   for (std::size_t number = 0; number < passes.passes.size(); ++number) {

@@ -22,7 +22,7 @@ ForcePlane extended(ForcePlane plane, double w, double F) {
   return plane;
 }
 
-// A plane as large as the points of some curves.
+// A plane that contains all points of some curves.
 template <class... Curves>
 ForcePlane plane_of(const PlotUnits& units, const Curves&... curves) {
   ForcePlane plane{};
@@ -52,7 +52,7 @@ PlotTable state_curve(std::string name, const ForcePlane& plane, const std::vect
   return state_table(std::move(name), plane, std::move(rows));
 }
 
-// The same in another space, without a second entry in the key.
+// The same marks in another plane, without a second entry in the key.
 std::vector<Mark> in_columns(std::vector<Mark> marks, std::size_t x, std::size_t y) {
   for (Mark& each : marks) {
     each.columns = {x, y};
@@ -69,7 +69,7 @@ Plot region_figure(const EquilibriumStudy& study) {
   const ForcePlane plane = plane_of(units_of(study), portrait.in);
   std::vector<EquilibriumPoint> boundary = portrait.in;
   boundary.insert(boundary.end(), portrait.out.rbegin(), portrait.out.rend());
-  // Arrows beside the curve, in the direction of growing length.
+  // Arrows next to the curve, in the direction of increasing length.
   PlotTable arrows = plane.table("arrows");
   arrows.titles.insert(arrows.titles.end(), {plane.w.column("tip at deflection"), plane.F.column("tip at force")});
   const std::size_t n = portrait.in.size();
@@ -127,15 +127,15 @@ Plot equilibrium_figure(const EquilibriumStudy& study) {
 
 namespace {
 
-// What a test goes through, point by point, and in which direction the stage moved.
+// A point of the path with the direction of the stage.
 struct TrackPoint {
   PathPoint at;
   Direction direction;
 };
-// Or a crack: what is too fast to be seen.
+// True for snaps and cracks, which are instantaneous.
 bool is_snap(const TrackPoint& point) { return point.at.motion == Motion::snap || point.at.motion == Motion::crack; }
 
-// Arrows in the middle of the long stretches of a table, one for several that lie upon each other.
+// Arrows in the middle of the long sections of a table. Coinciding sections get one arrow.
 PlotTable arrows_of(std::string name, const PlotTable& stretches, std::size_t x, std::size_t y, const Axis& across,
                     const Axis& up) {
   PlotTable arrows{std::move(name), {"x", "y", "x of the tip", "y of the tip"}};
@@ -287,7 +287,7 @@ Plot design_figure(const DesignAnswer& answer) {
   for (const auto& fold : folds) top = std::max(top, std::min(fold.stiffness, 1e6));
   if (std::isfinite(answer.critical)) top = std::max(top, answer.critical);
   if (top == 0) top = beam_stiffness;  // displacement control, and no rig snaps
-  // The rig may be far from where it matters.
+  // The stiffness of the rig may be far from the relevant range.
   constexpr double wide = 20;
   const double likely = is_finite ? own : top;
   const double least = answer.critical > 0 ? std::min(likely, answer.critical) : likely;
@@ -295,7 +295,7 @@ Plot design_figure(const DesignAnswer& answer) {
 
   const PlotUnits units{answer.scales, answer.input.reduced, is_in_inches(answer.input)};
   const PlotUnit w = units.length(design.travel), F = units.force(outcome.greatest_force), k = units.stiffness(top);
-  // Supports that give way make a rig of the load train.
+  // Compliant supports are combined with the load train into one rig stiffness.
   const bool gives = support_compliance_of(answer.input) > 0;
   Axis stiffness = k.axis(gives ? "Stiffness of the rig *k*" : "Load-train stiffness *k*", is_wide ? least / 3 : 0,
                           (is_wide ? 2 : 1.12) * top);
@@ -367,14 +367,14 @@ Plot design_figure(const DesignAnswer& answer) {
 
 namespace {
 
-// A parameter that goes through values, as an axis.
+// A varied parameter as an axis.
 struct ParameterAxis {
   AxisRange range;
   PlotUnit unit;
   Axis axis;
 
   double operator()(double value) const { return unit(value); }
-  // The edges of the cell about a value, half a step on either side.
+  // The edges of the cell around a value, half a step on each side.
   std::pair<double, double> cell(double value) const {
     const auto steps = static_cast<double>(range.points - 1);
     if (range.spacing == Spacing::linear) {
@@ -401,7 +401,7 @@ ParameterAxis parameter_axis(const Test& input, const DesignAxis& over) {
   return {range, std::move(unit), std::move(axis)};
 }
 
-// [%] Of the greatest force.
+// [%] of the maximum force
 double drop_share(const DesignOutcome& outcome) { return 100 * outcome.largest_drop / outcome.greatest_force; }
 
 Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPoint>& points) {
@@ -450,7 +450,8 @@ Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPo
           .columns = columns};
 }
 
-// The point of a side of the border that is farthest from it, as far from the frame as a word needs; none if there is no such point.
+// The point on one side of the border that is farthest from it, far enough from the frame for a
+// label; null if there is none.
 const MapPoint* middle_of(const std::vector<MapPoint>& points, std::size_t columns, double side) {
   const auto is_inside = [](std::size_t i, std::size_t count) { return 6 * i > count && 6 * (i + 1) < 5 * count; };
   const MapPoint* best = nullptr;

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double train_share_worth_a_word = 0.3;  // of the displacement
 constexpr double shear_worth_a_word = 0.01, supports_worth_a_word = 0.001, load_train_worth_a_word = 0.01;
-constexpr double beginning_worth_a_word = 0.01;  // of the greatest deflection
+constexpr double beginning_worth_a_word = 0.01;  // [1] of the maximum deflection
 
-// To three significant digits, trailing zeros among them.
+// Three significant digits, including trailing zeros.
 std::string three_digits(double value, const Kind& kind) {
   const std::string_view unit = best_unit(value, kind);
   const double shown = unit.empty() ? value : from_si(value, parse_unit(unit));
@@ -30,7 +30,7 @@ bool supports_count(const StandardTest& test) {
   return test.supports.alone && *test.supports.alone > supports_worth_a_word;
 }
 
-// Where the deflection is what it leaves.
+// True if the deflection was computed from the stage and the load train takes much of it.
 bool load_train_counts(const StandardTest& test) {
   return test.measurement.is_derived && test.numbers.load_train_share > load_train_worth_a_word;
 }
@@ -59,7 +59,7 @@ void add_reached(Rows& rows, const Test& test, const LoadPoint& at, std::string_
   if (at.strain) rows.push_back({fmt::format("flexural strain {}", where), percent_to_two_digits(*at.strain)});
 }
 
-// The numbers, each with what it is.
+// The numbers with their definitions.
 Rows number_rows(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   const auto& measurement = test.measurement;
@@ -104,7 +104,7 @@ Rows number_rows(const StandardTest& test) {
   return rows;
 }
 
-// Why there are no numbers, and what to do.
+// The reason why there are no numbers, and what to do.
 std::string why_no_numbers(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   const bool load_train = load_train_counts(test);
@@ -131,7 +131,7 @@ std::string why_no_numbers(const StandardTest& test) {
       taken, check);
 }
 
-// What friction can have done.
+// The possible effect of friction.
 std::string friction_in_words(const StandardTest& test, const FrictionGain& gain) {
   const auto [least, most] = gain.friction;
   std::string words =
@@ -151,7 +151,7 @@ std::string friction_in_words(const StandardTest& test, const FrictionGain& gain
   return words;
 }
 
-// ", under 372 mN: a preload, or a zero of the force that is off (--zero "372 mN")".
+// ", under 372 mN: a preload, or a wrong zero of the force (--zero "372 mN")".
 std::string beginning_in_words(const StandardTest& test) {
   const Measurement& measurement = test.measurement;
   if (!(measurement.begins_under > 0)) return "";
@@ -160,7 +160,8 @@ std::string beginning_in_words(const StandardTest& test) {
                      instruction_to_set(measurement.test, {{"record", "zero", fmt::format("\"{}\"", force)}}));
 }
 
-// Why a record from which a modulus is read has no chord of ISO 178; "" where it has one, or where it lies in the toe.
+// The reason why a record with a modulus has no chord of ISO 178; "" if it has one, or if the chord
+// is in the toe.
 std::string why_no_chord(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   if (!test.geometry.span || !test.geometry.section || numbers.chord || numbers.chord_in_toe) return "";
@@ -220,7 +221,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
         "straight part is {} steeper, and supports and friction explain {}. Use the modulus of the straight part.",
         format_percent(numbers.toe_excess), format_percent(numbers.toe_excess_explained)));
   if (numbers.chord && numbers.modulus) {
-    constexpr double clearly = 2;  // errors
+    constexpr double clearly = 2;  // [standard errors]
     const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
     const double apart = *numbers.modulus / numbers.chord->modulus - 1;
     if (std::abs(apart) > clearly * error)
@@ -263,7 +264,7 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test) {
 Chapter small_deflection_chapter(const FittedTest& test) {
   const StandardTest standard = standard_test(test);
   Rows rows = number_rows(standard);
-  if (const auto beside = small_deflection_beside_fit(test); beside && !is_refused(answer_of(test).findings))
+  if (const auto beside = compare_stiffness(test); beside && !is_refused(answer_of(test).findings))
     rows.push_back(
         {"beside the fit",
          fmt::format("{:.3f} times its bending stiffness; their 95 % intervals {}", beside->ratio,

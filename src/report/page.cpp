@@ -64,7 +64,7 @@ a { color: var(--mark); }
 }
 )";
 
-// A hyphen before a number is a minus sign.
+// Escapes HTML, and replaces a hyphen before a number by a minus sign.
 std::string in_page(const std::string& words) {
   const std::string text = html_escaped(words);
   std::string out;
@@ -100,7 +100,7 @@ struct AsHtml {
       if (!words.empty()) out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", in_page(label), in_page(words));
     return out.empty() ? "" : fmt::format("<dl class=\"rows\">\n{}</dl>\n", out);
   }
-  // A long one is folded; one of many columns takes the width of the window.
+  // A long table is folded; one with many columns takes the full width.
   std::string operator()(const PrintedTable& table) const {
     if (table.rows.empty()) return "";
     constexpr std::size_t max_open = 12, max_columns = 7;
@@ -123,7 +123,7 @@ struct AsHtml {
   std::string operator()(const Verbatim& lines) const {
     return fmt::format("<pre>{}</pre>\n", html_escaped(lines.text));
   }
-  std::string operator()(const FilesBeside& beside) const {
+  std::string operator()(const AccompanyingFiles& beside) const {
     std::string out;
     for (const auto& [name, holds] : beside.files)
       out += fmt::format("<dt><a href=\"{0}\">{0}</a></dt><dd>{1}</dd>\n", name, html_escaped(holds));
@@ -131,7 +131,7 @@ struct AsHtml {
   }
 };
 
-// Several pictures in one page must not share the names of their parts.
+// Makes the names of the parts of a picture unique on the page.
 std::string inline_svg(const fs::path& path, const Plot& plot) {
   std::string svg = read_text(path.string()).value_or("");
   svg.erase(0, svg.find("<svg"));
@@ -141,7 +141,7 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
   return svg;
 }
 
-// The picture itself, its caption and links to its files.
+// A picture with its caption and links to its files.
 std::string html_figure(const std::string& folder, const Plot& plot, const Drawing& drawing, std::size_t number) {
   const std::string base = "figures/" + plot.name;
   const bool narrow = plot.width < two_columns;
@@ -162,7 +162,7 @@ std::string html_figure(const std::string& folder, const Plot& plot, const Drawi
       narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plot.caption), files);
 }
 
-// All of them, two at a time: gnuplot keeps to one core.
+// Draws all plots, two at a time, because gnuplot uses one core.
 std::vector<Drawing> draw_all(const std::vector<Plot>& plots, const std::string& folder) {
   std::vector<Drawing> drawings(plots.size());
   for_each_index(plots.size(), 2, [&](std::size_t i) { drawings[i] = draw(plots[i], folder, {"svg", "pdf", "png"}); });
@@ -192,7 +192,7 @@ std::string answer_in_html(const std::string& words, const Verdict* verdict) {
 Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
                    const std::vector<Chapter>& chapters) {
   std::vector<Plot> plots;
-  std::vector<std::size_t> ends;  // of the pictures of a block
+  std::vector<std::size_t> ends;  // end of each block of pictures
   for (const Chapter& chapter : chapters)
     for (const Block& block : chapter.blocks)
       if (const auto* pictures = std::get_if<Pictures>(&block)) {

@@ -1,4 +1,4 @@
-// An answer as one HTML file that needs no other, on screens light and dark and in print.
+// An answer as one self-contained HTML file for light and dark screens and for print.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,21 @@
 
 namespace flexslip {
 
-// A page with the answer first, in HTML, and the chapters below it. The figures are drawn on the way, into <folder>/figures, as SVG, PDF and PNG with
-// their scripts and data. Where gnuplot draws no picture, the page says why; what is returned is the first picture that is missing.
-// Fails:      as draw(); InputError if a file cannot be written.
+// Writes a page with the answer (HTML) and the chapters below it. The figures go to
+// <folder>/figures as SVG, PDF and PNG with scripts and data. If gnuplot cannot draw a picture, the
+// page gives the reason. Returns the first drawing that is not done.
+// Fails:      as draw(); throws InputError if a file cannot be written.
 Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
                    const std::vector<Chapter>& chapters);
 
-// next_pictures gives the HTML of the pictures of a block, one block after the other.
+// The chapters as HTML. next_pictures returns the HTML of the next block of pictures.
 std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string()>& next_pictures);
 
-// The answer in a paragraph, its first word, if there is one, in the colour of the verdict.
+// The answer as a paragraph. The first word has the colour of the verdict, if given.
 std::string answer_in_html(const std::string& words, const Verdict* verdict = nullptr);
 
-// Makes a folder and those it lies in.
-// Fails:      InputError.
+// Creates a folder and its parents.
+// Fails:      throws InputError.
 void make_folder(const std::string& folder);
 
 }  // namespace flexslip

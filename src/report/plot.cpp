@@ -13,15 +13,15 @@
 namespace flexslip {
 namespace {
 
-// [mm] of type of this size.
-constexpr double key_sample = 10;  // the line before the words of a key, and what is left free
+// [mm] for this font size
+constexpr double key_sample = 10;  // the sample before the words of a key, with its gap
 constexpr double figure_edge = 1.2, joined_gap = 2.6, panel_gap = 3.4, line_height = 3.4;
-constexpr double to_numbers = 1.3,
-                 numbers_below = 5.2;  // from the frame to those beside it, and to the lower end of those below
-constexpr double closest_x = 10, closest_y = 6;  // numbers of an axis
+constexpr double to_numbers = 1.3;               // from the frame to the numbers next to it
+constexpr double numbers_below = 5.2;            // from the frame to the lower end of the numbers below it
+constexpr double closest_x = 10, closest_y = 6;  // smallest distance between numbers of an axis
 constexpr double usual_margin = 11;              // left of a panel, before its numbers are known
 
-// [mm] Wide rather than narrow: the machine at hand may not have Arial.
+// [mm] An upper estimate, because another font may replace Arial.
 double text_width(const std::string& markup) {
   constexpr double em = font_size * 25.4 / 72;
   double ems = 0;
@@ -50,7 +50,7 @@ bool is_drawn(const Mark& mark, const std::vector<double>& row) {
   });
 }
 
-// Has the mark something to draw, or to say in the key?
+// True if the mark has something to draw or an entry in the key.
 bool has_something(const Plot& plot, const Mark& mark) {
   if (mark.table.empty()) return true;
   const auto& rows = table_of(plot, mark.table).rows;
@@ -60,12 +60,12 @@ bool has_something(const Plot& plot, const Mark& mark) {
   });
 }
 
-// Along which axis each column of a mark lies.
+// The axis of each column of a mark.
 std::string_view axes_of(Mark::Kind kind) {
   return name_in_order<Mark::label>(kind, {"xy", "xy", "xy", "xyy", "xyy", "xxy", "xyxy", "xxyy", ""});
 }
 
-// Ends that the data decide.
+// Chooses the ends of an axis from the data.
 void decide_ends(Axis& axis, const Plot& plot, const Panel& panel, char name) {
   double low = infinity, high = -infinity;
   for (const Mark& mark : panel.marks) {
@@ -85,7 +85,7 @@ void decide_ends(Axis& axis, const Plot& plot, const Panel& panel, char name) {
   if (!from_data) low = axis.from;
   if (!to_data) high = axis.to;
   if (!(low < high)) high = axis.logarithmic ? 10 * low : low + (low != 0 ? std::abs(low) : 1);
-  constexpr double space = 0.04;  // [1] of the range, at an end that the data decide
+  constexpr double space = 0.04;  // [1] of the range, at an end chosen from the data
   const double margin = axis.logarithmic ? std::pow(high / low, space) : space * (high - low);
   axis.from = !from_data ? low : axis.logarithmic ? low / margin : low - margin;
   axis.to = !to_data ? high : axis.logarithmic ? high * margin : high + margin;
@@ -99,7 +99,7 @@ std::string number_text(double value) {
   return replaced(text, "-", "−");
 }
 
-// A round distance of ticks: 1, 2 or 5 times a power of ten, at least the value given.
+// A round distance between ticks (1, 2 or 5 times a power of ten), at least the given value.
 double round_step(double value) {
   const double decade = std::pow(10, std::floor(std::log10(value))), share = value / decade * (1 - 1e-12);
   return (share <= 1 ? 1 : share <= 2 ? 2 : share <= 5 ? 5 : 10) * decade;
@@ -141,7 +141,7 @@ std::vector<Tick> logarithmic_ticks(double from, double to, double length, doubl
   return numbers < 2 ? linear_ticks(from, to, length, closest_x) : ticks;
 }
 
-// Every so many of the names, that each has its line; the others are small ticks.
+// Thins names so that each fits; the others become minor ticks.
 std::vector<Tick> ticks_of_names(const Axis& axis, double length) {
   const double distance = length / (axis.to - axis.from);
   std::vector<Tick> ticks;
@@ -170,7 +170,7 @@ double widest_number(const Axis& axis) {
   return widest;
 }
 
-// From the frame to the lower end of what stands below it.
+// The distance from the frame to the lower end of the text below it.
 double numbers_below_of(const Axis& axis) {
   if (!axis.has_numbers || axis.names.empty()) return axis.has_numbers ? numbers_below : joined_gap / 2;
   double longest = 0;
@@ -191,7 +191,8 @@ bool has_pixels(const Panel& panel) {
                      [](const Mark& mark) { return mark.kind == Mark::pixels; });
 }
 
-// A label among the marks: below the upper edge, above the lower one and above a level, about a point.
+// Places a label: below the upper edge, above the lower edge or a horizontal line, or around a
+// point.
 std::vector<Text> placed(const Mark& label, const Panel& panel) {
   const auto place = [](double value, const Axis& axis, double begin, double length) {
     if (std::isinf(value)) return begin + (value > 0 ? length : 0);
@@ -219,8 +220,8 @@ std::vector<Text> placed(const Mark& label, const Panel& panel) {
   return texts;
 }
 
-// A key beside a letter or above a title, as wide as there is room to the right until the next key or letter; and the height [mm] of both above
-// a row of panels.
+// Places keys to the right of a letter or above a title, up to the next key or letter. Returns the
+// height [mm] of both above a row of panels.
 double decide_keys(std::vector<Panel>& panels, std::size_t first, std::size_t last, double pitch, double end) {
   double title = 0, height = 0, end_of_next = end;
   for (std::size_t i = first; i < last; ++i)
@@ -324,7 +325,7 @@ Plot laid_out(Plot plot) {
     decide_ends(panel.x, plot, panel, 'x');
     decide_ends(panel.y, plot, panel, 'y');
   }
-  // What neighbours and the whole figure have in common stands once.
+  // Axis labels shared by neighbours or by the whole figure appear once.
   const auto is_common = [&](Axis Panel::*axis) {
     return std::all_of(panels.begin(), panels.end(),
                        [&](const Panel& panel) { return label_of(panel.*axis) == label_of(panels.front().*axis); });
@@ -338,7 +339,7 @@ Plot laid_out(Plot plot) {
     if (y.has_numbers && !one_y) y.title = {.words = label_of(y), .upright = true};
   }
 
-  // Downwards.
+  // Vertical layout.
   const auto each_in = [&](std::size_t row, auto use) {
     for (std::size_t i = row * columns; i < std::min((row + 1) * columns, count); ++i) use(panels[i]);
   };
@@ -371,7 +372,7 @@ Plot laid_out(Plot plot) {
     level -= below[row];
   }
 
-  // Across.
+  // Horizontal layout.
   const double first_edge = figure_edge + (one_y ? line_height + 0.8 : 0);
   double after = 2.2 + figure_edge, width = plot.width;
   std::vector<double> before(columns, 0);  // left of a column
@@ -398,7 +399,7 @@ Plot laid_out(Plot plot) {
     panel.width = width;
     decide_ticks(x, width, closest_x);
     if (x.names.empty() && widest_number(x) + 2 > closest_x) decide_ticks(x, width, widest_number(x) + 2);
-    // The last number would meet the first one of a neighbour that is close.
+    // Omits the last number if it would touch the first one of a close neighbour.
     const bool is_joined = i + 1 < count && (i + 1) % columns > 0 && !panels[i + 1].y.has_numbers;
     for (Tick& tick : x.ticks)
       if (is_joined && x.names.empty() && (x.to - tick.at) / (x.to - x.from) * width < text_width(tick.text))

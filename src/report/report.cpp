@@ -27,13 +27,13 @@ namespace fs = std::filesystem;
 
 constexpr const char* studio_name = "studio.html";
 
-// Of the day: that of SOURCE_DATE_EPOCH, where it is set, so that a report can be made again to the byte.
+// Today's date, or SOURCE_DATE_EPOCH for reproducible reports.
 std::string date_of_today() {
   const std::tm day = calendar_date(date_of_source(std::time(nullptr)));
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
-// The verdict, the rows, what speaks against it; specimen, rig, file, date, command and citation.
+// The verdict, the rows and the objections; specimen, rig, file, date, command and citation.
 std::string head_of(const FittedTest& test, const Answer& answer) {
   const Test& input = test.measurement.test;
   const Print print(test);
@@ -45,7 +45,7 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
       {"rig", fmt::format("span {}, load train {}", print.length(1),
                           std::isfinite(stiffness) ? print.own(stiffness, kind::stiffness) : "infinitely stiff")},
       {"file", fmt::format("{}, rows {} to {}", test.measurement.file, file_row(test, 0), last_row(test))},
-      // What was given by flags is a case all the same: it stands under Provenance.
+      // A test given by options is a case, too; it is listed under Provenance.
       {"made", fmt::format("{}, by FlexSlip {}: flexslip fit {}", date_of_today(), test.provenance.version,
                            input.source.empty() ? "CASE.toml, the case below" : input.source)},
       {"model", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787"}};
@@ -76,7 +76,7 @@ Drawing write_report_with_studio(const std::string& folder, const FittedTest& te
   if (!built || test.measurement.file == "-") return write_report(folder, test);
   make_folder(folder);
   write_studio_page((fs::path(folder) / studio_name).string(), *built,
-                    {taken_along(read_case(std::string_view(test.provenance.test), ""), test.name)});
+                    {with_its_files(read_case(std::string_view(test.provenance.test), ""), test.name)});
   return write_report(folder, test, studio_name);
 }
 

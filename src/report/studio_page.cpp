@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view page_name = "flexslip-studio.html";
-// The element of a page of this version that holds the tests it opens with.
+// The element of a page of this version that contains its tests.
 constexpr std::string_view place_begins =
     "<script type=\"application/json\" id=\"given\" data-version=\"" FLEXSLIP_VERSION "\">";
 constexpr std::string_view nothing_given = "[]";
 
 std::string content_of(const std::string& file) {
-  constexpr std::size_t largest = 300'000'000;  // bytes: what a browser takes as one text
+  constexpr std::size_t largest = 300'000'000;  // [bytes] limit of a text in browsers
   const auto in = open_to_read(file);
   std::string bytes;
   std::array<char, 65536> piece{};
@@ -57,7 +57,7 @@ std::string base64(std::string_view bytes) {
 
 fs::path normal(const fs::path& path) { return fs::absolute(path).lexically_normal(); }
 
-// The names that files have in the page: their own, made different where two are the same.
+// Names of files on the page, made unique.
 class Names {
  public:
   std::string of(const std::string& file) {
@@ -86,7 +86,7 @@ std::optional<fs::path> built_studio_page() {
   return std::nullopt;
 }
 
-GivenTest taken_along(Test input, const std::string& test) {
+GivenTest with_its_files(Test input, const std::string& test) {
   GivenTest given{test + "/case.toml", {}};
   Names names;
   static_cast<void>(names.of("case.toml"));
@@ -99,7 +99,7 @@ GivenTest taken_along(Test input, const std::string& test) {
   return given;
 }
 
-GivenTest taken_along(const std::string& file) {
+GivenTest with_its_files(const std::string& file) {
   if (file == "-")
     throw InputError({.expected = "files to put into the page", .found = "standard input", .remedy = "name a file"});
   const fs::path path = normal(file);
@@ -109,7 +109,7 @@ GivenTest taken_along(const std::string& file) {
   GivenTest given{test + "/" + path.filename().string(), {{test + "/" + path.filename().string(), case_text(file)}}};
   for (const std::string* named : files_of(input)) {
     const fs::path beside = normal(*named);
-    if (beside.parent_path() != path.parent_path()) return taken_along(std::move(input), test);
+    if (beside.parent_path() != path.parent_path()) return with_its_files(std::move(input), test);
     given.files.push_back({test + "/" + beside.filename().string(), content_of(*named)});
   }
   return given;

@@ -1,4 +1,5 @@
-// The studio's page with tests inside: one HTML file, which tools/build-studio builds and a release brings along.
+// The studio page with tests in it: one HTML file, which tools/build-studio builds and a release
+// includes.
 #pragma once
 
 #include <filesystem>
@@ -11,29 +12,31 @@
 namespace flexslip {
 
 struct GivenFile {
-  std::string name;   // in the page; of a case's files "<test>/<file>"
-  std::string bytes;  // as they are
+  std::string name;   // on the page; for files of a case "<test>/<file>"
+  std::string bytes;  // unchanged
 };
 
-// A case file with the files that it names, or a table or export by itself.
+// A case file with the files that it names, or one table or export.
 struct GivenTest {
   std::string open;  // the file to open
   std::vector<GivenFile> files;
 };
 
-// The page as it was built: beside the program, installed with it in share/flexslip, or in build/studio of the repository that the program was built
-// in. None if none of these holds one of this version.
+// The built page of this version: next to the program, in share/flexslip of its installation, or in
+// build/studio of the repository. Empty if none exists.
 std::optional<std::filesystem::path> built_studio_page();
 
-// A file and, if it is a case file, the files that it names. A case whose files lie elsewhere than beside it is written anew, with their names alone.
-// Fails:      InputError if one cannot be read, or is greater than 300 MB.
-GivenTest taken_along(const std::string& file);
+// A file and, for a case file, the files that it names. If these are in other folders, the case is
+// rewritten with their names alone.
+// Fails:      throws InputError if a file cannot be read or exceeds 300 MB.
+GivenTest with_its_files(const std::string& file);
 
-// A case with its files, under the name of a test. Likewise.
-GivenTest taken_along(Test input, const std::string& test);
+// A case with its files, under the name of a test.
+// Fails:      as above.
+GivenTest with_its_files(Test input, const std::string& test);
 
-// Writes the page with tests inside.
-// Fails:      InputError if it cannot be written, or the page is none.
+// Writes the page with tests in it.
+// Fails:      throws InputError if it cannot be written, or if `built` is no studio page.
 void write_studio_page(const std::string& path, const std::filesystem::path& built,
                        const std::vector<GivenTest>& tests);
 

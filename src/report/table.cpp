@@ -14,7 +14,7 @@
 namespace flexslip {
 namespace {
 
-// Of an entry of a group: first the group.
+// The description at a path "group.entry".
 Description described(const std::vector<Description>& fields, std::string_view path) {
   const std::size_t dot = path.find('.');
   const std::string_view name = path.substr(0, dot);
@@ -31,7 +31,7 @@ Json entry(const Json& row, std::string_view path) {
   return dot == std::string_view::npos ? *found : entry(*found, path.substr(dot + 1));
 }
 
-// The ends of the 95 % interval of an estimate, in the unit of its value.
+// The ends of the 95 % interval of an estimate, in the unit of the value.
 std::string with_ends(const Estimate& estimate, const Kind& kind) {
   const auto unit = best_unit(std::max(std::abs(estimate.value), estimate.standard_error), kind);
   const MatchedDigits digits = matched_digits(estimate, unit.empty() ? 1 : from_si(1, parse_unit(unit)));
@@ -50,7 +50,7 @@ std::string words_for(const Json& value, const Shown& column) {
   return said == column.in_words.end() ? printable(words) : std::string(said->second);
 }
 
-// Numbers, all in one unit, which stands in their heading: the heading, and a cell of each.
+// A column of numbers in one unit: the heading with the unit, and the cells.
 std::vector<std::string> column_of_numbers(const Shown& column, const std::vector<double>& values, const Kind& kind) {
   double largest = 0;
   for (const double value : values)
@@ -75,7 +75,7 @@ Kind kind_in(const Frame& frame, const Description& field) {
   return frame.reduced ? kind::number : frame.in_inches ? in_inches(field.kind) : field.kind;
 }
 
-// One value, as it is printed; empty where there is nothing, and of lists and groups.
+// One value as printed; empty if missing, and for lists and groups.
 std::string cell_of(const Description& field, const Json& value, const Frame& frame) {
   const Json number = value.is_object() ? entry(value, "value") : value;
   switch (field.shape) {
@@ -97,7 +97,7 @@ std::string cell_of(const Description& field, const Json& value, const Frame& fr
   }
 }
 
-// The heading of a column, and a cell per row.
+// The heading of a column and its cells.
 std::vector<std::string> column_of(const std::vector<Description>& fields, const Json& rows, const Frame& frame,
                                    const Shown& column) {
   std::vector<std::string> cells{column.heading};
@@ -136,7 +136,7 @@ bool begins_as_number(std::string_view cell) {
   return !cell.empty() && (std::string_view("0123456789-+").find(cell.front()) != std::string_view::npos);
 }
 
-// What an answer says under a name, of the whole answer or of a group in it.
+// The value at a path in an answer.
 Json entry_of(const FieldList& answer, const void* of, const Frame& frame, std::string_view path) {
   const std::string_view first = path.substr(0, path.find('.'));
   const auto found = std::find_if(answer.fields().begin(), answer.fields().end(),
@@ -146,14 +146,14 @@ Json entry_of(const FieldList& answer, const void* of, const Frame& frame, std::
   return entry(top, path);
 }
 
-// A meaning without what it says of JSON.
+// A meaning without its remarks on JSON.
 std::string meaning_for_people(std::string_view meaning) {
   return std::string(meaning.substr(0, std::min(meaning.find("; null"), meaning.find("; its error from scatter"))));
 }
 
-// The entries of a group, those of the groups in it under both names; lists are tables of their own.
-void add_told(PrintedTable& table, const std::vector<Description>& entries, const Json& values, const Frame& frame,
-              const std::string& above) {
+// Adds the entries of a group. Entries of nested groups get both names; lists are separate tables.
+void add_entries(PrintedTable& table, const std::vector<Description>& entries, const Json& values, const Frame& frame,
+                 const std::string& above) {
   for (const Description& each : entries) {
     const Json value = entry(values, each.name);
     const std::string name = above + std::string(each.name);
@@ -170,7 +170,7 @@ void add_told(PrintedTable& table, const std::vector<Description>& entries, cons
                                 ? "yes if " + (meaning.starts_with("whether ") ? meaning.substr(8) : meaning)
                                 : meaning});
     if (each.shape == Shape::estimate || each.shape == Shape::group)
-      add_told(table, each.entries, value, frame, name + ".");
+      add_entries(table, each.entries, value, frame, name + ".");
   }
 }
 
@@ -216,12 +216,12 @@ PrintedTable shown(const FieldList& answer, const void* of, const Frame& frame, 
   return table;
 }
 
-PrintedTable told(const FieldList& answer, const void* of, const Frame& frame, std::string_view group) {
+PrintedTable group_table(const FieldList& answer, const void* of, const Frame& frame, std::string_view group) {
   const Description what = described(answer.descriptions(), group);
   PrintedTable table{.head = {std::string(group), "Value", "95 % interval", meaning_for_people(what.meaning)},
                      .rows = {},
                      .folding = Folding::always};
-  add_told(table, what.entries, entry_of(answer, of, frame, group), frame, "");
+  add_entries(table, what.entries, entry_of(answer, of, frame, group), frame, "");
   return table;
 }
 

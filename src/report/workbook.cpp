@@ -14,12 +14,13 @@
 namespace flexslip {
 namespace {
 
-constexpr int digits = 4;             // shown, of the largest number of a column; the cell has all
+// shown, of the largest number of a column; the cell contains all
+constexpr int digits = 4;
 constexpr std::size_t widest = 60;    // [characters] of a column
 constexpr std::size_t narrowest = 8;  // [characters]
 
 std::time_t date_of_creation() {
-  constexpr std::time_t year_1980 = 315532800;  // [s] the first that ZIP knows
+  constexpr std::time_t year_1980 = 315532800;  // [s] the earliest date in ZIP
   return std::max(date_of_source(year_1980), year_1980);
 }
 

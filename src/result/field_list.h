@@ -1,4 +1,4 @@
-// What can be read off the rows of some type: the part of Fields<Row> that does not know the type.
+// The fields of an answer without the type of their row: the untyped part of Fields<Row>.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace flexslip {
 
-// What an answer says of one of its numbers, words or groups of them.
+// The form of a field in an answer.
 
 enum class Shape {
   number,
@@ -23,16 +23,16 @@ enum class Shape {
   yes_no,
   words,
   quantity,       // value and unit
-  numbers,        // a list of numbers
+  numbers,        // a list
   estimate,       // value, standard_error, interval95 and unit
-  group,          // entries below it
-  list,           // of groups
-  by_name,        // groups, each under a name of its own
-  words_by_name,  // words, likewise
-  any,            // a number or words
+  group,          // an object with entries
+  list,           // a list of groups
+  by_name,        // an object of groups, each under its own name
+  words_by_name,  // an object of words, each under its own name
+  any,            // numbers or words
 };
 
-// What several answers call alike.
+// The description of a quantity that several answers share.
 struct Named {
   std::string_view name;
   const Kind& kind;
@@ -42,29 +42,30 @@ struct Named {
 struct Description {
   std::string_view name;
   Shape shape;
-  Kind kind;  // of numbers and estimates; a plain number otherwise
+  Kind kind;  // of numbers and estimates; otherwise kind::number
   std::string_view meaning;
-  std::vector<Description> entries = {};  // of groups; of an estimate what else stands beside its numbers
-  std::string_view title = {};            // of a column in a table, where that is not the name
-  bool may_be_missing = false;            // null then
+  std::vector<Description> entries = {};  // of a group; of an estimate, its additional entries
+  std::string_view title = {};            // of the column in tables; default: the name
+  bool may_be_missing = false;            // null if missing
   bool is_several = false;                // of words: a list of them
 };
 
-// One of them. All reads are of a row of the type for which they were made.
+// One field. `read` expects a row of the type for which it was made.
 struct Field {
   using Read = std::function<Json(const void* row, const Frame& frame, const Kind& reduced)>;
 
   Description what;
   Read read;
-  Kind reduced;   // as which its numbers are reduced; kind::number if they are not
-  bool left_out;  // where it is missing, instead of null
+  // the kind by which numbers are converted from reduced variables; kind::number: no conversion
+  Kind reduced;
+  bool left_out;  // omitted if missing, instead of null
 
-  // With numbers in the unit of the test.
+  // The value, with numbers in the unit of the test.
   Json of(const void* row, const Frame& frame) const { return read(row, frame, reduced); }
 };
 
-// A read by a function that is given something kept for it. What takes a few bytes, as nearly all does, is kept in one type: compilers take longer
-// over a std::function of each.
+// A read by a plain function with its stored argument. Almost every argument takes a few bytes and
+// fits SmallRead. A std::function type for each would take longer to compile.
 using ReadKept = Json (*)(const void* kept, const void* row, const Frame& frame, const Kind& reduced);
 
 struct SmallRead {
@@ -89,19 +90,20 @@ Field::Read read_by(Kept kept, ReadKept function) {
   }
 }
 
-// Reads the unit of a kind.
+// Returns the unit of a kind.
 Field::Read unit_in(const Kind& kind);
 
 class FieldList {
  public:
   void add(Description what, Field::Read read, const Kind& reduced = kind::number);
   void add_estimate(Description what, Field::Read read, const Kind& reduced, Field::Read unit, const FieldList& more);
-  // Those of others; each read goes through `part`, which hands the row's part on, and may be missing.
+  // Adds the fields of a part of the row. `part` calls the given read with that part, which may be
+  // missing.
   using Through =
       std::function<Json(const void* row, const Frame& frame, const Kind& reduced, const Field::Read& read)>;
   void add_all(const FieldList& fields, bool may_be_missing, const Through& part);
 
-  // As Fields says.
+  // As in Fields.
   void only_where(std::function<bool(const void* row)> holds) { only_where_ = std::move(holds); }
   void left_out_where_missing() { left_out_ = true; }
   void in_frame(std::function<Frame(const void* row)> frame) { frame_ = std::move(frame); }

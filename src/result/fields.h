@@ -1,6 +1,5 @@
-// Answers that describe themselves: each number, word or group of them has its name, its quantity and its meaning where it is read off.
-//
-// JSON, tables and the page docs/results.md are made of these descriptions; nothing is named twice.
+// Answers that describe themselves: each field has its name, kind and meaning next to the function
+// that reads it. JSON, tables and docs/results.md are generated from these descriptions.
 #pragma once
 
 #include <functional>
@@ -12,24 +11,24 @@
 
 namespace flexslip {
 
-// How something is read off a row: a function or member of const Row&, or a function of that and const Frame&. What it gives as
-// std::optional or pointer may be missing: it is null then, as NaN is.
+// A function or member that reads a value from const Row&, or from const Row& and const Frame&. A
+// missing std::optional or pointer becomes null, as does NaN.
 template <class Row>
 struct Getter {
   Field::Read read;
   bool may_be_missing = false, is_several = false;  // as Description has them
 
   template <class Get>
-  Getter(Get get)  // NOLINT(google-explicit-constructor): it stands where a function is written
+  Getter(Get get)  // NOLINT(google-explicit-constructor): written as a plain function
       : read(read_by(std::move(get),
                      [](const void* kept, const void* row, const Frame& frame, const Kind& as) {
-                       return read_off(*static_cast<const Get*>(kept), *static_cast<const Row*>(row), frame, as);
+                       return json_value(*static_cast<const Get*>(kept), *static_cast<const Row*>(row), frame, as);
                      })),
         may_be_missing(MayBeMissing<Given<Get, Row>>),
         is_several(SeveralWords<Given<Get, Row>>) {}
 };
 
-// What can be read off a row, in the order in which it is written.
+// The fields of a row, in the order in which they are written.
 template <class Row>
 class Fields {
   using Name = std::string_view;
@@ -37,7 +36,8 @@ class Fields {
   using Get = Getter<Row>;
 
  public:
-  // Numbers in the library's reduced variables, and ("own") in the unit of the test already; a quantity has its unit beside it.
+  // Numbers in reduced variables; `own`: numbers already in the unit of the test. A quantity is
+  // written with its unit.
   Fields& number(Name name, const Kind& kind, Meaning meaning, Get get) {
     return add({name, Shape::number, kind, meaning}, std::move(get), kind);
   }
@@ -59,24 +59,24 @@ class Fields {
   }
   Fields& number(Name name, Meaning meaning, Get get) { return plain(name, Shape::number, meaning, std::move(get)); }
 
-  // What is no number of mechanics; `any`: numbers or words, as they come.
+  // Fields without a unit. `any`: numbers or words.
   Fields& count(Name name, Meaning meaning, Get get) { return plain(name, Shape::count, meaning, std::move(get)); }
   Fields& yes_no(Name name, Meaning meaning, Get get) { return plain(name, Shape::yes_no, meaning, std::move(get)); }
   Fields& words(Name name, Meaning meaning, Get get) { return plain(name, Shape::words, meaning, std::move(get)); }
   Fields& any(Name name, Meaning meaning, Get get) { return plain(name, Shape::any, meaning, std::move(get)); }
-  // The row of the file of a point of the record.
+  // The row of the file that belongs to a point of the record.
   template <class GetPoint>
   Fields& row(Name name, Meaning meaning, GetPoint get) {
     return count(name, meaning, [get](const Row& row, const Frame& frame) { return frame.row(std::invoke(get, row)); });
   }
-  // Words, each under its name: pairs of both.
+  // Words under names. `get` returns pairs of name and words.
   template <class GetPairs>
   Fields& words_by_name(Name name, Meaning meaning, GetPairs get) {
     return plain(name, Shape::words_by_name, meaning,
                  [get](const Row& row, const Frame& frame) { return object_of(call(get, row, frame)); });
   }
 
-  // Estimates; beside their numbers, more. The last has a unit that is read off the row.
+  // Estimates, with additional entries in `more`. estimate_in reads its unit from the row.
   Fields& estimate(Name name, const Kind& kind, Meaning meaning, Get get, const Fields& more = {}) {
     return estimated({name, Shape::estimate, kind, meaning}, std::move(get), kind, unit_in(kind), more);
   }
@@ -92,8 +92,7 @@ class Fields {
                      more);
   }
 
-  // Entries below a name; read off the same row, or off a part of it: one group after the other, or each under its name, of pairs of
-  // name and part.
+  // Entries below a name. list: one group per part; by_name: one per pair of name and part.
   Fields& group(Name name, Meaning meaning, const Fields& below) {
     return group(name, meaning, below, [](const Row& row) -> const Row& { return row; });
   }
@@ -127,7 +126,7 @@ class Fields {
                  return out;
                });
   }
-  // Those of a part of the row, among its own.
+  // The fields of a part of the row, without a name of their own.
   template <class Part, class GetPart>
   Fields& all_of(const Fields<Part>& fields, GetPart get) {
     list_.add_all(fields.untyped(), MayBeMissing<Given<GetPart, Row>>,
@@ -141,7 +140,8 @@ class Fields {
     return all_of(fields, [](const Row& row) -> const Row& { return row; });
   }
 
-  // Those added after it are there only where this holds, and null otherwise; anywhere; left out where they are missing.
+  // Fields added after only_where are null unless `holds`; anywhere() ends this.
+  // left_out_where_missing() omits all missing fields instead of writing null.
   template <class Holds>
   Fields& only_where(Holds holds) {
     list_.only_where(
@@ -156,12 +156,12 @@ class Fields {
     list_.left_out_where_missing();
     return *this;
   }
-  // All of them in a frame of their own.
+  // Uses this frame for all fields.
   Fields& in_frame(std::function<Frame(const Row&)> frame) {
     list_.in_frame([frame = std::move(frame)](const void* row) { return frame(*static_cast<const Row*>(row)); });
     return *this;
   }
-  // The last in a table has this title.
+  // Sets the column title of the last field.
   Fields& titled(std::string_view title) {
     list_.titled(title);
     return *this;
@@ -172,7 +172,7 @@ class Fields {
   std::vector<Description> descriptions() const { return list_.descriptions(); }
   const FieldList& untyped() const { return list_; }
 
-  // One of them, and all of the row, as JSON.
+  // One field, and the whole row, as JSON.
   Json of(const Field& field, const Row& row, const Frame& frame) const { return field.of(&row, frame); }
   Json operator()(const Row& row, const Frame& frame) const { return list_(&row, frame); }
 

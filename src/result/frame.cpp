@@ -52,25 +52,25 @@ std::string_view unit_of(const Kind& kind, bool reduced) {
   return reduced ? quantity.reduced : quantity.physical;
 }
 
-Json told(double value, const Kind& kind, const Scales& scales) { return physical(value, kind, scales); }
+Json json_in_units(double value, const Kind& kind, const Scales& scales) { return physical(value, kind, scales); }
 
-Json told(const Estimate& value, const Kind& kind, const Scales& scales) {
+Json json_in_units(const Estimate& value, const Kind& kind, const Scales& scales) {
   const auto of = [&](double number) { return physical(number, kind, scales); };
   return {{"value", of(value.value)},
           {"standard_error", of(value.standard_error)},
           {"interval95", {of(value.low), of(value.high)}}};
 }
 
-Json told(const std::vector<double>& values, const Kind& kind, const Scales& scales) {
+Json json_in_units(const std::vector<double>& values, const Kind& kind, const Scales& scales) {
   Json out = Json::array();
   for (const double number : values) out.push_back(physical(number, kind, scales));
   return out;
 }
 
-Json told(const std::string& words, const Kind& /*kind*/, const Scales& /*scales*/) { return words; }
-Json told(const std::string_view& words, const Kind& /*kind*/, const Scales& /*scales*/) { return words; }
-Json told(const bool& value, const Kind& /*kind*/, const Scales& /*scales*/) { return value; }
-Json told(const std::size_t& count, const Kind& /*kind*/, const Scales& /*scales*/) { return count; }
+Json json_in_units(const std::string& words, const Kind& /*kind*/, const Scales& /*scales*/) { return words; }
+Json json_in_units(const std::string_view& words, const Kind& /*kind*/, const Scales& /*scales*/) { return words; }
+Json json_in_units(const bool& value, const Kind& /*kind*/, const Scales& /*scales*/) { return value; }
+Json json_in_units(const std::size_t& count, const Kind& /*kind*/, const Scales& /*scales*/) { return count; }
 
 void put(Json& object, std::string_view name, Json value) { object[std::string(name)] = std::move(value); }
 void append(Json& array, Json value) { array.push_back(std::move(value)); }

@@ -25,7 +25,7 @@ constexpr std::array estimate_parts{EstimatePart{"", ""}, EstimatePart{"_standar
 
 double number_in(const Json& value) { return value.is_number() ? value.get<double>() : nothing; }
 
-// Of several, one after the other.
+// Several words are joined.
 std::string words_in(const Json& value) {
   if (!value.is_array()) return value.is_string() ? printable(value.get<std::string>()) : "";
   std::string words;
@@ -143,7 +143,8 @@ ResultTable in_best_units(ResultTable table) {
 }
 
 void write_json(const std::string& path, const Json& json) {
-  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");  // file names may be no UTF-8
+  // file names may be invalid UTF-8
+  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace flexslip

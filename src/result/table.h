@@ -1,4 +1,5 @@
-// Answers as tables: the rows of what describes itself, a column a number. What CSV, XLSX and print lay out; and answers as JSON.
+// Tables of answers, for CSV, XLSX and print: one row per item, one column per number. And JSON
+// files.
 #pragma once
 
 #include <string>
@@ -11,25 +12,26 @@
 namespace flexslip {
 
 struct TableColumn {
-  std::string name;  // "wavelength_low"; as in JSON, or the title that stands for it in tables
+  std::string name;  // "wavelength_low": as in JSON, unless the field has a title
   bool has_numbers;
   Kind kind;             // of numbers
   std::string unit;      // of numbers, "m"; empty for words and plain numbers
-  std::string meaning;   // in a few words
-  std::string quantity;  // "wavelength": columns of one quantity have one unit
+  std::string meaning;   // a short phrase
+  std::string quantity;  // "wavelength": all columns of a quantity have the same unit
 };
 
 struct ResultTable {
   std::string name;  // "tests"
   std::vector<TableColumn> columns;
-  std::vector<std::vector<Cell>> rows;  // NaN, or no words, where there is nothing
+  std::vector<std::vector<Cell>> rows;  // NaN or empty words where there is no value
 };
 
-// The columns of fields, an estimate taking four, its value, standard error and the ends of its interval, and a group one for each entry.
-// Domain:     no lists among them but of words; std::invalid_argument otherwise.
+// The columns of fields. An estimate takes four: value, standard error and both ends of its
+// interval. A group takes one per entry.
+// Domain:     no lists except lists of words; std::invalid_argument otherwise.
 std::vector<TableColumn> columns_of(const std::vector<Description>& fields, bool reduced);
 
-// Appends what stands in the columns of a field.
+// Appends the cells of one field.
 void append_cells(std::vector<Cell>& cells, const Description& field, const Json& value);
 
 template <class Row>
@@ -49,12 +51,12 @@ ResultTable tabulated(std::string name, const Fields<Row>& fields, const Rows& r
 // "F [N]"
 std::vector<std::string> titles_of(const std::vector<TableColumn>& columns);
 
-// CSV, units in the titles, the shortest digits that read back to the same bits; "nan" where there is no number. Words are kept from
-// being taken for formulas.
-// Fails:      InputError if it cannot be written.
+// Writes CSV with units in the titles. Numbers have the fewest digits that restore the same bits; a
+// missing number is "nan". Words that look like formulas are escaped.
+// Fails:      throws InputError if the file cannot be written.
 void write_csv(const std::string& path, const ResultTable& table);
 
-// The same row by row, of as many as there are.
+// The same row by row, without storing the table.
 template <class Row, class Rows>
 void write_csv(const std::string& path, const Fields<Row>& fields, const Rows& rows, const Frame& frame) {
   auto at = rows.begin();
@@ -65,23 +67,23 @@ void write_csv(const std::string& path, const Fields<Row>& fields, const Rows& r
   });
 }
 
-// What a column is shown in.
+// The unit in which a column is shown.
 struct TableUnit {
   std::string name;  // as parse_unit takes it
   double factor;     // from SI
 };
 
-// That of the median, which a single odd test does not move. NaN is passed over.
+// The unit that suits the median of the values, so that one outlier does not change it. NaN is
+// ignored.
 TableUnit best_unit_of(std::vector<double> values, const Kind& kind);
 
-// The same table with every quantity in the unit that suits its first column.
+// The same table with each quantity in the unit that suits its first column.
 // Domain:     units in SI.
 ResultTable in_best_units(ResultTable table);
 
-// Answers as JSON, for machines. Keys keep their order; numbers read back to the same bits; what does not exist is null.
-
-// Writes indented JSON to a file; "-" is standard output.
-// Fails:      InputError if not all could be written.
+// Writes indented JSON to a file; "-" is standard output. Keys keep their order; numbers restore
+// the same bits.
+// Fails:      throws InputError if the file cannot be written completely.
 void write_json(const std::string& path, const Json& json);
 
 }  // namespace flexslip

@@ -14,7 +14,7 @@
 using namespace flexslip;
 namespace fs = std::filesystem;
 
-TEST_CASE("outside: the table of tests reads back to the same bits, whatever the names") {
+TEST_CASE("outside: the table of tests restores the same bits with any names") {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "tests.csv";
   const auto answered = campaign_of({some_test(awkward_name, SawtoothCategory::clear, 0.6, 10.9e-6),
@@ -35,7 +35,7 @@ TEST_CASE("outside: the table of tests reads back to the same bits, whatever the
         std::string::npos);
 }
 
-TEST_CASE("outside: no name is a formula, and each is that of the same test when the table is read") {
+TEST_CASE("outside: no name is a formula, and each name is restored when the table is read") {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "tests.csv";
   const std::vector<std::string> names{"=cmd|' /C calc'!A1", "+1", "-1", "@x", "'=quoted", "12'' rod"};
@@ -77,7 +77,7 @@ TEST_CASE("limit: no tests, and none with an answer") {
   CHECK(std::get<std::string>(tests.rows[0][5]).empty());
 }
 
-TEST_CASE("identity: a quantity has one unit, that of the median test") {
+TEST_CASE("identity: a quantity has one unit, chosen for the median test") {
   const auto table = in_best_units(test_table(some_campaign()));
   std::size_t found = 0;
   for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -89,7 +89,7 @@ TEST_CASE("identity: a quantity has one unit, that of the median test") {
   CHECK(found == 4);
 }
 
-TEST_CASE("outside: what JSON holds reads back, in the form of the design") {
+TEST_CASE("outside: JSON restores its content, in the documented form") {
   const Json json = Json::parse(campaign_json(some_campaign()).dump());
   REQUIRE(json["tests"].size() == 5);
   const auto& test = json["tests"][0];

@@ -11,7 +11,7 @@
 namespace flexslip {
 namespace {
 
-Json told(const DesignAnswer& answer) {
+Json json_of_design(const DesignAnswer& answer) {
   return design_fields()({answer, "", std::vector<std::string>(answer.changes.size())}, {});
 }
 
@@ -20,7 +20,7 @@ Json told(const DesignAnswer& answer) {
 TEST_CASE("design JSON, identity: every outcome and every parameter of the case, under its name") {
   const Test input = loading_of(spicule);
   const auto answer = answer_of(input);
-  const Json json = told(answer);
+  const Json json = json_of_design(answer);
   CHECK(json.at("largest_drop") == answer.scales.physical_force(answer.outcome.largest_drop));
   CHECK(json.at("snaps") == answer.outcome.snaps);
   CHECK(json.at("work") == answer.scales.physical_energy(answer.outcome.work));
@@ -36,9 +36,9 @@ TEST_CASE(
   Test input = loading_of(with("40 um", "10.9 um"));
   set(input, "travel", 560e-6);
   auto answer = answer_of(input);
-  CHECK(told(answer).at("reload").is_null());
+  CHECK(json_of_design(answer).at("reload").is_null());
   answer.reload = reload_study(input, {});
-  const Json json = Json::parse(told(answer).dump()).at("reload");
+  const Json json = Json::parse(json_of_design(answer).dump()).at("reload");
   CHECK(json.at("plans").size() == answer.reload->plans.size());
   CHECK(json.at("planned").at("force") == answer.reload->of_travel().force);
   CHECK(json.at("least").at("chance_if_cracks") == answer.reload->least().value().chances.cracks);
@@ -46,19 +46,19 @@ TEST_CASE(
   CHECK(json.at("changes").empty());
 }
 
-TEST_CASE("design JSON, limit: what is infinite or does not exist is null") {
+TEST_CASE("design JSON, limit: infinite and undefined values are null") {
   Test input = loading_of(with("[rig]", "[rig]  # stiff"));
   set(input, "mu0", 0);
   set(input, "amplitude", 0);
   set(input, "stiffness", std::numeric_limits<double>::infinity());
-  const Json json = Json::parse(told(answer_of(input)).dump());
+  const Json json = Json::parse(json_of_design(answer_of(input)).dump());
   CHECK(json.at("first_snap_stage").is_null());
   CHECK(json.at("parameters").at("stiffness").is_null());
   CHECK(json.at("phases").is_null());
   CHECK(json.at("critical_stiffness") == 0);
 }
 
-TEST_CASE("design map JSON, limit: where there is no test there are only its status and its numbers") {
+TEST_CASE("design map JSON, limit: an impossible test has only its status and its parameters") {
   const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "diameter=100 um:300 um:2", 2)};
   const auto points = design_map(input, axes, 1);

@@ -21,7 +21,7 @@ force = "F [N]"
 const Test& case_in(const PlannedTest& test) { return std::get<Test>(test.input); }
 std::string error_in(const PlannedTest& test) { return std::get<InputError>(test.input).what(); }
 
-TEST_CASE("table: a folder gives its case files by path, broken ones with their reason, each name once") {
+TEST_CASE("table: a folder gives its case files by path, unreadable ones with the reason, with unique names") {
   const TemporaryFolder folder;
   folder.file("b.toml", a_case);
   folder.file("a/case.toml", a_case);
@@ -40,7 +40,7 @@ TEST_CASE("table: a folder gives its case files by path, broken ones with their 
   CHECK(plan[3].name == "b-2");
 }
 
-TEST_CASE("table: with what is common, a folder gives its data files") {
+TEST_CASE("table: with a common case, a folder gives its data files") {
   const TemporaryFolder folder;
   const auto common = folder.file("common.toml", R"([rig]
 span = "1 mm"
@@ -61,7 +61,7 @@ force = "F [N]"
   CHECK(plan[1].name == "two");
 }
 
-TEST_CASE("table: results, and copies with more columns, are no tests of a folder; the same record twice is one") {
+TEST_CASE("table: results and copies with extra columns are no tests; a repeated record is one test") {
   const TemporaryFolder folder;
   const auto common =
       folder.file("common.toml",
@@ -83,7 +83,7 @@ TEST_CASE("table: results, and copies with more columns, are no tests of a folde
   CHECK(has(plan.notes[3], "no section is stated of any specimen"));
 }
 
-TEST_CASE("table: the same record under another case is a test of its own, and said to be none of another specimen") {
+TEST_CASE("table: the same record under another case is another test, and a note says so") {
   const TemporaryFolder folder;
   folder.file("a.csv", "w [mm],F [N]\n0,0\n1,2\n2,4\n");
   const auto table = folder.file("tests.csv",
@@ -115,7 +115,7 @@ TEST_CASE("table: units in titles of a table as in those of a record") {
   CHECK(std::get<Known>(test.specimen->modulus.value()).uncertainty == 1.5e9);
 }
 
-TEST_CASE("table: a row is a test, its keys by short or full names, units in titles or cells, over what is common") {
+TEST_CASE("table: a row is a test with short or full keys, units in titles or cells, and overrides the common case") {
   const TemporaryFolder folder;
   const auto common =
       folder.file("common.toml",
@@ -172,7 +172,7 @@ TEST_CASE("table: a bad cell fails its test, named by line and column; a column 
   CHECK(message_of([&] { plan_campaign(empty, std::nullopt); }).find("a row for each test") != std::string::npos);
 }
 
-TEST_CASE("table: names are as written; their folders are fit, and differ also where letters of either case are one") {
+TEST_CASE("table: names are unchanged; their folders are valid, and differ also if upper and lower case are equal") {
   const TemporaryFolder folder;
   const std::string longest(150, 'n');
   const auto table =

@@ -53,7 +53,7 @@ std::string text_of(const Campaign& campaign) {
   return text;
 }
 
-TEST_CASE("identity: one thread or several, kept in a folder or not, the answers are the same bytes") {
+TEST_CASE("identity: answers have the same bytes for any number of threads, stored or not") {
   const TemporaryFolder folder;
   write_campaign(folder);
   const auto plan = plan_campaign(folder.path().string(), std::nullopt);
@@ -70,7 +70,7 @@ TEST_CASE("identity: one thread or several, kept in a folder or not, the answers
   CHECK(text_of(again.campaign) == text);
 }
 
-TEST_CASE("identity: a test that fails is listed with its reason, and the others are as without it") {
+TEST_CASE("identity: a test that fails is listed with its reason, and the others do not change") {
   const TemporaryFolder folder;
   write_campaign(folder);
   const auto campaign = run_campaign(plan_campaign(folder.path().string(), std::nullopt), options(2)).campaign;
@@ -107,7 +107,7 @@ TEST_CASE(
   CHECK(text_of(whole.campaign) == text);
 }
 
-TEST_CASE("identity: another setting, or another byte in a data file, is computed anew") {
+TEST_CASE("identity: another setting, or another byte in a data file, is computed again") {
   const TemporaryFolder folder;
   write_campaign(folder);
   const auto plan = plan_campaign(folder.path().string(), std::nullopt);
@@ -125,7 +125,7 @@ TEST_CASE("identity: another setting, or another byte in a data file, is compute
   CHECK(run_campaign(plan, kept).found == tests - 2);
 }
 
-TEST_CASE("identity: what a test presents is there before the test counts as done, and a failure to write ends all") {
+TEST_CASE("identity: the files of a test exist before it counts as done, and a failure to write ends the run") {
   const TemporaryFolder folder;
   write_campaign(folder);
   const auto plan = plan_campaign(folder.path().string(), std::nullopt);

@@ -55,7 +55,7 @@ CampaignTest some_test() {
   return test;
 }
 
-TEST_CASE("identity: a kept test comes back to the last bit, and its text to the last byte") {
+TEST_CASE("identity: a stored test restores every bit, and its text every byte") {
   const std::string text = to_text(some_test());
   const auto back = campaign_test_from(text);
   REQUIRE(back);
@@ -80,7 +80,7 @@ TEST_CASE("identity: a kept test comes back to the last bit, and its text to the
   CHECK(!measured.log_roughness);
 }
 
-TEST_CASE("table: what was kept is found under its key alone, what is torn or foreign not at all") {
+TEST_CASE("table: a stored test is found only under its key; a damaged or foreign file is not found") {
   const TemporaryFolder folder;
   const CampaignStore store(folder.path() / "tests");
   CHECK(!store.find("SS14", "key"));
@@ -96,7 +96,7 @@ TEST_CASE("table: what was kept is found under its key alone, what is torn or fo
   CHECK(!store.find("SS14", "key"));
 }
 
-TEST_CASE("table: a folder that cannot be made is refused") {
+TEST_CASE("table: a folder that cannot be created is refused") {
   const TemporaryFolder folder;
   const auto file = folder.file("tests", "a file");
   CHECK(message_of([&] { CampaignStore store(file); }).find("cannot be written") != std::string::npos);

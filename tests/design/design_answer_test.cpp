@@ -30,7 +30,7 @@ TEST_CASE("design answer, limit: from displacement control a softer load train d
   }
 }
 
-TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen snaps, and a hair before it does not") {
+TEST_CASE("design answer, limit: a parameter of 0 can be raised until the specimen snaps, but not just before") {
   for (const std::string_view parameter : {"mu0", "amplitude"}) {
     CAPTURE(parameter);
     Test input = loading_of(spicule);
@@ -47,7 +47,7 @@ TEST_CASE("design answer, limit: what is 0 can be raised to where the specimen s
   }
 }
 
-TEST_CASE("design answer, identity: each change makes it otherwise, and a hair before it nothing has changed") {
+TEST_CASE("design answer, identity: each change reverses the answer, but not just before") {
   const Test input = loading_of(spicule);
   const auto answer = answer_of(input);
   REQUIRE(answer.outcome.snaps > 0);
@@ -62,7 +62,7 @@ TEST_CASE("design answer, identity: each change makes it otherwise, and a hair b
   }
 }
 
-TEST_CASE("design answer, identity: what is printed of a change has few digits, and makes it otherwise, too") {
+TEST_CASE("design answer, identity: the printed value of a change has few digits and also reverses the answer") {
   for (const double stiffness : {3.0, 15.0, 90.0, 500.0, 5e4}) {
     CAPTURE(stiffness);
     Test input = loading_of(with("40 um", "10.9 um"));
@@ -122,7 +122,7 @@ TEST_CASE("design answer, limit: at the axis, stiffness, section and modulus cha
   CHECK(std::pow(height, 3) == to(1e-12, 1 / stiffness));
 }
 
-TEST_CASE("design answer, identity: the study of phases is the same from the next of them") {
+TEST_CASE("design answer, identity: the study of phases is the same from the next phase") {
   Test input = loading_of(spicule);
   const auto usual = answer_of(input);
   const double own = usual.scales.physical_stiffness(usual.critical);

@@ -25,7 +25,7 @@ TEST_CASE("design axis: each is described once, in its place") {
   CHECK_THROWS_AS(design_parameter("spam"), std::invalid_argument);
 }
 
-TEST_CASE("design axis: what a number may be (limit)") {
+TEST_CASE("design axis: the range of a parameter (limit)") {
   const auto& mu0 = design_parameter("mu0");
   const auto& stiffness = design_parameter("stiffness");
   const auto& span = design_parameter("span");

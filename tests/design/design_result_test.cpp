@@ -42,7 +42,7 @@ TEST_CASE("one loading, identity: unchanged, it is the test that the case descri
   for (const double S : {1.0, 1.1, 1.37}) CHECK(design.friction.at(S).mu == friction.at(S).mu);
 }
 
-TEST_CASE("one loading, identity: a number set is the same as one read") {
+TEST_CASE("one loading, identity: a parameter that is set equals one that is read") {
   Test varied = loading_of(spicule);
   set(varied, "span", 1500e-6);
   set(varied, "diameter", 40e-6);
@@ -57,7 +57,7 @@ TEST_CASE("one loading, identity: a number set is the same as one read") {
   for (const double S : {1.0, 1.1, 1.37}) CHECK(a.friction.at(S).mu == b.friction.at(S).mu);
 }
 
-TEST_CASE("one loading, identity: a flat specimen set to another section is the same as one read with it") {
+TEST_CASE("one loading, identity: a flat specimen set to another section equals one read with it") {
   const auto flat = [](const std::string& section) { return loading_of(with("diameter = \"34.8 um\"", section)); };
   Test varied = flat("width = \"40 um\"\nheight = \"30 um\"");
   set(varied, "width", 50e-6);
@@ -123,7 +123,7 @@ TEST_CASE(
   CHECK(has(message_of([&] { design_of(steep); }), "drift: expected friction of at most 2 at the surface"));
 }
 
-TEST_CASE("one loading, contract: what cannot be loaded once is refused at its line") {
+TEST_CASE("one loading, contract: a case that is no single loading is refused at its line") {
   CHECK(refusal_of(with("\"700 um\"", "\"700 um\", \"100 um\", \"900 um\"")).find("case.toml:14: [stage] program[3]") ==
         0);
   CHECK(refusal_of(with("\"0 um\"", "\"1 um\"")).find("case.toml:14: [stage] program[1]") == 0);
@@ -132,7 +132,7 @@ TEST_CASE("one loading, contract: what cannot be loaded once is refused at its l
   CHECK(refusal_of(with("stiffness = \"90.65 N/m\"", "")).find("[rig] stiffness") != std::string::npos);
 }
 
-TEST_CASE("one loading, contract: a number out of its range is refused with its name") {
+TEST_CASE("one loading, contract: a parameter out of range is refused with its name") {
   Test input = loading_of(spicule);
   CHECK(message_of([&] {
           set(input, "amplitude", 1.5);
@@ -142,7 +142,7 @@ TEST_CASE("one loading, contract: a number out of its range is refused with its 
   CHECK(has(message_of([&] { design_of(input); }), "diameter: expected less than a fifth of the span"));
 }
 
-TEST_CASE("design result, table: what is no test, and what is beyond FlexSlip, are told apart") {
+TEST_CASE("design result, table: impossible tests differ from tests beyond the limits of FlexSlip") {
   const auto status_with = [](std::string_view parameter, double value) {
     Test input = loading_of(spicule);
     set(input, parameter, value);
@@ -158,7 +158,7 @@ TEST_CASE("design result, table: what is no test, and what is beyond FlexSlip, a
   CHECK(status_with("modulus", 1e308) == ResultStatus::impossible);  // the rig is too soft for it
 }
 
-TEST_CASE("design result, contract: whatever the numbers, it is computed or refused with a word") {
+TEST_CASE("design result, contract: any parameters are computed or refused with a status") {
   CHECK(rc::check([] {
     Test input = loading_of(spicule);
     for (const auto& known : design_parameters()) {
@@ -197,7 +197,7 @@ TEST_CASE("design map, identity: its points are the outcomes at its values") {
   for (const std::size_t i : {0, 1, 2}) CHECK(points[i].values[1] == std::vector{0.0, 0.3, 0.6}[i]);
 }
 
-TEST_CASE("limit: a design or a map of them that is stopped gives nothing, on any thread") {
+TEST_CASE("limit: a design or a map that is stopped gives nothing, on any thread") {
   const Test input = loading_of(spicule);
   const std::atomic<bool> stop = true;
   const std::vector axes{map_axis(input, "mu0=0:0.6", 3)};

@@ -42,7 +42,7 @@ TEST_CASE("reload study, identity: at each travel, deeper unloading determines t
   CHECK(compared >= 12);
 }
 
-TEST_CASE("reload study, identity: the plan named is the least that suffices") {
+TEST_CASE("reload study, identity: the reported plan has the smallest sufficient travel") {
   const auto least = study().least();
   REQUIRE(least);
   CHECK(study().suffices(*least));
@@ -82,7 +82,7 @@ TEST_CASE("reload study, limit: without drops there is nothing to decide") {
   CHECK(!nothing.least());
 }
 
-TEST_CASE("reload study, limit: noise that hides the drops leaves nothing to decide, and the usual one is small") {
+TEST_CASE("reload study, limit: noise that hides the drops leaves nothing to decide, and the default noise is small") {
   CHECK(study().noise_is_usual);
   const auto noisy = reload_study(toothed(), {.noise = 100 * study().noise});
   CHECK(noisy.plans.empty());

@@ -54,7 +54,7 @@ axes = { stiffness = ["90 N/m", "inf"], mu0 = { from = 0.2, to = 0.4, points = 3
   CHECK(message_of([&] { inputs_of(plan, 6); }).find('6') != std::string::npos);
 }
 
-TEST_CASE("identity: a Latin hypercube meets each stratum of each axis once, whatever the number of samples") {
+TEST_CASE("identity: a Latin hypercube meets each stratum of each axis once, for any number of samples") {
   for (const std::uint64_t samples : {1ULL, 2ULL, 3ULL, 5ULL, 64ULL, 65ULL, 1000ULL, 4097ULL}) {
     const auto plan = hypercube_of(samples, 7);
     std::set<double> mu0, amplitude;
@@ -70,7 +70,7 @@ TEST_CASE("identity: a Latin hypercube meets each stratum of each axis once, wha
   }
 }
 
-TEST_CASE("oracle: axes and seeds are uncorrelated, as those of independent random numbers are") {
+TEST_CASE("oracle: axes and seeds are uncorrelated, like independent random numbers") {
   constexpr std::uint64_t samples = 10'000;
   const auto plan = hypercube_of(samples, 1);
   const auto other = hypercube_of(samples, 2);
@@ -101,7 +101,7 @@ TEST_CASE("identity: whole numbers may be written as powers of ten") {
   CHECK(plan_of(sweep + "1e5\n" + axes).rows == 100'000);
 }
 
-TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") {
+TEST_CASE("table: an invalid sweep is refused with line, key and remedy") {
   const auto says = [](const std::string& sweep) { return message_of([&] { plan_of(sweep); }); };
   struct Row {
     std::string sweep;
@@ -152,7 +152,7 @@ TEST_CASE("table: what a sweep cannot be is refused with line, key and remedy") 
   }
 }
 
-TEST_CASE("table: a section [sweep] is the sweep's affair: other commands take the same file") {
+TEST_CASE("table: other commands ignore a section [sweep]") {
   const std::string sweep = "[sweep]\nmethod = \"grid\"\naxes = { mu0 = [0.3] }\n";
   CHECK(read_case(some_case + sweep, "map.toml").friction.has_value());
   CHECK(plan_of(sweep).rows == 1);
@@ -179,7 +179,7 @@ axes = { diameter = ["20 um", "900 um", "30 um"], mu0 = [0.3, 0.4] }
                     "some.toml");
 }
 
-TEST_CASE("identity: a row is what its case gives, and what cannot be computed is said to be impossible") {
+TEST_CASE("identity: a row equals the result of its case, and a test that cannot be computed is impossible") {
   const SweepPlan plan = three_diameters();
   const auto points = points_of(plan, {0, plan.rows}, 1);
   REQUIRE(points.size() == 6);
@@ -192,7 +192,7 @@ TEST_CASE("identity: a row is what its case gives, and what cannot be computed i
   CHECK(points[4].result.outcome->work == result_of(alone).outcome->work);
 }
 
-TEST_CASE("identity: rows are the same for any span of them and any number of threads") {
+TEST_CASE("identity: rows are the same for any span and any number of threads") {
   const SweepPlan plan = three_diameters();
   const auto all = points_of(plan, {0, plan.rows}, 3);
   for (std::uint64_t row = 0; row < plan.rows; ++row) {
@@ -207,7 +207,7 @@ TEST_CASE("identity: rows are the same for any span of them and any number of th
   CHECK(message_of([&] { points_of(plan, {plan.rows - 1, 2}, 1); }).find("no row 6 of 6") != std::string::npos);
 }
 
-TEST_CASE("limit: rows that are stopped give nothing, those that are refused at once as well") {
+TEST_CASE("limit: rows that are stopped give nothing, including rows that are refused at once") {
   const SweepPlan plan = three_diameters();
   const std::atomic<bool> stop = true;
   const Stoppable stoppable(&stop);
@@ -215,7 +215,7 @@ TEST_CASE("limit: rows that are stopped give nothing, those that are refused at 
   CHECK_THROWS_AS(points_of(plan, {2, 2}, 1), Stopped);  // of the diameter that is impossible
 }
 
-TEST_CASE("limit: without friction there is no snap, no drop, and the work is bent into the specimen") {
+TEST_CASE("limit: without friction there is no snap and no drop, and all work is bending energy") {
   const auto plan = read_sweep(
       "reduced = true\n[rig]\nstiffness = 50\n[friction]\nmodel = \"constant\"\nmu0 = 0\n[stage]\nprogram = [0, 0.3]\n"
       "[sweep]\nmethod = \"grid\"\naxes = { travel = [0.1, 0.2] }\n",

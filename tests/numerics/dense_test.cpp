@@ -17,7 +17,7 @@ Eigen::Matrix3d example() {
 
 }  // namespace
 
-TEST_CASE("identity: what a symmetric matrix is taken apart into gives it again") {
+TEST_CASE("identity: the eigenvectors and eigenvalues restore a symmetric matrix") {
   const Eigen::Matrix3d A = example();
   const auto [values, vectors] = eigen_of(A);
   CHECK((product(vectors * values.asDiagonal(), vectors.transpose()) - A).norm() < rounding);
@@ -29,7 +29,7 @@ TEST_CASE("identity: what a symmetric matrix is taken apart into gives it again"
   CHECK(cholesky_root(singular) == Eigen::Matrix2d{{1, 0}, {0, 2}});
 }
 
-TEST_CASE("table: systems, inverses and determinants, of indefinite matrices as well") {
+TEST_CASE("table: systems, inverses and determinants, also for indefinite matrices") {
   Eigen::Matrix3d A = example();
   CHECK(Symmetric(A).log_determinant() == doctest::Approx(std::log(4 * 14.75 - 6 - 2 * 6.5)));
   A(1, 1) = -3;
@@ -40,7 +40,7 @@ TEST_CASE("table: systems, inverses and determinants, of indefinite matrices as 
   CHECK(square_in(example(), example() * x) == doctest::Approx(x.dot(example() * x)));
 }
 
-TEST_CASE("identity: a part of a matrix is taken as it lies") {
+TEST_CASE("identity: a block of a matrix is read in place") {
   const Eigen::MatrixXd A = example();
   CHECK((eigen_of(A.bottomRightCorner(2, 2)).values.sum()) == doctest::Approx(8));
 }

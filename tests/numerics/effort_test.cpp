@@ -6,7 +6,7 @@
 
 using namespace flexslip;
 
-TEST_CASE("limit: work that may be stopped ends where it counts, and only while it may") {
+TEST_CASE("limit: stoppable work ends where it counts effort, and only then") {
   effort_spent.clear();
   std::atomic<bool> stop = false;
   {

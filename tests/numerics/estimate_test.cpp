@@ -5,7 +5,7 @@
 
 using namespace flexslip;
 
-TEST_CASE("oracle: the interval of an error told by few points is that of Student's t by Boost.Math") {
+TEST_CASE("oracle: the interval of an error from few points agrees with Student's t by Boost.Math") {
   for (const double freedom : {2.0, 3.0, 8.0, 100.0}) {
     const Estimate estimate = student_estimate(5, 0.1, freedom);
     const double reach = 0.1 * quantile(boost::math::students_t(freedom), 0.975);
@@ -15,6 +15,6 @@ TEST_CASE("oracle: the interval of an error told by few points is that of Studen
   }
 }
 
-TEST_CASE("limit: of many points it is that of a normal error") {
+TEST_CASE("limit: for many points the interval is the normal one") {
   CHECK(student_estimate(5, 0.1, 1e6).high == doctest::Approx(normal_estimate(5, 0.1).high).epsilon(1e-6));
 }

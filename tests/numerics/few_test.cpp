@@ -32,7 +32,7 @@ void compare_with_eigen() {
 
 }  // namespace
 
-TEST_CASE("oracle: products have the bits of Eigen's") {
+TEST_CASE("oracle: products have the same bits as in Eigen") {
   compare_with_eigen<1>();
   compare_with_eigen<2>();
   compare_with_eigen<3>();

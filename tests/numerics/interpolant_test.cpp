@@ -28,7 +28,7 @@ Polynomial::Values at_nodes() {
 
 }  // namespace
 
-TEST_CASE("interpolant, identity: a polynomial of its degree comes back, with derivative and integral") {
+TEST_CASE("interpolant, identity: a polynomial of its degree is exact, with derivative and integral") {
   const auto series = Polynomial::chebyshev(at_nodes());
   const auto bernstein = Polynomial::bernstein(at_nodes());
   const auto primitive = integrated(series, 1);
@@ -43,7 +43,7 @@ TEST_CASE("interpolant, identity: a polynomial of its degree comes back, with de
   }
 }
 
-TEST_CASE("series, identity: derivative and product are those of the polynomials, cut off where asked for") {
+TEST_CASE("series, identity: derivative and product agree with the polynomials, up to the truncation") {
   const auto series = Polynomial::chebyshev(at_nodes());
   const auto rate = derivative(series);
   const auto whole = product<12>(series, rate);
@@ -58,7 +58,7 @@ TEST_CASE("series, identity: derivative and product are those of the polynomials
   for (std::size_t k = 0; k < cut.size(); ++k) CHECK(cut[k] == whole[k]);
 }
 
-TEST_CASE("cubic, identity: values and slopes at its ends, and a cubic comes back") {
+TEST_CASE("cubic, identity: values and slopes at its ends, and a cubic is exact") {
   const auto f = [](double t) { return ValueAndSlope{2 + t * (-1 + t * (3 - 5 * t)), -1 + t * (6 - 15 * t)}; };
   const Cubic cubic(f(0).value, f(1).value, f(0).slope, f(1).slope);
   for (double t = 0; t <= 1; t += 0.125) {

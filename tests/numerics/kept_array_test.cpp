@@ -6,7 +6,7 @@
 
 namespace flexslip {
 
-TEST_CASE("kept arrays, identity: two that live share nothing, and what is moved keeps its values") {
+TEST_CASE("kept arrays, identity: two arrays share nothing, and a moved array keeps its values") {
   KeptArray<int> a(1001);
   KeptArray<double> b(1001);
   for (std::size_t i = 0; i < 1001; ++i) a[i] = static_cast<int>(i), b[i] = -1;
@@ -17,7 +17,7 @@ TEST_CASE("kept arrays, identity: two that live share nothing, and what is moved
   for (std::size_t i = 0; i < 1001; ++i) CHECK(other[i] == static_cast<int>(i));
 }
 
-TEST_CASE("kept arrays, identity: the next that is no longer has the memory of the one that went") {
+TEST_CASE("kept arrays, identity: a new array of at most that size reuses the memory of a destroyed one") {
   const double* before = nullptr;
   {
     const KeptArray<double> first(100'000);

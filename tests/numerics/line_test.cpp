@@ -8,7 +8,7 @@
 
 namespace flexslip {
 
-TEST_CASE("line: least squares through points that lie on one, and beside one (identity, calculation by hand)") {
+TEST_CASE("line: least squares through points on and off a line (identity, calculation by hand)") {
   const std::vector<double> x{0, 1, 2, 3};
   CHECK(line_through(x, std::vector{1.0, 3.0, 5.0, 7.0}).slope == 2);
   const Line line = line_through(x, std::vector{0.0, 2.0, 1.0, 3.0});
@@ -19,7 +19,7 @@ TEST_CASE("line: least squares through points that lie on one, and beside one (i
   CHECK(line_through(std::vector{2.0, 2.0}, std::vector{1.0, 3.0}).slope == 0);
 }
 
-TEST_CASE("line: how two columns go with each other that both follow a third (identity, calculation by hand)") {
+TEST_CASE("line: the slope between two columns that both depend on a third (identity, calculation by hand)") {
   const std::vector<double> x{0, 1, 2, 3}, z{1, 3, 5, 7};
   const CommonLine exact = common_line(x, std::vector{5.0, 11.0, 17.0, 23.0}, z);
   CHECK(exact.slope == 3);

@@ -8,7 +8,7 @@
 
 namespace flexslip {
 
-TEST_CASE("table: the greatest value of a smooth function, in few calls") {
+TEST_CASE("table: the maximum of a smooth function, in few calls") {
   int calls = 0;
   const auto [at, value] = greatest_within([&](double x) { return ++calls, x * std::exp(-x); }, 0, 5, 1e-9);
   CHECK(std::abs(at - 1) < 5e-8);  // the root of a double's rounding, of a peak of width 1
@@ -16,7 +16,7 @@ TEST_CASE("table: the greatest value of a smooth function, in few calls") {
   CHECK(calls < 30);
 }
 
-TEST_CASE("limit: a kink, and a function that is greatest at an end") {
+TEST_CASE("limit: a kink, and a function with its maximum at an end") {
   const auto kink = greatest_within([](double x) { return -std::abs(x - std::numbers::sqrt2); }, -3, 7, 1e-10);
   CHECK(std::abs(kink.at - std::numbers::sqrt2) <= 2e-10);
   for (const double side : {-1.0, 1.0}) {
@@ -37,7 +37,7 @@ double valley(double x, double y) { return std::pow(1 - x, 2) + 100 * std::pow(y
 
 }  // namespace
 
-TEST_CASE("table: the least of Rosenbrock's valley without slopes, from the better of two starts") {
+TEST_CASE("table: the minimum of Rosenbrock's valley without slopes, from the better of two starts") {
   int calls = 0;
   const FunctionOfNumbers f = [&](std::span<const double> x) { return ++calls, valley(x[0], x[1]); };
   const std::vector<std::vector<double>> starts{{-1.2, 1}, {0.5, 0.5}};
@@ -51,7 +51,7 @@ TEST_CASE("table: the least of Rosenbrock's valley without slopes, from the bett
   CHECK(calls <= 2 * 30);
 }
 
-TEST_CASE("limit: where a function has no value, a start is all there is") {
+TEST_CASE("limit: for an undefined function the result is a start") {
   const FunctionOfNumbers f = [](std::span<const double> x) {
     return x[0] < 0 ? std::numeric_limits<double>::infinity() : x[0] * x[0];
   };
@@ -100,7 +100,7 @@ TEST_CASE("table: uphill to the top of a hill, or to where the box ends") {
   CHECK(-flat(near).value < 0.003);
 }
 
-TEST_CASE("limit: no step is longer than it may be, and a start outside the box begins at its wall") {
+TEST_CASE("limit: no step exceeds the longest, and a start outside the box moves to its wall") {
   const Box<Eigen::Vector2d> box{{0, 0}, {10, 10}, {0.25, 0.125}};
   const auto steep = [](const Eigen::Vector2d& x) { return Hill{100 * x[0] + 100 * x[1], Eigen::Vector2d(100, 100)}; };
   Eigen::Matrix2d rough = Eigen::Matrix2d::Identity();

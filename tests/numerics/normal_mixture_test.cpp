@@ -7,7 +7,7 @@
 namespace flexslip {
 namespace {
 
-TEST_CASE("limit: of one part the mixture is the normal distribution") {
+TEST_CASE("limit: a mixture of one part is the normal distribution") {
   const NormalMixture one{{3, 0.5, 0.2}};
   CHECK(mean_of(one) == 0.5);
   CHECK(deviation_of(one) == doctest::Approx(0.2).epsilon(1e-15));

@@ -54,7 +54,7 @@ TEST_CASE("calculation by hand: second differences of a line, of a parabola, and
   CHECK(deviation_by_median == doctest::Approx(1 / elementary::gaussian_quantile(0.75)).epsilon(2e-5));
 }
 
-TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by brute force") {
+TEST_CASE("oracle: brute force finds no nearer non-decreasing sequence") {
   const std::vector<double> values{1, 3, 2, 2.5, 0.5, 4, 3.9};
   const auto fitted = non_falling(values);
   CHECK(std::is_sorted(fitted.begin(), fitted.end()));
@@ -81,7 +81,7 @@ TEST_CASE("oracle: the nearest non-falling sequence is no farther than any by br
   CHECK(misfit(fitted) == doctest::Approx(least).epsilon(1e-14));
 }
 
-TEST_CASE("table: what advances never goes back, nor below 0") {
+TEST_CASE("table: an advancing sequence never decreases, nor falls below 0") {
   CHECK(advancing({}).empty());
   const std::vector<double> stages{-0.1, 0.2, 0.1, 0.3, 0.3};
   CHECK(advancing(stages) == std::vector<double>{0, 0.2, 0.2, 0.3, 0.3});

@@ -27,7 +27,7 @@ void some_work(int depth) {
 
 }  // namespace
 
-TEST_CASE("progress: a stage begins where those before it end, and one of pieces is divided among them (table)") {
+TEST_CASE("progress: a stage begins where the previous one ends, and its pieces divide it (table)") {
   std::vector<Reached> told;
   {
     const Watch watch([&](const Reached& reached) { told.push_back(reached); });
@@ -49,7 +49,7 @@ TEST_CASE("progress: a stage begins where those before it end, and one of pieces
   }
 }
 
-TEST_CASE("progress: within a stage the share grows by what the stages before it took (table)") {
+TEST_CASE("progress: within a stage the share grows at the rate of the stages before (table)") {
   std::optional<Reached> last;
   const Watch watch([&](const Reached& reached) { last = reached; });
   Stages stages;
@@ -66,7 +66,7 @@ TEST_CASE("progress: within a stage the share grows by what the stages before it
   CHECK(last->share == doctest::Approx(0.2 + 0.4 * 0.99).epsilon(1e-15));
 }
 
-TEST_CASE("progress: what is told never falls and lies between 0 and 1, whatever the stages (identity)") {
+TEST_CASE("progress: the reported share never decreases and lies between 0 and 1, for any stages (identity)") {
   CHECK(rc::check("random stages", [] {
     double share = 0;
     const Watch watch([&](const Reached& reached) {
@@ -78,7 +78,7 @@ TEST_CASE("progress: what is told never falls and lies between 0 and 1, whatever
   }));
 }
 
-TEST_CASE("progress: an inner Watch hears of its own work, and the outer one again when it is gone (limit)") {
+TEST_CASE("progress: an inner Watch reports its own work; the outer one resumes after it (limit)") {
   int outer = 0, inner = 0;
   {
     const Watch watch([&](const Reached&) { ++outer; });

@@ -20,7 +20,7 @@ TEST_CASE("limit: a zero is found also where Newton's steps lead away from it") 
   CHECK(std::abs(zero_between(falling, 0.9, -1, 0.8, 1e-15)) < 1e-14);
 }
 
-TEST_CASE("table: a zero is known to the square of its last step") {
+TEST_CASE("table: the error of a zero is the square of the last step") {
   int calls = 0;
   const auto kepler = [&](double E) {  // 0.7 = E - 0.5 sin E at 1.15800162408910636, computed with 40 digits
     ++calls;
@@ -32,7 +32,7 @@ TEST_CASE("table: a zero is known to the square of its last step") {
   CHECK(std::abs(zero_between(large, 1, 1e7, 1e7, 0, 1e-9) / (std::sqrt(2.0) * 1e6) - 1) < 4e-16);
 }
 
-TEST_CASE("limit: without a change of sign the result lies within the bracket, and a zero met is taken") {
+TEST_CASE("limit: without a change of sign the result lies within the bracket, and an exact zero is returned") {
   const auto positive = [](double x) { return ValueAndSlope{1 + x * x, 2 * x}; };
   const double x = zero_between(positive, -1, 2, 0.5, 1e-12);
   CHECK(-1 <= x);
@@ -45,12 +45,12 @@ TEST_CASE("limit: without a change of sign the result lies within the bracket, a
   CHECK(nowhere <= 1);
 }
 
-TEST_CASE("limit: a tangent without end is no zero") {
+TEST_CASE("limit: an infinite slope is no zero") {
   const auto upright = [](double x) { return ValueAndSlope{x - 0.3, std::numeric_limits<double>::infinity()}; };
   CHECK(std::abs(zero_between(upright, 0, 1, 0.5, 1e-12) - 0.3) < 1e-11);
 }
 
-TEST_CASE("table: a zero without slopes, also next to where there is no value") {
+TEST_CASE("table: a zero without slopes, also next to undefined values") {
   int calls = 0;
   const auto f = [&](double x) { return ++calls, x > 0.8 ? std::numeric_limits<double>::infinity() : std::exp(x) - 2; };
   CHECK(std::abs(zero_by_secant(f, {0, -1}, {1, f(1)}, 1e-15) - 0.693147180559945309) < 1e-15);
@@ -88,7 +88,7 @@ TEST_CASE("identity: where a function is first not positive, from either side, a
   CHECK(first_not_positive([](double) { return 1.0; }, {0, 1}, 1) == 1);
 }
 
-TEST_CASE("limit: what is nowhere true is said to be at the end, and next to 0 the search ends") {
+TEST_CASE("limit: if the condition is never true the result is the end, and next to 0 the search ends") {
   int calls = 0;
   CHECK(first_where(0, 1, [&](double) { return ++calls < 0; }) == 1);
   CHECK(calls == 1);
@@ -96,7 +96,7 @@ TEST_CASE("limit: what is nowhere true is said to be at the end, and next to 0 t
   CHECK(first_where(0, 1, [](double x) { return x > 0; }) < 1e-60);
 }
 
-TEST_CASE("identity: so many halvings leave that part of a bracket, about the turn") {
+TEST_CASE("identity: n halvings reduce a bracket by 2^n around the change") {
   const auto beyond = [](double x) { return x > 0.7; };
   const Bracket left = halved(10, {0, 1}, beyond);
   CHECK(left.width() == 0x1p-10);

@@ -81,7 +81,7 @@ std::vector<FilterStep<2, 2>> passed(const Sights& sights, Eigen::RowVector2d& s
 
 }  // namespace
 
-TEST_CASE("oracle: a filter with its smoother tells what the joint normal distribution of all places does") {
+TEST_CASE("oracle: filter and smoother agree with the joint normal distribution of all points") {
   const Sights sights = some_sights();
   const Joint joint(sights);
   Eigen::RowVector2d squares = Eigen::RowVector2d::Zero();
@@ -109,7 +109,7 @@ TEST_CASE("oracle: a filter with its smoother tells what the joint normal distri
   }
 }
 
-TEST_CASE("limit: what is seen without noise is known, and nothing is learned from endless noise") {
+TEST_CASE("limit: an observation without noise is exact, and infinite noise carries no information") {
   const GaussianState<1, 1> expected{Eigen::Matrix<double, 1, 1>(2.0), Eigen::Matrix<double, 1, 1>(0.25)};
   const Eigen::Matrix<double, 1, 1> h(1.0), y(3.0);
   const auto sharp = updated(expected, h, y, 0);
@@ -120,7 +120,7 @@ TEST_CASE("limit: what is seen without noise is known, and nothing is learned fr
   CHECK(blind.state.covariance(0, 0) == 0.25);
 }
 
-TEST_CASE("limit: a diffuse state seen with hardly any noise keeps a variance, that of the noise") {
+TEST_CASE("limit: a diffuse state observed with very little noise keeps the variance of the noise") {
   const GaussianState<2, 1> diffuse{Eigen::Vector2d::Zero(), Eigen::Vector2d(1e4, 1e-4).asDiagonal()};
   constexpr double variance = 1e-18;
   auto update = updated(diffuse, Eigen::Vector2d(1, 0.5), Eigen::Matrix<double, 1, 1>(0.3), variance);

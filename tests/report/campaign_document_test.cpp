@@ -74,7 +74,7 @@ TEST_CASE("table: rows for people, each with as many cells as the head") {
   CHECK(specimens.rows[2][4].ends_with(" at most"));  // alike by chance
 }
 
-TEST_CASE("by hand: a line a test on a terminal, its doubts cut where the line ends") {
+TEST_CASE("by hand: one line per test on a terminal, with its warnings cut at the end of the line") {
   Campaign campaign = some_campaign();
   campaign.tests[1].remarks = {"friction decreases", "10 drops, fit 2 to 5", "residuals are not noise", "few rows"};
   std::string text = campaign_text(campaign);

@@ -17,7 +17,7 @@
 using namespace flexslip;
 namespace fs = std::filesystem;
 
-TEST_CASE("paper: Fig. 9 has the wavelengths of tests with a sawtooth, and the friction of all") {
+TEST_CASE("paper: Fig. 9 shows the wavelengths of tests with a sawtooth, and the friction of all tests") {
   const Plot figure = distribution_figure(some_campaign());
   REQUIRE(figure.data.size() == 1);
   const auto& rows = figure.data[0].rows;
@@ -57,13 +57,13 @@ TEST_CASE(
   CHECK(has_entry(one, "95 %"));
 }
 
-TEST_CASE("limit: a category without tests has no panel, nor have waves where none is known") {
+TEST_CASE("limit: a category without tests has no panel, and without waves there is no panel of wavelengths") {
   const Plot figure = distribution_figure(campaign_of({some_test("SS13", SawtoothCategory::none, 0.3, {})}));
   REQUIRE(figure.panels.size() == 1);
   CHECK(figure.panels[0].title.find("almost no sawtooth") == 0);
 }
 
-TEST_CASE("limit: a legend has no entry of what is not drawn") {
+TEST_CASE("limit: a legend has entries only for marks that are drawn") {
   const auto entry = [](const Plot& figure, std::string_view title) {
     const auto& marks = figure.panels.front().marks;
     return std::any_of(marks.begin(), marks.end(), [&](const Mark& mark) { return mark.title.find(title) == 0; });
@@ -94,14 +94,14 @@ TEST_CASE("limit: the atlas draws no model of a specimen that cracked") {
   CHECK(models({cracked, some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}) == 2);  // a line, and its entry
 }
 
-TEST_CASE("limit: nothing to distribute") {
+TEST_CASE("limit: a campaign without summaries has no distribution") {
   CHECK_THROWS_AS(distribution_figure(no_tests()), std::invalid_argument);
   CHECK_THROWS_AS(distribution_figure(only_failures()), std::invalid_argument);
   CHECK(atlas_pages(no_tests()).empty());
   CHECK(atlas_pages(only_failures()).empty());
 }
 
-TEST_CASE("paper: Figs. 10 to 13 have a panel a test, 20 on a page, the suspects once more") {
+TEST_CASE("paper: Figs. 10 to 13 have one panel per test, 20 per page, and suspect tests again at the end") {
   std::vector<CampaignTest> tests;
   for (char c = 'A'; c <= 'U'; ++c) tests.push_back(some_test(std::string(1, c), SawtoothCategory::nominal, 0.5, 9e-6));
   tests.push_back(some_test("a suspect", SawtoothCategory::clear, 1.25, 20e-6));
@@ -117,7 +117,7 @@ TEST_CASE("paper: Figs. 10 to 13 have a panel a test, 20 on a page, the suspects
   CHECK(pages[2].panels.size() == 1);
 }
 
-TEST_CASE("limit: load lines have the slope of the load train, the references those of small deflections") {
+TEST_CASE("limit: load lines have the slope of the load train, reference curves the small-deflection slope") {
   const auto pages = atlas_pages(campaign_of({some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}));
   REQUIRE(pages.size() == 1);
   const auto& drops = table_of(pages[0], "drops").rows;
@@ -148,7 +148,7 @@ TEST_CASE("identity: the atlas draws the curve without friction on the supports 
   }
 }
 
-TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
+TEST_CASE("outside: gnuplot draws every figure with any names") {
   const TemporaryFolder folder;
   Campaign campaign = some_campaign();
   campaign.tests.push_back(some_test("it's {/=50 big}^2 \\n @x ~ `id` $(id)", SawtoothCategory::clear, 0.4, 300e-6));
@@ -165,7 +165,7 @@ TEST_CASE("outside: gnuplot draws all of it, whatever the names") {
   CHECK(svg.find("it's {/=50 big}^2") != std::string::npos);
 }
 
-TEST_CASE("losses: a test that was loaded again and has drops lies where its loss and what its drops need say") {
+TEST_CASE("losses: a reloaded test with drops is drawn at its measured and its required loss") {
   Campaign campaign = some_campaign();
   CHECK(!has_losses(campaign));
   CHECK_THROWS_AS(losses_figure(campaign), std::invalid_argument);

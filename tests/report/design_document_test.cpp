@@ -40,7 +40,7 @@ TEST_CASE("table: the answer in a sentence, for every kind of test") {
   CHECK(design_in_short(answer_of(coarse)).ends_with("but readings 233 µm apart will not show it."));
 }
 
-TEST_CASE("identity: the words say the numbers of the answer") {
+TEST_CASE("identity: the sentences contain the numbers of the answer") {
   const auto answer = answer_of(fine());
   const std::string all = all_words(answer);
   const auto& scales = answer.scales;
@@ -53,7 +53,9 @@ TEST_CASE("identity: the words say the numbers of the answer") {
   CHECK(changes_in_words(answer).size() == answer.changes.size());
 }
 
-TEST_CASE("identity: the words of a second loading say its plan and its chances, or that there is nothing to decide") {
+TEST_CASE(
+    "identity: the text of a second loading contains its plan and its probabilities, or that there is nothing to "
+    "decide") {
   Test input = fine();
   set(input, "travel", 560e-6);
   auto answer = answer_of(input);
@@ -69,7 +71,7 @@ TEST_CASE("identity: the words of a second loading say its plan and its chances,
   CHECK(holds(all_words(answer), "No drops are expected in this loading: there is nothing to decide."));
 }
 
-TEST_CASE("limit: what is infinite, or nothing, is told in words") {
+TEST_CASE("limit: infinite and missing values are described in words") {
   Test input = fine();
   set(input, "stiffness", std::numeric_limits<double>::infinity());
   CHECK(holds(all_words(answer_of(input)), "load train      infinite stiffness; "));

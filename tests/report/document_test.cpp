@@ -23,13 +23,13 @@ std::vector<Chapter> small_document() {
           {"Friction & wear",
            {std::string("It is -0.5."), std::string(), numbers, PrintedTable{{"none"}, {}},
             Rows{{"work", "a < b"}, {"left out", ""}}, Verbatim{"[rig]\n\nspan = '1 mm'\n"}, names,
-            FilesBeside{{{"tests.csv", "a row per test"}}}}},
+            AccompanyingFiles{{{"tests.csv", "a row per test"}}}}},
           {"Nothing to say", {std::string(), Rows{{"left out", ""}}}}};
 }
 
 }  // namespace
 
-TEST_CASE("by hand: a terminal shows words, rows and tables, no pictures, nothing that says nothing") {
+TEST_CASE("by hand: a terminal shows text, rows and tables, but no pictures and no empty parts") {
   CHECK(in_text(small_document(), 40) ==
         "\nFriction & wear\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
         "a < "
@@ -37,12 +37,12 @@ TEST_CASE("by hand: a terminal shows words, rows and tables, no pictures, nothin
         "Test   Doubts\n   a <b>  one doubt; another doubt; a …\n");
 }
 
-TEST_CASE("by hand: words are apart from the rows below them where no title stands above") {
+TEST_CASE("by hand: an empty line separates text from rows if the chapter has no title") {
   CHECK(in_text({{"", {std::string("The answer."), Rows{{"work", "0.2 mJ"}}, std::string("Next: nothing.")}}}) ==
         "The answer.\n\n  work            0.2 mJ\nNext: nothing.\n");
 }
 
-TEST_CASE("by hand: a page shows the same and the pictures, numbers to the right") {
+TEST_CASE("by hand: a page shows the same with pictures, numbers right-aligned") {
   const std::string html = in_html(small_document(), [] { return std::string("(a figure)"); });
   for (const char* part :
        {"(a figure)<h2>Friction &amp; wear</h2>", "<p>It is \u22120.5.</p>", "<th class=\"n\">Fall</th>",
@@ -54,7 +54,7 @@ TEST_CASE("by hand: a page shows the same and the pictures, numbers to the right
   for (const char* part : {"none", "left out", "Nothing to say"}) CHECK_FALSE(has(html, part));
 }
 
-TEST_CASE("by hand: a table of more than 12 rows is folded, unless it is to stay open") {
+TEST_CASE("by hand: a table of more than 12 rows is folded, unless it must stay open") {
   PrintedTable table{{"Row"}, {}};
   for (int i = 0; i < 13; ++i) table.rows.push_back({std::to_string(i)});
   const auto html = [&] { return in_html({{"All", {table}}}, {}); };

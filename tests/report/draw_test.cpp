@@ -52,7 +52,7 @@ TEST_CASE("outside: a name full of quotes and commands is only a name") {
   CHECK(fs::exists(folder.path() / name));
 }
 
-TEST_CASE("outside: a figure writes over its own files, and over no others beside it (contract)") {
+TEST_CASE("outside: a figure overwrites only its own files (contract)") {
   const TemporaryFolder folder;
   const std::string picture = folder.path() / "line.svg";
   for (const std::string file : {"line.gp", "line-points.csv"}) {
@@ -68,7 +68,7 @@ TEST_CASE("outside: a figure writes over its own files, and over no others besid
   CHECK(bytes_of(picture) == drawn);
 }
 
-TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
+TEST_CASE("outside: gnuplot shows any text unchanged") {
   const TemporaryFolder folder;
   for (const std::string text :
        {"'begins", "ends'", "12'' rod", "'", "''", "'''", "a'b''c'''d", "\"12\"", "'\"`id`\"'", "back\\slash'n", "\\n",
@@ -85,7 +85,7 @@ TEST_CASE("outside: gnuplot shows a text as it is, whatever it holds") {
   }
 }
 
-TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies about") {
+TEST_CASE("outside: a picture that cannot be redrawn stays, without leftover files") {
   const TemporaryFolder folder;
   if (!draw(line(), folder.path(), {"svg"}).is_done()) return;
   const fs::path picture = folder.path() / "line.svg";
@@ -97,14 +97,14 @@ TEST_CASE("outside: a picture that cannot be drawn again stays, and nothing lies
   CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 4);
 }
 
-TEST_CASE("limit: no picture of that kind") {
+TEST_CASE("limit: an unknown kind of picture is refused") {
   const TemporaryFolder folder;
   CHECK_THROWS_AS(draw(line(), folder.path() / "line.jpg"), InputError);
   CHECK_THROWS_AS(draw(line(), folder.path() / "line"), InputError);
   CHECK_THROWS_AS(draw(line(), folder.path() / "li\nne.svg"), InputError);
 }
 
-TEST_CASE("outside: a picture for print says how finely it is drawn") {
+TEST_CASE("outside: a picture for print states its resolution") {
   const TemporaryFolder folder;
   if (!draw(line(), folder.path(), {"png"}).is_done()) return;
   const std::string png = bytes_of(folder.path() / "line.png");

@@ -29,7 +29,7 @@ std::string campaign_of_one(const FittedTest& test) {
 
 }  // namespace
 
-TEST_CASE("every finding there is: screen, text, page, JSON and campaign print its very words") {
+TEST_CASE("every finding: screen, text, page, JSON and campaign print the same sentence") {
   // What the verdict is made of is told by the rows of the screen, in other words; a campaign has the verdict.
   constexpr std::array told_by_rows{"cracks",        "undecided_drops", "sinks",
                                     "not_explained", "too_few_points",  "drops_elsewhere"};
@@ -60,7 +60,7 @@ TEST_CASE("every finding there is: screen, text, page, JSON and campaign print i
   }
 }
 
-TEST_CASE("document: every test that has no fit shows its curve, if it has one that rises") {
+TEST_CASE("document: every test without a fit shows its curve if the curve rises") {
   for (const Situation& each : situations()) {
     if (is_fitted(each.test)) continue;
     INFO(each.code);
@@ -111,7 +111,7 @@ TEST_CASE(
   CHECK_FALSE(has(in_text(document_of(slipping()), one_line), heading));
 }
 
-TEST_CASE("document: the rows of an answer and its doubts stand as on the screen") {
+TEST_CASE("document: rows and warnings are the same as on the screen") {
   const Answer answer = answer_of(changed([](FittedTest& test) {
     test.judgement.friction_falls = true;
     test.analysis.statistics.rows_between_drops = 4;

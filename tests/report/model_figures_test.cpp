@@ -22,7 +22,7 @@ bool has_title(const Plot& plot, const std::string& title) {
 
 }  // namespace
 
-TEST_CASE("design figure, identity: the record ends at the travel, and the drops drawn are as many as counted") {
+TEST_CASE("design figure, identity: the record ends at the travel, and the number of drops is the one counted") {
   const auto answer = answer_of(loading_of(spicule));
   const Plot figure = design_figure(answer);
   CHECK(table_of(figure, "record").rows.back().at(0) == to(1e-12, 700));  // µm
@@ -31,13 +31,13 @@ TEST_CASE("design figure, identity: the record ends at the travel, and the drops
   CHECK(static_cast<std::size_t>(gaps) + 1 == answer.outcome.drops);
 }
 
-TEST_CASE("design figure, limit: displacement control has no line of its own") {
+TEST_CASE("design figure, limit: displacement control has no line") {
   CHECK(has_title(design_figure(answer_of(loading_of(spicule))), "This load train"));
   const auto stiff = answer_of(loading_of(with("90.65 N/m", "inf")));
   CHECK(!has_title(design_figure(stiff), "This load train"));
 }
 
-TEST_CASE("design map figure, identity: the border runs where neighbours snap and do not") {
+TEST_CASE("design map figure, identity: the border separates designs that snap from designs that do not") {
   const Test input = loading_of(spicule);
   const std::vector<DesignAxis> axes{map_axis(input, "stiffness=100 N/m:1000 N/m:9", 2),
                                      map_axis(input, "mu0=0.2:0.8:7", 2)};

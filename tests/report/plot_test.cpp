@@ -74,11 +74,11 @@ TEST_CASE("outside: gnuplot draws every kind of mark, and an empty panel where t
     }
 }
 
-TEST_CASE("plot, contract: a mark of a table that is not there") {
+TEST_CASE("plot, contract: a mark refers to a missing table") {
   CHECK_THROWS_AS(laid_out(with({{.x = {}, .y = {}, .marks = {{Mark::line, "spam", {0, 1}}}}})), std::invalid_argument);
 }
 
-TEST_CASE("plot, identity: an axis has the data, and ticks within") {
+TEST_CASE("plot, identity: an axis contains its data and its ticks") {
   const Plot layout = laid_out(with({{.x = {"x"}, .y = {"y", "", 0}, .marks = {{Mark::bars, "table", {0, 1, 2}}}}}));
   const Axis &x = layout.panels[0].x, &y = layout.panels[0].y;
   CHECK(x.from == doctest::Approx(1 - 0.04 * 3));
@@ -114,7 +114,7 @@ TEST_CASE("plot, by hand: ticks of long and of short logarithmic axes, and numbe
   CHECK(ticks.front().text == "−2·10^{−6}");
 }
 
-TEST_CASE("plot, identity: neighbours with the same axis share its numbers and its label, and a whole figure a label") {
+TEST_CASE("plot, identity: neighbours with the same axis share numbers and label, and a whole figure shares a label") {
   const Axis x{"x", "", 0, 1}, y{"y", "", 0, 1}, other{"y", "", 0, 2};
   const auto below = laid_out(with({{.x = x, .y = y, .marks = {}}, {.x = x, .y = other, .marks = {}}})).panels;
   CHECK(below[0].x.title.words.empty());
@@ -136,7 +136,7 @@ TEST_CASE("plot, identity: neighbours with the same axis share its numbers and i
   }
 }
 
-TEST_CASE("plot, identity: a key leaves out what there is nothing of") {
+TEST_CASE("plot, identity: a key omits marks without data") {
   const auto key = [](const char* table) {
     return laid_out(with({{.x = {"x"}, .y = {"y"}, .marks = {{Mark::line, table, {0, 1}, {}, "a line"}}}}))
         .panels[0]
@@ -146,7 +146,7 @@ TEST_CASE("plot, identity: a key leaves out what there is nothing of") {
   CHECK(key("none") == 0);
 }
 
-TEST_CASE("plot, identity: edges are the ends of the panel, and a place in it that of the axes") {
+TEST_CASE("plot, identity: edges are the ends of the panel, and positions follow the axes") {
   const Axis axis{"x", "", 2, 6};
   const Panel panel =
       laid_out(
@@ -170,7 +170,7 @@ TEST_CASE("plot, by hand: markup") {
   CHECK(text_pieces(as_it_is(awkward)).front().text == awkward);
 }
 
-TEST_CASE("plot, by hand: an axis has two numbers at least, however low its panel") {
+TEST_CASE("plot, by hand: an axis has at least two numbers, even in a low panel") {
   const auto ticks = laid_out(with({{.x = {"x"}, .y = {"y"}, .share = 3}, {.x = {"x"}, .y = {"y", "", -0.036, 0.036}}}))
                          .panels[1]
                          .y.ticks;
@@ -179,7 +179,7 @@ TEST_CASE("plot, by hand: an axis has two numbers at least, however low its pane
   CHECK(texts == "−0.025 0 0.025 ");
 }
 
-TEST_CASE("plot, identity: an axis shows a quantity in the unit that reads best") {
+TEST_CASE("plot, identity: an axis uses a readable unit") {
   const PlotUnit force = plot_unit(0.012, kind::force, false, "EI/L²");
   CHECK(force.unit == "mN");
   CHECK(force(0.012) == doctest::Approx(12).epsilon(1e-15));  // one rounding each

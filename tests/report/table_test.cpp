@@ -65,13 +65,13 @@ TEST_CASE("table: a reduced test has no units") {
   CHECK(table.rows[1] == std::vector<std::string>{"0.125"});
 }
 
-TEST_CASE("limit: of a group that is missing, and of an empty list, there are no rows") {
+TEST_CASE("limit: a missing group and an empty list have no rows") {
   CHECK(shown(fields(), whole, {}, "group.parts", columns).rows.empty());
   CHECK(shown(fields(), Whole{{}, true}, {}, "group.parts", columns).rows.empty());
   CHECK(shown(fields(), Whole{whole.parts, true}, {}, "group.parts", columns).rows.size() == 2);
 }
 
-TEST_CASE("table: a group as it describes itself, what is missing left out") {
+TEST_CASE("table: a group with its descriptions, without missing values") {
   const Whole with_group{whole.parts, true};
   const auto of_group = Fields<Whole>().group(
       "group", "what it is of; null without it",
@@ -83,16 +83,16 @@ TEST_CASE("table: a group as it describes itself, what is missing left out") {
           .words("verdict", "good or not", &Part::verdict)
           .yes_no("flag", "it holds", [](const Part&) { return true; }),
       [](const Whole& of) -> const auto& { return of.parts[1]; });
-  const PrintedTable table = told(of_group, with_group, {.scales = Scales(2e-3, 1)}, "group");
+  const PrintedTable table = group_table(of_group, with_group, {.scales = Scales(2e-3, 1)}, "group");
   CHECK(table.head == std::vector<std::string>{"group", "Value", "95 % interval", "what it is of"});
   CHECK(table.rows == std::vector<std::vector<std::string>>{{"length", "250 µm", "", "of the part"},
                                                             {"estimate", "250 ± 20 µm", "211 to 289 µm", "its length"},
                                                             {"verdict", "bad", "", "good or not"},
                                                             {"flag", "yes", "", "yes if it holds"}});
-  CHECK_THROWS_AS(told(of_group, with_group, {}, "troop"), std::invalid_argument);
+  CHECK_THROWS_AS(group_table(of_group, with_group, {}, "troop"), std::invalid_argument);
 }
 
-TEST_CASE("table: what is of numbers stands to the right, and columns are picked by their headings") {
+TEST_CASE("table: columns of numbers are right-aligned, and columns are selected by heading") {
   const PrintedTable table{{"Name", "Value", "Range", "Words", "Nothing"},
                            {{"1", "−5 N", "at most 0.3", "1 of 2", ""}, {"2", "", "± 0.2", "none", ""}}};
   CHECK_FALSE(is_of_numbers(table, 0));
@@ -105,7 +105,7 @@ TEST_CASE("table: what is of numbers stands to the right, and columns are picked
   CHECK_THROWS_AS(picked(table, {"Mass"}), std::invalid_argument);
 }
 
-TEST_CASE("bad input: a list or a field that is not described, or is no column") {
+TEST_CASE("bad input: an unknown list or field, or a field that is no column") {
   CHECK_THROWS_AS(shown(fields(), whole, {}, "pieces", columns), std::invalid_argument);
   CHECK_THROWS_AS(shown(fields(), whole, {}, "parts", {{"", "lenght"}}), std::invalid_argument);
   CHECK_THROWS_AS(shown(fields(), whole, {}, "parts", {{"", "flag"}}), std::invalid_argument);

@@ -62,7 +62,7 @@ void write_campaign_xlsx(const std::string& path, const Campaign& campaign) {
 
 }  // namespace
 
-TEST_CASE("outside: a name that a spreadsheet might take for a formula is text with a ' before it") {
+TEST_CASE("outside: a name that looks like a formula is text with a ' before it") {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "campaign.xlsx";
   Campaign campaign;
@@ -77,7 +77,7 @@ TEST_CASE("outside: a name that a spreadsheet might take for a formula is text w
   }
 }
 
-TEST_CASE("outside: another reader finds the numbers as numbers, the names as they are, the titles frozen") {
+TEST_CASE("outside: another reader finds numbers as numbers, unchanged names, and frozen titles") {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "campaign.xlsx";
   write_campaign_xlsx(path, some_campaign());

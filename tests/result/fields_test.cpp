@@ -61,7 +61,7 @@ TEST_CASE("table: the same description gives a table, by hand") {
   CHECK(titles_of(columns_of(row_fields().descriptions(), true)).at(1) == "S");  // reduced numbers have no unit
 }
 
-TEST_CASE("limit: what is missing is null, nan, or left out") {
+TEST_CASE("limit: missing values are null, nan, or omitted") {
   Row row = some_row;
   row.stiffness.reset();
   CHECK(row_fields()(row, frame).at("stiffness").is_null());
@@ -75,7 +75,7 @@ TEST_CASE("limit: what is missing is null, nan, or left out") {
                   .contains("more"));
 }
 
-TEST_CASE("identity: a group is a column for each of its entries, all of one quantity") {
+TEST_CASE("identity: a group gives one column per entry, all of one quantity") {
   const auto fields = Fields<Row>().group("first", "part", part_fields().count("n", "", [](const Part&) { return 2; }),
                                           [](const Row& row) { return &row.parts.front(); });
   const ResultTable table = tabulated("rows", fields, std::vector{some_row}, frame);
@@ -102,7 +102,7 @@ TEST_CASE("identity: a reduced number of each kind times its unit is the physica
   CHECK_THROWS_AS(unit_of(kind::time, false), std::invalid_argument);
 }
 
-TEST_CASE("result fields, identity: what may be missing, and what is several, is told by what is read") {
+TEST_CASE("result fields, identity: the type of a value shows whether it may be missing or a list") {
   struct Answer {
     std::optional<double> perhaps;
     double surely;

@@ -102,7 +102,7 @@ void check_same(const studio::Loading& loading, const Simulation& test, bool in_
 
 }  // namespace
 
-TEST_CASE("studio: a loading has the bits of the case that says the same (oracle: the program's own way)") {
+TEST_CASE("studio: a loading has the same bits as the equivalent case (oracle: the program)") {
   const std::vector<double> programme{0, 5e-4, 2e-4, 6e-4};
   for (const Asked& asked : many) {
     CAPTURE(asked.name);
@@ -203,7 +203,7 @@ TEST_CASE("studio: Euler and Bernoulli are the limit of a small deflection witho
   CHECK(loading.force.back() == doctest::Approx(studio::euler_bernoulli(rig, 1e-4 * rig.span)).epsilon(1e-6));
 }
 
-TEST_CASE("identity: studio: what was asked before changes no bit of an answer") {
+TEST_CASE("identity: studio: earlier calls change no bit of an answer") {
   const std::vector<double> programme{0, 4e-4, 1e-4};
   const auto asked = rig_with(sinusoid(0.15), 90.65, 0, 34.8e-6);
   const auto first = studio::simulate(asked, programme, 2e-6, 0);
@@ -216,7 +216,7 @@ TEST_CASE("identity: studio: what was asked before changes no bit of an answer")
   }
 }
 
-TEST_CASE("studio: a box takes what the program reads of its kind, and says why it takes nothing else") {
+TEST_CASE("studio: a box accepts the same text as the program, and refuses other text with the reason") {
   const auto sentence = [](std::string_view words, std::string_view kind) -> std::string {
     try {
       studio::quantity(words, kind);
@@ -238,7 +238,7 @@ TEST_CASE("studio: a box takes what the program reads of its kind, and says why 
   CHECK_THROWS_AS(studio::unit("mm", "a force"), InputError);
 }
 
-TEST_CASE("studio: what cannot be computed is refused with a sentence") {
+TEST_CASE("studio: a test that cannot be computed is refused with a sentence") {
   CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1)), {}, 1e-6, 0), std::invalid_argument);
   const std::vector<double> programme{0, 5e-4};
   CHECK_THROWS_AS(studio::simulate(rig_with(sinusoid(0.1)), programme, -1e-6, 0), std::invalid_argument);

@@ -1,4 +1,5 @@
-// Commands that a page does without: sweeps, which take long and many threads, and the list of results. They are there, and say so.
+// Commands that a page does not offer: sweeps, which need time and threads, and the list of results.
+// They exist and report this.
 #include <string>
 
 #include <fmt/format.h>

@@ -34,7 +34,7 @@ HWY_INLINE Row load_row(const double* from) {
 // a y + b
 HWY_INLINE Row times_plus(const Row& a, double y, const Row& b) { return a * y + b; }
 
-// Upper half upon lower half until one is left.
+// Adds the upper half to the lower half until one number is left.
 HWY_INLINE double dot(const Row& a, const Row& b) {
   const Row product = a * b;
   const auto fours =
@@ -45,7 +45,7 @@ HWY_INLINE double dot(const Row& a, const Row& b) {
 
 class Powers {
  public:
-  // 1, x, ..., x^7, put together from x, x^2 and x^4 by the bits of the exponents.
+  // 1, x, ..., x^7, computed from x, x^2 and x^4 by the bits of the exponents.
   HWY_INLINE Row of(double x) const {
     const double x2 = x * x, x4 = x2 * x2;
     return Row{1, x, x2, x * x2, x4, x * x4, x2 * x4, (x * x2) * x4};

@@ -1,4 +1,4 @@
-// A page starts no other program: none is found, and whoever asked says what is missing.
+// A page cannot start other programs; every program is reported as not found.
 #include "io/child_process.h"
 
 namespace flexslip {
