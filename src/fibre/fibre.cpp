@@ -39,7 +39,9 @@ const Supports& Fibre::supports() const {
   return tables_ ? tables_->supports : edges;
 }
 
-Fibre::DeflectionState Fibre::at_deflection(double w, double q) const { return add_contacts(at_deflection_without_contacts(w, q)); }
+Fibre::DeflectionState Fibre::at_deflection(double w, double q) const {
+  return add_contacts(at_deflection_without_contacts(w, q));
+}
 
 Fibre::DeflectionState Fibre::add_contacts(DeflectionState at) const {
   if (at.state.w == 0 || at.state.status != FibreStatus::ok) return at;
