@@ -184,7 +184,7 @@ class Fit(FitFields):
         return self.success and self.verdict.code in ("slip", "undecided", "no_drops")
 
     def __repr__(self) -> str:
-        lines = textwrap.wrap(f"{self.name}  {self.verdict.sentence}", _WIDTH, subsequent_indent="    ")
+        lines = textwrap.wrap(f"{self.name}: {self.verdict.sentence}", _WIDTH, subsequent_indent="    ")
         for words in self._found():
             lines += textwrap.wrap(words, _WIDTH, initial_indent="  - ", subsequent_indent="    ")
         if self._parameters_hold():
@@ -195,7 +195,7 @@ class Fit(FitFields):
         import html
 
         found = "".join(f"<li>{html.escape(words)}</li>" for words in self._found())
-        head = f"<p><b>{html.escape(f'{self.name}  {self.verdict.sentence}')}</b></p>" + (f"<ul>{found}</ul>" if found else "")
+        head = f"<p><b>{html.escape(f'{self.name}: {self.verdict.sentence}')}</b></p>" + (f"<ul>{found}</ul>" if found else "")
         return head + (self.params._repr_html_() if self._parameters_hold() else "")
 
 

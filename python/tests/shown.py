@@ -180,7 +180,7 @@ class Words(unittest.TestCase):
                 self.assertEqual((fit.verdict.code, fit.status, few.sum() > 10), (code, status, True))
                 self.assertTrue(fit.message.startswith(fit.verdict.sentence))
                 words = " ".join(repr(fit).split())
-                self.assertTrue(words.startswith(f"{fit.name} {fit.verdict.sentence}"), words)
+                self.assertTrue(words.startswith(f"{fit.name}: {fit.verdict.sentence}"), words)
                 page = fit._repr_html_()
                 self.assertEqual(Parser(page).open, [])
                 for each in fit.findings:

@@ -171,9 +171,9 @@ Fields<SpecimenLine> between_fields() {
       .number("spread", "spread between specimens, excluding measurement errors",
               [](L line) { return line.population.spread; })
       .number("spread_low",
-              "lower end of its 95 % interval; 0 (or a factor of 1) if the records do not distinguish the specimens",
-              [](L line) { return line.population.least_spread; })
-      .number("spread_high", "upper end of its 95 % interval", [](L line) { return line.population.most_spread; });
+              "lower end of its 95 % interval; 0, or a factor of 1, where the records do not distinguish the specimens",
+              [](L line) { return line.population.min_spread; })
+      .number("spread_high", "upper end of its 95 % interval", [](L line) { return line.population.max_spread; });
 }
 
 struct CategoryOf {
@@ -269,7 +269,7 @@ namespace {
 
 Population exponential(Population logarithm) {
   logarithm.typical = exponential(logarithm.typical);
-  for (double* spread : {&logarithm.spread, &logarithm.least_spread, &logarithm.most_spread})
+  for (double* spread : {&logarithm.spread, &logarithm.min_spread, &logarithm.max_spread})
     *spread = elementary::exp(*spread);
   return logarithm;
 }

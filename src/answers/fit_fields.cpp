@@ -119,7 +119,7 @@ Fields<FittedTest> parameter_fields() {
                 [](T test) { return normal_estimate(test.analysis.fit.S_middle, 0); })
       .only_where([](T test) {
         const FrictionFit& fit = test.analysis.fit;
-        return is_fitted(test) && fit.model == ProfileModel::roughness && tells_variation(fit);
+        return is_fitted(test) && fit.model == ProfileModel::roughness && determines_variation(fit);
       })
       .estimate(parameter::roughness, of_fit(&FrictionFit::roughness))
       .estimate(parameter::correlation_length, of_fit(&FrictionFit::length))
@@ -232,13 +232,16 @@ Fields<Verdict> verdict_of_fit_fields() {
   return Fields<Verdict>()
       .words("code", "slip, slip_and_damage, undecided, crack, settled, no_drops, check_input or no_answer",
              [](const Verdict& verdict) { return name_of(verdict.code); })
-      .words("sentence", "the verdict with its conditions, as on the screen", sentence_of);
+      .words("sentence", "the verdict, its meaning and its evidence, in whole sentences", sentence_of);
 }
 
 Fields<AnswerRow> answer_row_fields() {
   return Fields<AnswerRow>()
-      .words("label", "drops, slip or crack, friction, work, reload, stiffness, hangs on or assumed", &AnswerRow::label)
-      .words("words", "text of the row on the screen", &AnswerRow::words);
+      .words("label",
+             "friction, work, spacing, reload, stiffness, strain, sensitivity, assumed, record, drops, profile, imaged "
+             "length, steepest part or model",
+             &AnswerRow::label)
+      .words("words", "the row, as --full prints it; the screen prints the clauses that fit", &AnswerRow::words);
 }
 
 Fields<FindingNumber> finding_number_fields() {
@@ -261,7 +264,7 @@ Fields<Finding> finding_fields() {
 Fields<Answer> answer_fields() {
   return Fields<Answer>()
       .group("verdict", "overall verdict on the test", verdict_of_fit_fields(), &Answer::verdict)
-      .list("answer", "the rows of the screen", answer_row_fields(), &Answer::rows)
+      .list("answer", "the rows of the screen, then those of --full", answer_row_fields(), all_rows)
       .list("findings", "all findings, most serious first", finding_fields(), &Answer::findings)
       .words("next", "the most informative next step; empty if there is none", &Answer::next);
 }
@@ -442,7 +445,7 @@ Fields<FittedTest> every_fit_field() {
       .group("wave", "most probable wave of friction, detected or not; null without one", most_probable_wave_fields(),
              [](T test) {
                const FrictionFit& fit = test.analysis.fit;
-               return is_fitted(test) && !fit.waves.empty() && tells_variation(fit) ? &test : nullptr;
+               return is_fitted(test) && !fit.waves.empty() && determines_variation(fit) ? &test : nullptr;
              })
       .group(
           "judgement", "probability that the drops are cracks only, and the stiffness loss shown by a reload",

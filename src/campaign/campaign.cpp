@@ -94,7 +94,7 @@ CampaignTest campaign_test_of(const FittedTest& test, const std::string& file) {
   TestSummary summary = summary_of(test.name, test.analysis);
   summary.suspect = is_suspect(answer.findings);
   summary.on_assumed_edges = friction_on_rollers(test).has_value();
-  const bool tells_friction = !is_refused(answer.findings) && test.judgement.tells_friction;
+  const bool tells_friction = !is_refused(answer.findings) && test.judgement.determines_friction;
   kept.summary = tells_friction ? std::move(summary) : without_friction(std::move(summary));
   kept.curves = curves_of(test.analysis);
   return kept;

@@ -192,7 +192,7 @@ FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options)
   std::optional<PassesFit> passes = analysis.passes;  // which may turn out not to explain the evaluated loading
   stages.enter("verdict", 0.05);
   Judgement judgement = judge(analysis);
-  if (!judgement.tells_friction) {  // cracks took their part of the work
+  if (!judgement.determines_friction) {  // cracks took their part of the work
     analysis.energy.friction_share = analysis.energy.friction_share_error = not_a_number;
     analysis.work_share_sensitivities.reset();
   }

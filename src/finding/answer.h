@@ -1,4 +1,5 @@
-// What a fitted test comes to: one verdict, the same rows for every test, what stands against it, and one next step.
+// The answer of a fitted test: one verdict, rows in the same order for every test, findings, and
+// one next step.
 #pragma once
 
 #include "case/fitted.h"
@@ -6,7 +7,7 @@
 
 namespace flexslip {
 
-// Of a test of any status.
+// Domain:     a test of any status.
 Answer answer_of(const FittedTest& test);
 
 }  // namespace flexslip

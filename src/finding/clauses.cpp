@@ -39,16 +39,16 @@ std::string unloading_force(const FittedTest& test) {
 
 namespace {
 
-// "cracks only: less than 1 %"
+// "cracks only: below 1 %"
 std::string probability_in_words(std::string_view cause, double probability) {
   const double percent = 100 * probability;
-  constexpr double least = 1, most = 99;  // what simulated tests can tell
-  constexpr double unlikely = 5;          // beyond which, on either side, the verdict is decided
-  const double beside = std::abs(std::abs(percent - 50) - (50 - unlikely));
-  if (beside < 0.5) return fmt::format("{} only: {:.{}f} %", cause, percent, beside < 0.05 ? 2 : 1);
-  return percent < least  ? fmt::format("{} only: less than {} %", cause, least)
-         : percent > most ? fmt::format("{} only: more than {} %", cause, most)
-                          : fmt::format("{} only: {:.0f} %", cause, percent);
+  constexpr double min_shown = 1, max_shown = 99;  // the calibration on simulated tests resolves no more
+  constexpr double threshold = 5;                  // the verdict changes here and at 100 - 5
+  const double from_threshold = std::abs(std::abs(percent - 50) - (50 - threshold));
+  if (from_threshold < 0.5) return fmt::format("{} only: {:.{}f} %", cause, percent, from_threshold < 0.05 ? 2 : 1);
+  return percent < min_shown   ? fmt::format("{} only: below {} %", cause, min_shown)
+         : percent > max_shown ? fmt::format("{} only: above {} %", cause, max_shown)
+                               : fmt::format("{} only: {:.0f} %", cause, percent);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ std::string causes_in_words(const FittedTest& test) {
   const Causes& causes = test.judgement.causes;
   if (std::isnan(causes.cracks)) return "";
   const std::string cracks = probability_in_words("cracks", causes.cracks);
-  constexpr double reliable = 0.5;  // one loading tells slips only from slips and cracks no better
+  constexpr double reliable = 0.5;  // above, one loading cannot distinguish slips only from slips and cracks
   return causes.slips < reliable || is_reloaded(test.analysis)
              ? cracks + ", " + probability_in_words("slips", causes.slips)
              : cracks;
@@ -65,9 +65,9 @@ std::string causes_in_words(const FittedTest& test) {
 
 std::string loss_by_drops_in_words(const FittedTest& test) {
   const DropFeatures& features = test.analysis.drop_features;
-  const std::string least = format_percent(features.loss_needed - features.loss_recovered);
-  const std::string most = format_percent(features.loss_needed);
-  return least == most ? most : fmt::format("{} to {}", least.substr(0, least.find(' ')), most);
+  const std::string low = format_percent(features.loss_needed - features.loss_recovered);
+  const std::string high = format_percent(features.loss_needed);
+  return low == high ? high : fmt::format("{} to {}", low.substr(0, low.find(' ')), high);
 }
 
 std::string usual_rollers(const FittedTest& test) {
@@ -75,13 +75,13 @@ std::string usual_rollers(const FittedTest& test) {
 }
 
 std::optional<std::string> friction_on_rollers(const FittedTest& test) {
-  if (!test.on_rollers || !test.judgement.tells_friction) return std::nullopt;
+  if (!test.on_rollers || !test.judgement.determines_friction) return std::nullopt;
   if (test.on_rollers->analysis.status == AnalysisStatus::deflection_too_small)
-    return fmt::format("too little bent to tell any on {}", usual_rollers(test));
+    return fmt::format("undetermined on {}", usual_rollers(test));
   if (!is_fitted(*test.on_rollers)) return std::nullopt;
   const FrictionFit &edges = test.analysis.fit, &rollers = test.on_rollers->analysis.fit;
-  const double apart = std::abs(edges.mu0.value - rollers.mu0.value);
-  if (!(apart > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
+  const double difference = std::abs(edges.mu0.value - rollers.mu0.value);
+  if (!(difference > std::max(edges.mu0.standard_error, rollers.mu0.standard_error))) return std::nullopt;
   return fmt::format("{} on {}", mean_friction(rollers), usual_rollers(test));
 }
 

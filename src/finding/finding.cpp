@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "data/names.h"
 
@@ -21,7 +19,7 @@ std::string reading_of(const Slip& slip) {
   const std::string_view reason = name_in_order<SlipVerdict::too_short>(
       slip.verdict,
       {"", "no friction explains a slip", "a slip would need too much friction before it",
-       "a slip would need negative friction", "a slip would let length out", "too short to judge as a slip"});
+       "a slip would need negative friction", "a slip would slide outwards", "too small to judge as a slip"});
   return fmt::format("{}; {}", slip.can_be_crack ? "crack" : "neither slip nor crack", reason);
 }
 
@@ -36,8 +34,8 @@ std::string_view word_of(VerdictCode code) {
 }
 
 std::string sentence_of(const Verdict& verdict) {
-  const std::string parts = fmt::format("{}", fmt::join(verdict.parts, "; "));
-  return fmt::format("{}: {}{}", word_of(verdict.code), parts, parts.ends_with('.') ? "" : ".");
+  return fmt::format("{}. {}{}{}", word_of(verdict.code), verdict.meaning, verdict.evidence.empty() ? "" : " ",
+                     verdict.evidence);
 }
 
 bool is_refused(const std::vector<Finding>& findings) {
@@ -56,16 +54,22 @@ const Finding* finding_in(const std::vector<Finding>& findings, std::string_view
   return found == findings.end() ? nullptr : &*found;
 }
 
+std::vector<AnswerRow> all_rows(const Answer& answer) {
+  std::vector<AnswerRow> rows = answer.rows;
+  rows.insert(rows.end(), answer.details.begin(), answer.details.end());
+  return rows;
+}
+
 std::vector<Finding> doubts_of(const Answer& answer) {
   const VerdictCode verdict = answer.verdict.code;
-  // What is read off with a wrong input, or of a specimen that lost stiffness, is wrong for that reason.
+  // Other findings follow from a wrong input, and most of them from lost stiffness.
   if (verdict == VerdictCode::check_input || verdict == VerdictCode::no_answer) return {};
-  constexpr std::array whatever_happened{"few_rows", "filtered_force", "other_contact", "sloping_baseline"};
+  constexpr std::array independent_of_cracks{"few_rows", "filtered_force", "other_contact", "sloping_baseline"};
   std::vector<Finding> doubts;
   for (const Finding& finding : answer.findings) {
     if (finding.severity > Severity::doubt || finding.code == answer.verdict.finding) continue;
-    if (verdict == VerdictCode::crack &&
-        std::find(whatever_happened.begin(), whatever_happened.end(), finding.code) == whatever_happened.end())
+    if (verdict == VerdictCode::crack && std::find(independent_of_cracks.begin(), independent_of_cracks.end(),
+                                                   finding.code) == independent_of_cracks.end())
       continue;
     doubts.push_back(finding);
   }
@@ -84,25 +88,10 @@ std::string checks_in_words(const Answer& answer) {
   const auto unjudged = std::count_if(answer.findings.begin(), answer.findings.end(), [&](const Finding& finding) {
     return is_check(finding) && finding.severity == Severity::unjudged;
   });
-  if (unjudged > 0) return fmt::format("{} of {} checks passed, {} not possible here.", good, checks, unjudged);
-  if (good < checks) {
-    std::vector<std::string> remarks;  // of those that neither passed nor stand among the doubts
-    for (const Finding& finding : answer.findings)
-      if (is_check(finding) && !passed(finding) && finding.severity > Severity::doubt && !finding.short_form.empty())
-        remarks.push_back(finding.short_form);
-    return fmt::format("{} of {} checks passed{}{}.", good, checks,
-                       remarks.empty() ? "" : "; remarked: ", fmt::join(remarks, ", "));
-  }
-  const bool is_doubted = std::any_of(answer.findings.begin(), answer.findings.end(),
-                                      [](const Finding& each) { return each.severity <= Severity::doubt; });
-  return fmt::format("{} {} checks passed.", is_doubted ? "The other" : "All", checks);
-}
-
-std::string next_in_words(const Answer& answer) {
-  if (answer.next.empty()) return "";
-  std::string step = answer.next;
-  step.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(step.front())));
-  return "Next: " + step;
+  return fmt::format(
+      "{} checks passed{}{}.", good == checks ? fmt::format("All {}", checks) : fmt::format("{} of {}", good, checks),
+      unjudged > 0 ? fmt::format(", {} not possible", unjudged) : "",
+      good < checks && answer.verdict.code == VerdictCode::crack ? ", as expected of a cracked specimen" : "");
 }
 
 }  // namespace flexslip

@@ -1,5 +1,5 @@
-// What the program finds out about a test: data with its sentence, worded once, where it is found out. Screen, report, campaign, JSON, Python
-// and page print the same strings.
+// The answer of a measured test: its verdict, its rows and its findings. Each is data that carries
+// its own sentence, which screen, report, campaign, JSON, Python and page print unchanged.
 #pragma once
 
 #include <string>
@@ -12,15 +12,15 @@
 
 namespace flexslip {
 
-// What a finding does to the answer, the weightiest first.
+// The effect of a finding on the answer, the most serious first.
 enum class Severity {
-  refusal,    // there is no answer, or none to use
-  suspicion,  // the conclusion does not survive it
-  doubt,      // it may not matter
-  condition,  // the answer is told under it
-  note,       // it casts no doubt
-  passed,     // what was checked is in order
-  unjudged,   // this record does not allow the check
+  refusal,    // the test has no usable answer
+  suspicion,  // the conclusion may be wrong
+  doubt,      // the numbers may be wrong
+  condition,  // the answer holds only under this condition
+  note,       // information that casts no doubt
+  passed,     // a check that passed
+  unjudged,   // a check that this record does not allow
 };
 
 std::string_view name_of(Severity severity);
@@ -32,68 +32,75 @@ struct FindingNumber {
 };
 
 struct Finding {
-  std::string_view code{};  // as the rule has it that finds it
+  std::string_view code{};  // of the rule that made the finding; codes do not change between versions
   Severity severity;
-  std::string sentence;      // whole sentences, understood when read alone
-  std::string short_form{};  // a few words, for a table of many tests or a row of one; may be empty
-  std::string remedy{};      // what to do, a whole sentence; empty where there is nothing to do
+  std::string sentence;      // whole sentences that can be quoted alone
+  std::string short_form{};  // a few words for tables and rows; may be empty
+  std::string remedy{};      // the action to take, in whole sentences; may be empty
   std::vector<FindingNumber> numbers{};
-  bool is_check = false;  // of a check that was passed, or was not
+  bool is_check = false;  // the finding is the result of a check of the fit
 };
 
-// What one drop can be: "slip", "slip or crack", "crack; a slip would need negative friction", "neither slip nor crack".
+// The possible causes of one drop: "slip", "slip or crack", "crack; a slip would need negative
+// friction", "neither slip nor crack".
 std::string reading_of(const Slip& slip);
 
-// What a test comes to in one word.
+// The conclusion about a test.
 enum class VerdictCode { slip, slip_and_damage, undecided, crack, settled, no_drops, check_input, no_answer };
 
 std::string_view name_of(VerdictCode code);  // "check_input"
 std::string_view word_of(VerdictCode code);  // "CHECK INPUT"
 
-// Is the question about the drops answered? Then fit exits with 0, and a campaign whose tests all are; else with 1.
+// True if the verdict answers the question about the drops. Only then does the command fit exit
+// with 0.
 constexpr bool is_answered(VerdictCode code) {
   return code != VerdictCode::check_input && code != VerdictCode::no_answer;
 }
 
 struct Verdict {
   VerdictCode code;
-  std::vector<std::string> parts;  // what belongs to it: numbers, or the sentence of the finding that it rests on
-  std::string_view finding{};      // the code of that finding, whose remedy is the next step; empty if it rests on none
+  std::string meaning;         // one sentence: what the verdict means for this test; true when quoted alone
+  std::string evidence{};      // sentences with the number behind it; may be empty
+  std::string_view finding{};  // the code of the finding that the verdict rests on; empty if it rests on none
 };
 
-// "SLIP: friction 0.47 ± 0.06; 18 % of the work was friction, not toughness."
+// The word, the meaning and the evidence: "SLIP. All 35 force drops can be slips over the supports.
+// Probability ...".
 std::string sentence_of(const Verdict& verdict);
 
+// One row of an answer: clauses with "; " between them, the most important first.
 struct AnswerRow {
-  std::string label;  // "drops"
+  std::string label;
   std::string words;
 };
 
-// Does a finding refuse the answer: is there none, or none to use?
+// True if a finding refuses the answer.
 bool is_refused(const std::vector<Finding>& findings);
 
-// Is it refused, or does its conclusion not survive a finding? A campaign leaves such a test out of its means.
+// True if there is a refusal or a suspicion. A campaign excludes such a test from its means.
 bool is_suspect(const std::vector<Finding>& findings);
 
-// That of a code; null where it was not found.
+// The finding with the given code; null if there is none.
 const Finding* finding_in(const std::vector<Finding>& findings, std::string_view code);
 
-// All that is told of a test at a glance, in the order in which it is told.
+// The answer of a test, in the order in which it is printed.
 struct Answer {
   Verdict verdict;
   std::vector<AnswerRow> rows;
-  std::vector<Finding> findings;  // the weightiest first
-  std::string next;               // the one step that would tell most; may be empty
+  std::vector<AnswerRow> details;  // rows of the full answer that are not on the screen
+  std::vector<Finding> findings;   // in the order of the rules, refusals first
+  std::string next;                // the recommended next step; may be empty
 };
 
-// Those against the answer that the verdict does not tell already, and that do not follow from it, the weightiest first: refusals, suspicions and
-// doubts.
+// The rows, then the details.
+std::vector<AnswerRow> all_rows(const Answer& answer);
+
+// Refusals, suspicions and doubts that the verdict neither states nor implies, the most serious
+// first.
 std::vector<Finding> doubts_of(const Answer& answer);
 
-// "All 7 checks passed.", "The other 7 checks passed." where a doubt is told, "6 of 7 checks passed; remarked: the fit leaves more than noise.", "5 of 7 checks passed, 2 not possible here."
+// "All 7 checks passed.", "6 of 7 checks passed, 1 not possible.", "0 of 2 checks passed, as
+// expected of a cracked specimen."; empty without checks.
 std::string checks_in_words(const Answer& answer);
-
-// "Next: unload and load once more."; empty where there is no step.
-std::string next_in_words(const Answer& answer);
 
 }  // namespace flexslip

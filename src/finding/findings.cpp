@@ -29,11 +29,10 @@ namespace {
 using T = const FittedTest&;
 using Found = std::optional<Finding>;
 
-constexpr double max_deflection = 0.8;   // [L] the greatest that a specimen reaches over its supports
-constexpr std::size_t enough_drops = 3;  // to tell the load train by
+constexpr double max_deflection = 0.8;   // [L] no specimen reaches more over its supports
+constexpr std::size_t enough_drops = 3;  // to determine the load train from drops
 constexpr std::string_view image_of_supports =
-    "Image the supports: the length pulled in shows whether the specimen slides.";
-constexpr std::string_view reload_bounds = "that bounds what stiffness was lost";
+    "Record images of a support: they show whether, and how far, the specimen slides.";
 
 const Check* check_of(T test, CheckKind kind) {
   const auto& checks = test.analysis.checks;
@@ -41,15 +40,16 @@ const Check* check_of(T test, CheckKind kind) {
   return found == checks.end() ? nullptr : &*found;
 }
 
-// A stiffness that was stated is not that of the initial slope, of a specimen that had lost none before.
+// True if the stated stiffness contradicts the initial slope and no earlier loss of stiffness
+// explains it.
 bool contradicts_slope(T test) {
   return test.analysis.stiffness_implausible && test.stiffness != StiffnessSource::initial_slope &&
          !(test.passes && !test.passes->is_followed && is_lost(*test.passes));
 }
 
-bool is_bent_enough(T test) { return test.analysis.status != AnalysisStatus::deflection_too_small; }
+bool is_deflection_sufficient(T test) { return test.analysis.status != AnalysisStatus::deflection_too_small; }
 
-double greatest_deflection(T test) {
+double max_deflection_of(T test) {
   const auto& w = test.analysis.reduced.deflection;
   return w.empty() ? 0 : *std::max_element(w.begin(), w.end());
 }
@@ -60,7 +60,7 @@ std::string load_train_in_words(T test) {
                                   : "∞";
 }
 
-// In the words of who states the test (case/case_file.h).
+// Instructions in keys of a case, or in flags if the test was stated by flags (case/case_file.h).
 std::string to_change(T test, KeyChange change) {
   return instruction_to_set(test.measurement.test, {std::move(change)});
 }
@@ -68,9 +68,9 @@ std::string rig_keys(T test, const std::vector<std::string>& names) {
   return keys_in_words(test.measurement.test, "rig", names);
 }
 
-// A check that presumes sliding says nothing of a fit that is not to be used, or of a specimen that lost stiffness.
-bool presumes_too_much(T test) {
-  return contradicts_slope(test) || test.analysis.model_implausible || !test.judgement.tells_friction;
+// Checks that assume sliding do not apply to an unusable fit or to a specimen that lost stiffness.
+bool is_without_sliding_checks(T test) {
+  return contradicts_slope(test) || test.analysis.model_implausible || !test.judgement.determines_friction;
 }
 
 Finding checked(T test, const Check& check, std::string passed, std::string failed, std::string short_form,
@@ -90,71 +90,72 @@ Finding checked(T test, const Check& check, std::string passed, std::string fail
 
 Finding unjudged(std::string sentence) { return {.severity = Severity::unjudged, .sentence = std::move(sentence)}; }
 
-// What would make a bending stiffness so many times too large or too small; a clause.
+// A likely input error that explains this ratio of stiffnesses, to follow a sentence without its full stop.
 std::string likely_unit_error(double times) {
-  struct Slip {
+  struct UnitError {
     double times;
     std::string_view words;
-    double near = 1.5;  // friction and a guess of the modulus move the ratio by less
+    double near = 1.5;  // friction and a guessed modulus change the ratio by less
   };
-  constexpr std::array slips{Slip{0.25, ", about 1/4: perhaps the ends are clamped, which no support here is", 1.2},
-                             Slip{1.0 / 16, ", about 1/16: perhaps a radius for the diameter"},
-                             Slip{16, ", about 16: perhaps a diameter for the radius"},
-                             Slip{1e-3, ", about 1/1000: perhaps a unit of force or modulus, N for mN or MPa for GPa"},
-                             Slip{1e3, ", about 1000: perhaps a unit of force or modulus, mN for N or GPa for MPa"},
-                             Slip{1e-6, ", about a millionth: perhaps a unit of force or modulus"},
-                             Slip{1e6, ", about a million: perhaps a unit of force or modulus"},
-                             Slip{1e-9, ", about a billionth: perhaps the unit of the span, mm for um"},
-                             Slip{1e9, ", about a billion: perhaps the unit of the span, um for mm"}};
-  for (const auto& slip : slips)
-    if (times < slip.near * slip.times && times > slip.times / slip.near) return std::string(slip.words);
+  constexpr std::array errors{UnitError{0.25, ". The ends may be clamped, which the model excludes", 1.2},
+                              UnitError{1.0 / 16, ". Perhaps a radius for the diameter was stated"},
+                              UnitError{16, ". Perhaps a diameter for the radius was stated"},
+                              UnitError{1e-3, ". Perhaps a unit is wrong: N for mN, or MPa for GPa"},
+                              UnitError{1e3, ". Perhaps a unit is wrong: mN for N, or GPa for MPa"},
+                              UnitError{1e-6, ". Perhaps a unit of force or modulus is wrong"},
+                              UnitError{1e6, ". Perhaps a unit of force or modulus is wrong"},
+                              UnitError{1e-9, ". Perhaps the unit of the span is wrong: mm for um"},
+                              UnitError{1e9, ". Perhaps the unit of the span is wrong: um for mm"}};
+  for (const auto& error : errors)
+    if (times < error.near * error.times && times > error.times / error.near) return std::string(error.words);
   return "";
 }
 
-// By how much a record misses what sliding gives; a clause.
-std::string misfit_clause(T test) {
+// The difference between the record and sliding on any friction, as a sentence; empty if it is
+// unknown.
+std::string misfit_sentence(T test) {
   const TestAnalysis& analysis = test.analysis;
   const double below = 1 - analysis.frictionless_force_ratio.median,
                deepest = 1 - analysis.frictionless_force_ratio.least;
   constexpr double noticeable = 0.01;
   if (below > noticeable)
-    return fmt::format(": past a tenth of the span its force lies {} below the frictionless curve",
+    return fmt::format(" Beyond a deflection of a tenth of the span, the force is {} below the frictionless curve.",
                        format_percent(below));
   if (deepest > noticeable)
-    return fmt::format(": its force falls to {} below the frictionless curve", format_percent(deepest));
+    return fmt::format(" The force falls to {} below the frictionless curve.", format_percent(deepest));
   return is_fitted(test)
-             ? fmt::format(": the best fit misses the force by {} of its greatest",
+             ? fmt::format(" The best fit misses the force by {} of its maximum.",
                            format_share(analysis.fit.residual_rms, *std::max_element(analysis.reduced.force.begin(),
                                                                                      analysis.reduced.force.end())))
              : "";
 }
 
-// The force is not level before the contact, and was taken to be.
+// The force before contact is not constant, although the evaluation assumes so.
 Found sloping_baseline(T test) {
   const Baseline& baseline = test.measurement.baseline;
   if (baseline.points == 0 || test.measurement.baseline_is_off) return std::nullopt;
   return Finding{
       .severity = Severity::doubt,
-      .sentence = fmt::format("The force {} by {} before the contact, {:.0f} times its error.",
+      .sentence = fmt::format("The force {} by {} before contact, {:.0f} times its standard error.",
                               baseline.settles_by != 0 ? "settles"
                               : baseline.change > 0    ? "drifts up"
                                                        : "drifts down",
                               readable(std::abs(baseline.change), baseline.error, Print(test).as(kind::force)),
                               std::abs(baseline.change) / baseline.error),
       .short_form = "the force drifts before contact",
-      .remedy = capitalised(to_change(test, {"record", "zero", "\"slope\""})) + " to take it off.",
+      .remedy = capitalised(to_change(test, {"record", "zero", "\"slope\""})) + " to subtract it.",
       .numbers = {{"change", baseline.change, kind::force}, {"change_error", baseline.error, kind::force}}};
 }
 
 std::string to_find_contact(T test) { return to_change(test, {"record", "contact", "\"find\""}); }
 
-// Is the record's own contact another than that taken off?
+// True if the contact found in the record differs from the one used.
 bool has_other_contact(T test) {
   const Measurement& measurement = test.measurement;
   const auto& [value, error, low, high] = measurement.own_contact.offset;
-  constexpr double errors = 2, least = 0.0012;  // [1], [L] less moves friction by less than its interval
+  constexpr double errors = 2, noticeable = 0.0012;  // [1], [L] less changes friction by less than its interval
   return measurement.own_contact.status == ContactStatus::found && measurement.contact != ContactSource::found &&
-         std::abs(value) > std::max(errors * error, least * test.analysis.scales.span());
+         std::abs(value) > std::max(errors * error, noticeable * test.analysis.scales.span());
 }
 
 Found other_contact(T test) {
@@ -163,17 +164,17 @@ Found other_contact(T test) {
   const auto& [value, error, low, high] = measurement.own_contact.offset;
   return Finding{.severity = Severity::doubt,
                  .sentence = fmt::format(
-                     "The record itself begins {} {} {}{}.",
-                     readable(std::abs(value), error, Print(test).as(kind::length)), value > 0 ? "behind" : "before",
-                     measurement.contact == ContactSource::stated ? "the contact stated" : "the zero of the file",
-                     measurement.own_contact.settles ? ", once its contact has settled" : ""),
-                 .short_form = fmt::format("begins {} {}", Print(test).own(std::abs(value), kind::length),
+                     "The loading starts {} {} {}{}.", readable(std::abs(value), error, Print(test).as(kind::length)),
+                     value > 0 ? "after" : "before",
+                     measurement.contact == ContactSource::stated ? "the stated contact" : "the zero of the file",
+                     measurement.own_contact.settles ? ", once the contact has settled" : ""),
+                 .short_form = fmt::format("starts {} {}", Print(test).own(std::abs(value), kind::length),
                                            value > 0 ? "late" : "early"),
-                 .remedy = capitalised(to_find_contact(test)) + " to count from there.",
+                 .remedy = capitalised(to_find_contact(test)) + " to start there.",
                  .numbers = {{"offset", value, kind::length}, {"offset_error", error, kind::length}}};
 }
 
-// Does the record begin at a force that no specimen makes, as that of a load cell that was not set to zero?
+// True if the record begins at a negative force: the load cell was not set to zero.
 bool begins_below_zero(T test) {
   return test.measurement.test.record->zero == ForceZeroRule{} && test.measurement.begins_under < 0;
 }
@@ -189,24 +190,24 @@ Found begins_under_force(T test) {
   const double force = measurement.begins_under;
   const std::string printed = Print(test).own(force, kind::force);
   if (begins_below_zero(test))
-    return Finding{.severity = Severity::doubt,
-                   .sentence = fmt::format("The record begins at a force of {}, as no specimen makes it.", printed),
-                   .short_form = fmt::format("begins at {}", printed),
-                   .remedy = fmt::format("The load cell was not set to zero: {}.", to_set_zero(test)),
-                   .numbers = {{"force", force, kind::force}}};
+    return Finding{
+        .severity = Severity::doubt,
+        .sentence = fmt::format("The record begins at a negative force of {}; no specimen pulls at the nose.", printed),
+        .short_form = fmt::format("begins at {}", printed),
+        .remedy = fmt::format("The load cell was not set to zero: {}.", to_set_zero(test)),
+        .numbers = {{"force", force, kind::force}}};
   if (measurement.test.record->zero != ForceZeroRule{} || !(force > 0) || measurement.contact != ContactSource::found ||
       measurement.test.record->contact)
     return std::nullopt;
   return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format(
-                     "The record begins under a force of {}, which is taken as borne by the specimen.", printed),
-                 .short_form = fmt::format("begins under {}", printed),
-                 .remedy = fmt::format("If the load cell was not set to zero, {}; if it was, {}.", to_set_zero(test),
+                 .sentence = fmt::format("The record begins at {}, interpreted as a preload of the specimen.", printed),
+                 .short_form = fmt::format("begins at {}", printed),
+                 .remedy = fmt::format("If the load cell was not set to zero, {}; otherwise, {}.", to_set_zero(test),
                                        to_find_contact(test)),
                  .numbers = {{"force", force, kind::force}}};
 }
 
-// What is most likely off where the record begins comes first.
+// The remedy, after the more likely error at the beginning of the record, if there is one.
 std::string find_contact_or_check(T test, const std::string& remedy) {
   if (begins_below_zero(test))
     return fmt::format("The load cell was not set to zero: {}; check {}", to_set_zero(test), remedy);
@@ -215,55 +216,55 @@ std::string find_contact_or_check(T test, const std::string& remedy) {
 
 // ---- Why a record has no answer
 
-// The readings are not those of a specimen bent over its supports.
+// The readings cannot come from a specimen that bends over its supports.
 Found not_bent(T test) {
   const auto& force = test.analysis.record.force;
   if (is_fitted(test) || force.empty()) return std::nullopt;
   if (!(*std::max_element(force.begin(), force.end()) > 0))
     return Finding{.severity = Severity::refusal,
-                   .sentence = "The force is nowhere above zero.",
+                   .sentence = "The force is never above zero.",
                    .short_form = "no force above zero",
                    .remedy = "Check which column is the force, and its sign."};
-  const double deepest = greatest_deflection(test);
+  const double deepest = max_deflection_of(test);
   if (!(deepest > 0))
-    return Finding{.severity = Severity::refusal,
-                   .sentence = "The displacement stays before the contact: the specimen is nowhere bent.",
-                   .short_form = "nowhere bent",
-                   .remedy = fmt::format("Check where the displacement counts from and the zero of the force; {}.",
-                                         to_find_contact(test))};
-  constexpr double slender =
-      1.0 / 400;  // [L] of half of its depth: a span or a unit is wrong where it is bent too little
+    return Finding{
+        .severity = Severity::refusal,
+        .sentence = "The displacement never reaches the contact point, so the specimen is not bent.",
+        .short_form = "not bent",
+        .remedy = fmt::format("Check the zero of the displacement and of the force; {}.", to_find_contact(test))};
+  constexpr double slender = 1.0 / 400;  // [L] half the depth of a specimen whose deflection should suffice
   const bool explains_slope = test.analysis.rig.fibre.supports().half_depth <= slender || !contradicts_slope(test);
-  if (is_bent_enough(test) || deepest <= max_deflection || !explains_slope) return std::nullopt;
+  if (is_deflection_sufficient(test) || deepest <= max_deflection || !explains_slope) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format(
-          "The deflection reaches {}, {:.2g} times the span of {}. No specimen bends so far over its supports.",
-          Print(test).length(deepest), deepest, Print(test).length(1)),
+      .sentence = fmt::format("The deflection reaches {}, which is impossible. It is {:.2g} times the span of {}.",
+                              Print(test).length(deepest), deepest, Print(test).length(1)),
       .short_form = "deflection beyond the span",
-      .remedy = "Check the units, and where the displacement counts from.",
+      .remedy = "Check the units and the zero of the displacement.",
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
-// A stage moves evenly from row to row; a deflection leaps in each drop by what the load train gives back.
+// A stage moves evenly from row to row. The deflection jumps in each drop, because the load train
+// relaxes.
 Found deflection_for_stage(T test) {
   const TrainInDrops& train = test.analysis.statistics.train;
-  if (!is_bent_enough(test) || !test.measurement.is_derived || std::isinf(test.analysis.rig.stiffness) ||
+  if (!is_deflection_sufficient(test) || !test.measurement.is_derived || std::isinf(test.analysis.rig.stiffness) ||
       train.drops < enough_drops)
     return std::nullopt;
   constexpr double surely = 3, half = 0.5;
   if (!(train.leap - surely * train.leap_error > half)) return std::nullopt;
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("In each of the {} drops the column taken for the stage leaps ahead, by {:.2f} of what "
-                              "the load train gives back; a stage moves evenly. It holds the deflection.",
+      .sentence = fmt::format("The column used as the stage holds the deflection. In each of the {} drops it jumps by "
+                              "{:.2f} of the relaxation of the load train; a stage moves evenly.",
                               train.drops, train.leap),
-      .short_form = "the stage leaps as a deflection does",
+      .short_form = "the stage jumps like a deflection",
       .remedy = "Name that column as the deflection, or the column of the stage.",
       .numbers = {{"leap", train.leap}}};
 }
 
-// What the specimen bends in a drop beyond the rows before it is what the load train gives back. A force that lags behind shows it too late.
+// In a drop the specimen bends by the relaxation of the load train. A force that lags shows it too
+// late.
 Found train_by_drops(T test) {
   const TrainInDrops& train = test.analysis.statistics.train;
   const std::size_t drops = test.analysis.drops.drops.size();
@@ -274,7 +275,7 @@ Found train_by_drops(T test) {
   return Finding{
       .severity = Severity::refusal,
       .sentence = fmt::format(
-          "{} of {} drops do not fit the load train stated ({}): while the force falls, the specimen bends as on {}.",
+          "{} of {} drops contradict the stated load train ({}). While the force falls, the specimen bends as on {}.",
           train.misfits, drops, load_train_in_words(test), as_on),
       .short_form = fmt::format("load train as of {}", as_on),
       .remedy = fmt::format("State the stiffness of the load train ({}).", rig_keys(test, {"stiffness"})),
@@ -282,64 +283,67 @@ Found train_by_drops(T test) {
                   {"load_train", 1 / train.compliance, kind::stiffness}}};
 }
 
-// Where only the deflection was measured, the machine cannot have gone back while the force fell.
+// If only the deflection was measured, the machine cannot have moved back while the force fell.
 Found train_by_reckoned_stage(T test) {
-  const std::optional<LeastTrain>& least = test.measurement.least_train;
-  if (!least) return std::nullopt;
-  const double train = least->fall / least->advance;
+  const std::optional<LeastTrain>& softest = test.measurement.least_train;
+  if (!softest) return std::nullopt;
+  const double train = softest->fall / softest->advance;
   const double stated = test.analysis.scales.physical_stiffness(test.analysis.rig.stiffness);
   const Print print(test);
   const std::string bound = format_roughly(train, print.as(kind::stiffness));
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("Behind row {} the deflection rises by only {} while the force falls by {}: on the load "
-                              "train stated ({}) the machine would have gone back by {}. The load train is stiffer "
-                              "than {}.",
-                              file_row(test, least->before), format_roughly(least->advance, print.as(kind::length)),
-                              format_roughly(least->fall, print.as(kind::force)), load_train_in_words(test),
-                              format_roughly(least->fall / stated - least->advance, print.as(kind::length)), bound),
-      .short_form = fmt::format("load train stiffer than {}", bound),
-      .remedy = fmt::format("State the stiffness of the load train ({}).", rig_keys(test, {"stiffness"})),
-      .numbers = {{"row", static_cast<double>(file_row(test, least->before))},
-                  {"least_load_train", train, kind::stiffness}}};
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format(
+                     "The load train is stiffer than stated ({}): stiffer than {}. After row {} the deflection "
+                     "rises by only {} while the force falls by {}; on the stated load train the machine "
+                     "would have moved back by {}.",
+                     load_train_in_words(test), bound, file_row(test, softest->before),
+                     format_roughly(softest->advance, print.as(kind::length)),
+                     format_roughly(softest->fall, print.as(kind::force)),
+                     format_roughly(softest->fall / stated - softest->advance, print.as(kind::length))),
+                 .short_form = fmt::format("load train stiffer than {}", bound),
+                 .remedy = fmt::format("State the stiffness of the load train ({}).", rig_keys(test, {"stiffness"})),
+                 .numbers = {{"row", static_cast<double>(file_row(test, softest->before))},
+                             {"least_load_train", train, kind::stiffness}}};
 }
 
 Found too_few_points(T test) {
-  if (is_bent_enough(test)) return std::nullopt;
+  if (is_deflection_sufficient(test)) return std::nullopt;
   const std::size_t rows = test.analysis.record.force.size();
-  const double deepest = greatest_deflection(test), from = min_fit_deflection(deepest, test.analysis.rig.fibre);
+  const double deepest = max_deflection_of(test), from = min_fit_deflection(deepest, test.analysis.rig.fibre);
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("Fewer than {} of {} lie beyond a deflection of {}, from which on friction is judged. "
-                              "The greatest deflection is {}, {} of the span of {}.",
-                              min_readings, format_count(rows, "row", "rows"), Print(test).length(from),
-                              Print(test).length(deepest), format_relative(deepest), Print(test).length(1)),
-      .short_form = "bent too little",
+      .sentence =
+          fmt::format("Fewer than {} of {} lie beyond a deflection of {}, the minimum for determining friction. "
+                      "The maximum deflection is {}, {} of the span of {}.",
+                      min_readings, format_count(rows, "row", "rows"), Print(test).length(from),
+                      Print(test).length(deepest), format_relative(deepest), Print(test).length(1)),
+      .short_form = "deflection too small",
       .remedy =
-          "If the deflection should be larger, check the units; if not, bend a thinner specimen, or bend farther; "
-          "flexslip modulus evaluates the record without friction.",
+          "Use flexslip modulus for stiffness and strength. To determine friction, bend farther, or bend a thinner "
+          "specimen. If the deflection should be larger, check the units.",
       .numbers = {{"deflection_over_span", deepest}}};
 }
 
-// Of a test that is bent too little to tell friction.
+// A test whose deflection is too small to determine friction.
 Found force_sinks(T test) {
   if (!sinks(test.analysis)) return std::nullopt;
   const Sinking& sinking = test.analysis.statistics.sinking;
   const std::size_t row = file_row(test, sinking.from);
   return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("From row {} on the force sinks by {} without a drop, as no elastic specimen "
-                                         "does at so small a deflection: it yielded, relaxed or gave way slowly.",
-                                         row, format_percent(sinking.share)),
-                 .short_form = fmt::format("the force sinks by {}", format_percent(sinking.share)),
+                 .sentence = fmt::format("The force decreases by {} after row {} without a drop. The specimen yielded, "
+                                         "relaxed or broke slowly: no elastic specimen does that at this deflection.",
+                                         format_percent(sinking.share), row),
+                 .short_form = fmt::format("the force decreases by {}", format_percent(sinking.share)),
                  .remedy = "Use flexslip modulus for stiffness and strength.",
                  .numbers = {{"sunk", sinking.share}, {"row", static_cast<double>(row)}}};
 }
 
-// Where the deflection is that of the stage, a load train that gives makes the specimen look too soft.
+// If the deflection is taken from the stage, a compliant load train makes the specimen look too
+// soft.
 Found wrong_load_train(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (Found found = train_by_reckoned_stage(test)) return found;
-  if (!is_bent_enough(test)) return std::nullopt;
+  if (!is_deflection_sufficient(test)) return std::nullopt;
   if (Found found = train_by_drops(test)) return found;
   const double times = analysis.stiffness_to_slope_ratio;
   if (std::isfinite(analysis.rig.stiffness) || !contradicts_slope(test) || !(times > 1) ||
@@ -348,11 +352,11 @@ Found wrong_load_train(T test) {
   const double train = analysis.scales.physical_stiffness(beam_stiffness / (times - 1));
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("The initial slope does not fit the load train stated (∞): it is as on {}, if "
-                              "the {} is right.",
-                              format_roughly(train, Print(test).as(kind::stiffness)), "bending stiffness stated"),
+      .sentence = fmt::format("The initial slope contradicts the stated load train (∞). With the stated bending "
+                              "stiffness, the load train has about {}.",
+                              format_roughly(train, Print(test).as(kind::stiffness))),
       .short_form = fmt::format("load train as of {}", format_roughly(train, Print(test).as(kind::stiffness))),
-      .remedy = fmt::format("State the stiffness of the load train ({}); if nothing gives, check the modulus, the "
+      .remedy = fmt::format("State the stiffness of the load train ({}). If it is rigid, check the modulus, the "
                             "section and the span.",
                             rig_keys(test, {"stiffness"})),
       .numbers = {{"load_train", train, kind::stiffness}, {"stated_over_slope", times}}};
@@ -362,70 +366,65 @@ Found wrong_stiffness(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!contradicts_slope(test)) return std::nullopt;
   const double times = analysis.stiffness_to_slope_ratio;
-  return Finding{
-      .severity = Severity::refusal,
-      .sentence = fmt::format("The {} is {} times that of the record's initial slope{}.", "bending stiffness stated",
-                              format_roughly(times, kind::number), likely_unit_error(times)),
-      .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
-      .remedy =
-          fmt::format("Check the modulus, the section, the span, the load train, the columns and their units; to take "
-                      "the stiffness from the record, {}.",
-                      to_change(test, {"specimen", "modulus", "\"fit\""})),
-      .numbers = {{"stated_over_slope", times}}};
+  return Finding{.severity = Severity::refusal,
+                 .sentence = fmt::format("The stated bending stiffness is {} times that of the initial slope{}.",
+                                         format_roughly(times, kind::number), likely_unit_error(times)),
+                 .short_form = fmt::format("stiffness {:.2f} times the slope's", times),
+                 .remedy = fmt::format(
+                     "Check the modulus, the section, the span, the load train, the columns and their units. To take "
+                     "the stiffness from the record, {}.",
+                     to_change(test, {"specimen", "modulus", "\"fit\""})),
+                 .numbers = {{"stated_over_slope", times}}};
 }
 
-// [Pa] Young's modulus as the record has it; NaN without a section.
-double modulus_found(T test) {
+// [Pa] Young's modulus by the fit, or else by the initial slope or the case; NaN without a section.
+double modulus_of(T test) {
   if (!test.section_moment) return std::numeric_limits<double>::quiet_NaN();
   const double fitted = is_fitted(test) ? test.analysis.fit.bending_stiffness.value : 1;
   return fitted * test.analysis.scales.bending_stiffness() / *test.section_moment;
 }
 
-// Of a slope in wrong units, or of a load train that gives as much as all of the displacement.
+// Wrong units, or a load train so soft that it takes the whole displacement, cause it.
 Found impossible_modulus(T test) {
-  const double modulus = modulus_found(test);
+  const double modulus = modulus_of(test);
   if (!(modulus > max_material_modulus)) return std::nullopt;
   const auto in_words = [&](double pressure) { return format_roughly(pressure, Print(test).as(kind::pressure)); };
   return Finding{.severity = Severity::refusal,
-                 .sentence = fmt::format("The modulus would be {}, and no material exceeds {}.", in_words(modulus),
+                 .sentence = fmt::format("The modulus would be {}; no material exceeds {}.", in_words(modulus),
                                          in_words(max_material_modulus)),
                  .short_form = fmt::format("modulus {}", in_words(modulus)),
                  .remedy = "Check the section, the span, the load train, the columns and their units.",
                  .numbers = {{"modulus", modulus, kind::pressure}}};
 }
 
-// No friction gives the record, or the best fit misses it.
 Found not_explained(T test) {
   if (test.analysis.status != AnalysisStatus::not_explained && !test.analysis.model_implausible) return std::nullopt;
-  const std::string gave_way =
-      is_fitted(test) ? " If they are right, the specimen gave way: unload and load once more." : "";
+  const std::string damaged =
+      is_fitted(test) ? " If they are right, the specimen yielded or was damaged: unload and load again." : "";
   return Finding{
       .severity = Severity::refusal,
-      .sentence = fmt::format("No friction explains this record{}.", misfit_clause(test)),
+      .sentence = fmt::format("No friction explains this record.{}", misfit_sentence(test)),
       .short_form = "no friction explains it",
       .remedy = find_contact_or_check(test,
                                       "the columns (flexslip read FILE shows them), their units, the span, the "
                                       "section, the modulus, the supports and the load train." +
-                                          gave_way)};
+                                          damaged)};
 }
 
-// ---- What stands against an answer
+// ---- Doubts about an answer
 
-// Unloading once more tells slips from cracks, wherever that can still be done.
+// Unloading and loading again distinguishes slips from cracks, if the specimen still exists.
 std::string reload_remedy(T test) {
   const std::string force = unloading_force(test);
   const std::string how_far = force.empty() ? "" : fmt::format(" to {} or less", force);
   if (test.measurement.end == MeasurementEnd::failure || test.measurement.end == MeasurementEnd::until)
-    return fmt::format("In the next test unload{} before the specimen breaks, and load once more; {}.", how_far,
-                       reload_bounds);
+    return fmt::format("In the next test, unload{} before the specimen breaks, and load again.", how_far);
   if (is_reloaded(test.analysis))
-    return fmt::format("Unload and load the next specimen again after every few drops: this reload tells a loss of {}.",
+    return fmt::format("Unload and reload the next specimen after every few drops: this one lost {} of its stiffness.",
                        loss_in_words(*test.analysis.passes));
   const auto& [loading, of] = test.measurement.loading;
-  return fmt::format(
-      "Unload{} and load once more; {}{}.", how_far, reload_bounds,
-      of > 1 ? fmt::format(" (no loading that can be compared comes after loading {}, which is evaluated)", loading)
-             : "");
+  return fmt::format("Unload{} and load again, to measure the loss{}.", how_far,
+                     of > 1 ? fmt::format(" in loading {}", loading) : " of stiffness");
 }
 
 Found cracks(T test) {
@@ -437,14 +436,14 @@ Found cracks(T test) {
   return Finding{
       .severity = Severity::suspicion,
       .sentence = by_drops
-                      ? fmt::format("The specimen lost stiffness in its drops ({}).", causes)
-                      : "The force fell by more than any friction can hold: the specimen lost stiffness or yielded.",
+                      ? fmt::format("The specimen lost stiffness in its drops. Probability of {}.", causes)
+                      : "The force fell by more than friction can explain: the specimen lost stiffness or yielded.",
       .short_form = by_drops ? causes : "lost stiffness",
       .remedy = reload_remedy(test),
       .numbers = {{"loss_needed", features.loss_needed}, {"loss_recovered", features.loss_recovered}}};
 }
 
-// What became of the specimen until it was loaded again.
+// The change of the specimen up to the reload.
 Found changed_reload(T test) {
   if (!test.passes || !test.passes->is_reloaded) return std::nullopt;
   const PassesFit& passes = *test.passes;
@@ -454,27 +453,27 @@ Found changed_reload(T test) {
   if (is_gained(passes))
     return Finding{
         .severity = Severity::doubt,
-        .sentence = fmt::format("Loaded again, the specimen is {:.1f} ± {:.1f} % stiffer: the contact or the "
+        .sentence = fmt::format("On reloading, the specimen is {:.1f} ± {:.1f} % stiffer: the contact or the "
                                 "bending stiffness is wrong.",
                                 -100 * passes.loss.value, 100 * passes.loss.standard_error),
-        .short_form = fmt::format("{:.0f} % stiffer when reloaded", -100 * passes.loss.value),
-        .remedy = "See whether the contact or the rig has changed.",
+        .short_form = fmt::format("{:.0f} % stiffer on reloading", -100 * passes.loss.value),
+        .remedy = "Check whether the contact or the rig has changed.",
         .numbers = numbers};
   if (is_settled(passes))
     return Finding{.severity = Severity::note,
-                   .sentence = "The specimen or a support gave way for good, and no stiffness was lost.",
+                   .sentence = "The specimen or a support settled permanently, and no stiffness was lost.",
                    .short_form = "settled",
-                   .remedy = "See whether the specimen is crushed at the supports or under the nose.",
+                   .remedy = "Check whether the specimen is crushed at the supports or under the nose.",
                    .numbers = {{"settled", passes.settled.value}}};
   if (!is_judged_lost && !is_lost(passes)) return std::nullopt;
   return Finding{.severity = Severity::note,
                  .sentence = fmt::format("The specimen lost {} of its stiffness.", loss_in_words(passes)),
                  .short_form = fmt::format("{} of the stiffness lost", format_percent(passes.loss.value)),
-                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it once more.",
+                 .remedy = "Unload the next specimen earlier, before it loses stiffness, and load it again.",
                  .numbers = numbers};
 }
 
-// Above the limit, or below none.
+// Friction above the limit, or negative.
 Found implausible_friction(T test) {
   const TestAnalysis& analysis = test.analysis;
   if (!is_friction_implausible(analysis)) {
@@ -484,24 +483,25 @@ Found implausible_friction(T test) {
                    .short_form = "below the frictionless curve",
                    .remedy = find_contact_or_check(test, "the modulus, the section and the span.")};
   }
-  const double most = std::min(analysis.suspects.limit, analysis.max_friction);
+  const double limit = std::min(analysis.suspects.limit, analysis.max_friction);
   const std::string how =
       analysis.suspects.suspect
-          ? fmt::format("above {:.3g} at {} of {} points past a tenth of the span", analysis.suspects.limit,
+          ? fmt::format("above {:.3g} at {} of {} points beyond a tenth of the span", analysis.suspects.limit,
                         analysis.suspects.points.size(), analysis.suspects.points_judged)
           : fmt::format("at least {:.2f} on average (95 %)", analysis.fit.mu0.low);
-  return Finding{.severity = Severity::suspicion,
-                 .sentence = fmt::format("The record needs implausible friction, {}.", how),
-                 .short_form = fmt::format("friction above {:.2g}", most),
-                 .remedy = analysis.fit.mu0.low > analysis.max_friction
-                               ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether "
-                                             "they are stuck.",
-                                             analysis.max_friction)
-                           : !test.measurement.test.rig->states_supports()
-                               ? fmt::format("If the supports are not edges, state {}: rollers taken for edges read "
-                                             "so.",
-                                             rig_keys(test, {"roller_radius"}))
-                               : std::string(image_of_supports)};
+  return Finding{
+      .severity = Severity::suspicion,
+      .sentence = fmt::format("Explaining the record requires implausible friction, {}.", how),
+      .short_form = fmt::format("friction above {:.2g}", limit),
+      .remedy = analysis.fit.mu0.low > analysis.max_friction
+                    ? fmt::format("The rollers turn on their pins at a friction of {:.3g}: check whether "
+                                  "they are stuck.",
+                                  analysis.max_friction)
+                : !test.measurement.test.rig->states_supports()
+                    ? fmt::format("If the supports are rollers, state {}: treated as knife edges, they would "
+                                  "look the same.",
+                                  rig_keys(test, {"roller_radius"}))
+                    : std::string(image_of_supports)};
 }
 
 Found misses_force(T test) {
@@ -509,8 +509,8 @@ Found misses_force(T test) {
   if (!check) return std::nullopt;
   const double share = number_of(*check, "residual_rms") / number_of(*check, "greatest_force");
   const std::string misses = fmt::format(
-      "The fit, run forward, misses the force by {} of its greatest (limit {:g} %), over the {} of {} rows that tell "
-      "of friction.",
+      "The simulated fit misses the force by {} of its maximum (limit {:g} %), over the {} of {} rows with information "
+      "on friction.",
       format_relative(share), 100 * max_residual, test.analysis.fit.readings, test.analysis.record.force.size());
   return checked(test, *check, misses, misses, "the fit misses the force",
                  "Check the modulus, the section, the span and the units.");
@@ -519,25 +519,25 @@ Found misses_force(T test) {
 Found drops_differ(T test) {
   const Check* check = check_of(test, CheckKind::drops);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test))
-    return unjudged("The fit cannot be used, so its drops are not compared with those of the record.");
+  if (is_without_sliding_checks(test))
+    return unjudged("The fit cannot be used, so its drops are not compared with the record.");
   if (check->outcome == CheckOutcome::not_possible)
-    return unjudged("The model has no profiles whose drops could be counted.");
+    return unjudged("The model has no samples of the profile whose drops could be counted.");
   const auto number = [&](std::string_view name) { return number_of(*check, name); };
   const double low = number("draws_low"), high = number("draws_high");
   const std::string sentence =
-      fmt::format("Profiles drawn from the fit show {} drops, the record {:.0f}{}.",
+      fmt::format("The record has {:.0f} drops; simulations of the fit have {}{}.", number("record"),
                   low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
-                  number("record"), check->outcome == CheckOutcome::passed ? "" : ", more than chance allows");
+                  check->outcome == CheckOutcome::passed ? "" : "; chance does not explain the difference");
   return checked(test, *check, sentence, sentence,
                  fmt::format("{:.0f} drops, fit {:.0f} to {:.0f}", number("record"), low, high),
-                 "See in the table of drops which ones can be cracks.");
+                 "The table of drops in the full answer shows which can be cracks.");
 }
 
 Found coloured_noise(T test) {
   const Check* check = check_of(test, CheckKind::whiteness);
   if (!check) return std::nullopt;
-  if (presumes_too_much(test)) return unjudged("The fit cannot be used, so what it leaves is not judged.");
+  if (is_without_sliding_checks(test)) return unjudged("The fit cannot be used, so its residuals are not judged.");
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged("A constant friction cannot predict the next reading.");
   const double p = number_of(*check, "p_value");
@@ -545,25 +545,27 @@ Found coloured_noise(T test) {
       p < min_p_of_noise ? fmt::format("p < {:g}", min_p_of_noise) : fmt::format("p = {}", format_significant(p, 2));
   Finding finding = checked(
       test, *check,
-      fmt::format("What the fit leaves is consistent with noise ({}; limit {:g}).", probability, min_p_of_noise),
-      fmt::format("What the fit leaves is more than noise ({}; limit {:g}).", probability, min_p_of_noise),
-      "the fit leaves more than noise", "");
-  // The noise fitted is correlated, and a slow deviation is part of the fit: another colour moves the answer by little.
+      fmt::format("The residuals are consistent with white noise ({}; limit {:g}).", probability, min_p_of_noise),
+      fmt::format("The residuals are not white noise ({}; limit {:g}).", probability, min_p_of_noise),
+      "the residuals are not white noise", "");
+  // The fit allows for correlated noise and slow deviations, so that other coloured noise changes
+  // the answer little.
   if (finding.severity == Severity::doubt) finding.severity = Severity::note;
   return finding;
 }
 
-// The passes could not be compared, so that the evaluated loading stands alone.
+// The passes could not be compared, so the answer uses the evaluated loading alone.
 Found passes_apart(T test) {
   if (!test.passes || test.passes->status == PassesStatus::ok) return std::nullopt;
   const bool is_too_short = test.passes->status == PassesStatus::not_sliding_out;
   const std::string force = unloading_force(test);
   return Finding{
       .severity = Severity::condition,
-      .sentence = is_too_short
-                      ? fmt::format("The passes cannot be compared: the specimen slides outwards in {} only.",
-                                    format_count(test.passes->sliding_out, "row", "rows"))
-                      : "The passes cannot be compared: no friction and no loss of stiffness explain all of them.",
+      .sentence =
+          is_too_short
+              ? fmt::format("Loading and unloading cannot be compared: the specimen slides outwards in {} only.",
+                            format_count(test.passes->sliding_out, "row", "rows"))
+              : "Loading and unloading cannot be compared: no friction and no loss of stiffness explain both.",
       .short_form = is_too_short ? "not unloaded far enough" : "passes not explained",
       .remedy = is_too_short ? force.empty() ? "Unload farther, and record more rows."
                                              : fmt::format("Unload to {} or less, and record more rows.", force)
@@ -571,80 +573,87 @@ Found passes_apart(T test) {
       .numbers = {{"rows", static_cast<double>(test.passes->sliding_out)}}};
 }
 
-// Where the stage moves much farther than usual from one row to the next, what happened in between is not seen.
+// The stage moves much farther than usual between two rows, and the record does not show what
+// happened in between.
 Found gap_in_stage(T test) {
   const WidestStep& widest = test.analysis.statistics.widest_step;
-  constexpr double far = 20, part = 0.02;  // [usual step], of all travel
-  if (!is_bent_enough(test) || !(widest.length > far * widest.usual && widest.share_of_travel > part))
+  constexpr double far = 20, part = 0.02;  // [typical step], [total travel]
+  if (!is_deflection_sufficient(test) || !(widest.length > far * widest.usual && widest.share_of_travel > part))
     return std::nullopt;
   const std::size_t row = file_row(test, widest.behind);
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("Behind row {} the stage moves by {} at once: rows are missing, or it counts "
-                                         "wrongly from there on, which reads as another friction.",
-                                         row, Print(test).own(widest.length, kind::length)),
-                 .short_form = fmt::format("a gap behind row {}", row),
-                 .remedy = fmt::format("Compare with the friction before it: {}.",
-                                       to_change(test, {"record", "until", fmt::format("{}", row)})),
-                 .numbers = {{"step", widest.length, kind::length}, {"row", static_cast<double>(row)}}};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("After row {} the stage moves by {} in one step: rows are missing, or the stage "
+                              "is wrong after it. A wrong stage would change the friction.",
+                              row, Print(test).own(widest.length, kind::length)),
+      .short_form = fmt::format("a gap after row {}", row),
+      .remedy = fmt::format("Compare with the friction before the gap: {}.",
+                            to_change(test, {"record", "until", fmt::format("{}", row)})),
+      .numbers = {{"step", widest.length, kind::length}, {"row", static_cast<double>(row)}}};
 }
 
-// By a low-pass, which a load cell or a loop of the machine has; or by a filter that looks both ways, which only software has.
+// A low-pass filter of the load cell or the machine delays the force; a symmetric filter of
+// software spreads it.
 Found filtered_force(T test) {
   const RoundedDrops& drops = test.analysis.statistics.rounded;
-  if (!is_bent_enough(test)) return std::nullopt;
+  if (!is_deflection_sufficient(test)) return std::nullopt;
   if (drops.lag > 0)
-    return Finding{.severity = Severity::doubt,
-                   .sentence = fmt::format("The force lags behind by about {:.1f} rows: the drops recorded are "
-                                           "rounded, and shallower than the real ones.",
-                                           drops.lag),
-                   .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
-                   .remedy = "Filter the force less, or record rows that are farther apart in time.",
-                   .numbers = {{"lag_in_rows", drops.lag}}};
+    return Finding{
+        .severity = Severity::doubt,
+        .sentence = fmt::format("The force lags by about {:.1f} rows, so recorded drops are smoothed and too "
+                                "shallow.",
+                                drops.lag),
+        .short_form = fmt::format("the force lags by {:.1f} rows", drops.lag),
+        .remedy = "Filter the force less, or record rows that are farther apart in time.",
+        .numbers = {{"lag_in_rows", drops.lag}}};
   if (!(drops.spread > 0)) return std::nullopt;
-  return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("The force has been smoothed: each drop is spread over about {:.1f} rows, and "
-                                         "shallower than the real one.",
-                                         drops.spread),
-                 .short_form = "the force has been smoothed",
-                 .remedy = "Give the readings as they were recorded.",
-                 .numbers = {{"spread_in_rows", drops.spread}}};
+  return Finding{
+      .severity = Severity::doubt,
+      .sentence = fmt::format("The force has been smoothed: each drop is spread over about {:.1f} rows and too "
+                              "shallow.",
+                              drops.spread),
+      .short_form = "the force has been smoothed",
+      .remedy = "Use the readings as they were recorded.",
+      .numbers = {{"spread_in_rows", drops.spread}}};
 }
 
 Found undecided_drops(T test) {
   if (drops_of(test) == 0 || test.judgement.conclusion != Conclusion::undecided) return std::nullopt;
   const std::string causes = causes_in_words(test);
-  const bool tells = !causes.empty();
-  return Finding{.severity = Severity::condition,
-                 .sentence = tells ? fmt::format("Slips and cracks can both have made the drops ({}).", causes)
-                                   : "The drops are too small, or too near the contact, to tell slips from cracks.",
-                 .short_form = tells ? causes : "slips or cracks",
-                 .remedy = reload_remedy(test),
-                 .numbers = tells ? std::vector<FindingNumber>{{"cracks_alone", test.judgement.causes.cracks}}
-                                  : std::vector<FindingNumber>{}};
+  const bool has_probability = !causes.empty();
+  return Finding{
+      .severity = Severity::condition,
+      .sentence = has_probability
+                      ? fmt::format("The drops can be slips or cracks. Probability of {}.", causes)
+                      : "The drops are too small, or too near the contact, to distinguish slips from cracks.",
+      .short_form = has_probability ? causes : "slips or cracks",
+      .remedy = reload_remedy(test),
+      .numbers = has_probability ? std::vector<FindingNumber>{{"cracks_alone", test.judgement.causes.cracks}}
+                                 : std::vector<FindingNumber>{}};
 }
 
-// Of a specimen that is loaded again nothing drops where it slipped or cracked before.
+// When a specimen is loaded again, the force does not drop where the specimen slipped or cracked
+// before.
 Found drops_elsewhere(T test) {
   const auto& [drops, rows] = test.drops_elsewhere;
   if (drops_of(test) > 0 || drops == 0) return std::nullopt;
   const std::string some = format_count(drops, "drop", "drops");
   return Finding{.severity = Severity::doubt,
-                 .sentence = fmt::format("{} in other loadings {} not judged: that evaluated has none.",
-                                         capitalised(some), drops == 1 ? "is" : "are"),
+                 .sentence = fmt::format("The evaluated loading has no force drop, but other loadings have {}.", some),
                  .short_form = fmt::format("{} in other loadings", some),
                  .remedy = fmt::format(
-                     "Evaluate the loading that has them: {}.",
+                     "Evaluate the loading with the drops: {}.",
                      instruction_to_set(test.measurement.test, {{"record", "first", fmt::format("{}", rows.first)},
                                                                 {"record", "until", fmt::format("{}", rows.last)}})),
                  .numbers = {{"drops", static_cast<double>(drops)}}};
 }
 
 Found few_rows(T test) {
-  constexpr double min_rows = 5;  // at four, waves are missed
+  constexpr double min_rows = 5;  // with four, waves are missed
   if (!(test.analysis.statistics.rows_between_drops < min_rows)) return std::nullopt;
   return Finding{
       .severity = Severity::doubt,
-      .sentence = "Most rises between drops have fewer than five rows: drops and waves of friction may be missed.",
+      .sentence = "Most rises between drops have fewer than five rows, so drops and waves of friction may be missed.",
       .short_form = "few rows between drops",
       .remedy = "Record more rows."};
 }
@@ -659,25 +668,25 @@ Found unexpected_stiffness(T test) {
   if (!check) return std::nullopt;
   if (check->outcome == CheckOutcome::not_possible)
     return unjudged(test.analysis.bending_stiffness_error > 0
-                        ? "The bending stiffness is not fitted with a constant friction."
-                        : "The bending stiffness is stated as exact, and is not fitted.");
-  const std::string sentence = fmt::format(
-      "The bending stiffness of the fit is {} that {}, {:.1f} times the error of the difference (limit {:g}).",
-      above_or_below(number_of(*check, "fitted_over_nominal")),
-      test.stiffness == StiffnessSource::initial_slope ? "of the initial slope" : "stated", number_of(*check, "errors"),
-      max_stiffness_errors);
+                        ? "With a constant friction, the bending stiffness is not fitted."
+                        : "The bending stiffness is stated as exact and is not fitted.");
+  const std::string sentence =
+      fmt::format("The fitted bending stiffness is {} {}, {:.1f} times the error of the difference (limit {:g}).",
+                  above_or_below(number_of(*check, "fitted_over_nominal")),
+                  test.stiffness == StiffnessSource::initial_slope ? "that of the initial slope" : "the stated one",
+                  number_of(*check, "errors"), max_stiffness_errors);
   return checked(
       test, *check, sentence, sentence,
-      fmt::format("stiffness {} from that {}", signed_percent(number_of(*check, "fitted_over_nominal") - 1),
-                  test.stiffness == StiffnessSource::initial_slope ? "of the slope" : "stated"),
+      fmt::format("stiffness {} from the {}", signed_percent(number_of(*check, "fitted_over_nominal") - 1),
+                  test.stiffness == StiffnessSource::initial_slope ? "slope" : "stated one"),
       find_contact_or_check(test, "the modulus, the section, the span, the units and the radius of the supports."));
 }
 
-// ---- What is worth knowing, and casts no doubt
+// ---- Conditions
 
 Found only_a_limit(T test) {
   const Check* check = check_of(test, CheckKind::friction);
-  if (!check || presumes_too_much(test)) return std::nullopt;
+  if (!check || is_without_sliding_checks(test)) return std::nullopt;
   Finding finding = checked(test, *check, "Friction can be distinguished from zero.",
                             fmt::format("Friction cannot be distinguished from zero; it is at most {} (95 %).",
                                         format_significant(number_of(*check, "mu0_high"), 2)),
@@ -686,29 +695,28 @@ Found only_a_limit(T test) {
   return finding;
 }
 
-// Of few rows, or a specimen hardly bent, friction is told, but no more than roughly.
+// A small deflection or a record of few rows determines friction only roughly.
 Found known_roughly(T test) {
   const Estimate& mu0 = test.analysis.fit.mu0;
-  constexpr double rough = 0.2;  // [1] half of its interval: more than twice that of a clean test
+  constexpr double rough = 0.2;  // [1] half of the interval; more than twice that of a clean test
   const double half = 0.5 * (mu0.high - mu0.low);
-  if (test.analysis.fit.mu0_is_bound || !(half > rough) || !test.judgement.tells_friction) return std::nullopt;
+  if (test.analysis.fit.mu0_is_bound || !(half > rough) || !test.judgement.determines_friction) return std::nullopt;
   return Finding{.severity = Severity::condition,
                  .sentence = fmt::format("Friction is known only roughly, to ± {:.2f} (95 %).", half),
                  .remedy = "Bend farther, or state the bending stiffness more exactly.",
                  .numbers = {{"half_width", half}}};
 }
 
-// Drops may be cracks, and so may what is too small to be seen as one: a force as rough as friction that varies makes it.
+// Drops may be cracks. Cracks too small to detect make the force uneven, as varying friction does.
 Found no_reload(T test) {
-  if (!may_have_lost_stiffness(test) || !test.judgement.tells_friction) return std::nullopt;
+  if (!may_have_lost_stiffness(test) || !test.judgement.determines_friction) return std::nullopt;
   const auto& [loading, of] = test.measurement.loading;
-  const std::string reload =
-      of > 1 ? fmt::format("a reload after loading {}, which is evaluated,", loading) : "a reload";
+  const std::string reload = of > 1 ? fmt::format("a reload after loading {}", loading) : "a reload";
   return Finding{.severity = Severity::condition,
                  .sentence = drops_of(test) > 0
-                                 ? fmt::format("Without {} nobody knows how much stiffness was lost.", reload)
-                                 : fmt::format("The force is uneven, as friction that varies makes it, or cracks too "
-                                               "small to be seen: without {} nobody knows how much stiffness was lost.",
+                                 ? fmt::format("Without {}, the loss of stiffness is unknown.", reload)
+                                 : fmt::format("The force is uneven: friction varies, or there are cracks too small to "
+                                               "detect. Without {}, the loss of stiffness is unknown.",
                                                reload),
                  .remedy = reload_remedy(test)};
 }
@@ -718,12 +726,12 @@ Found supports_not_stated(T test) {
   const TestAnalysis& rollers = test.on_rollers->analysis;
   Finding finding{
       .severity = friction_on_rollers(test) ? Severity::doubt : Severity::condition,
-      .sentence = "The supports are not stated, and edges are assumed.",
+      .sentence = "No supports are stated; knife edges are assumed.",
       .short_form = "supports not stated",
       .remedy = fmt::format("State {}, or {}.", in_words(test.measurement.test, {"rig", "supports", "\"edges\""}),
                             rig_keys(test, {"roller_radius"}))};
   if (rollers.status == AnalysisStatus::deflection_too_small) {
-    finding.sentence += fmt::format(" On {} the deflection is too small to tell friction.", usual_rollers(test));
+    finding.sentence += fmt::format(" On {} the deflection is too small to determine friction.", usual_rollers(test));
     return finding;
   }
   if (!is_fitted(*test.on_rollers)) {
@@ -742,116 +750,120 @@ Found supports_not_stated(T test) {
 Found thickness_not_stated(T test) {
   const Test& input = test.measurement.test;
   if (test.analysis.rig.fibre.supports().half_depth > 0 || input.rig->friction_at == FrictionAt::axis ||
-      !test.judgement.tells_friction)
+      !test.judgement.determines_friction)
     return std::nullopt;
   Finding finding{.severity = Severity::condition,
-                  .sentence = "No section says how thick the specimen is.",
+                  .sentence = "The thickness of the specimen is not stated.",
                   .remedy = fmt::format("State {}.", keys_in_words(input, "specimen", {"diameter", "height"}))};
   const auto& by = test.analysis.fit.friction_by;
   if (!by) return finding;
-  constexpr double usual = 0.02;  // [L] of the authors' spicules, and of many a fibre
+  constexpr double usual = 0.02;  // [L] of sponge spicules and many fibres
   const double more = usual * (*by)[StatedQuantity::thickness];
   finding.sentence +=
-      fmt::format(" If it is {} thick, friction reads {:.2f} {}.",
+      fmt::format(" With a thickness of {}, friction would be {:.2f} {}.",
                   format_roughly(test.analysis.scales.physical_length(usual), Print(test).as(kind::length)),
                   std::abs(more), more < 0 ? "lower" : "higher");
   finding.numbers = {{"friction_moves", more}};
   return finding;
 }
 
-// Smooth friction is hardly ever steeper along a specimen than its error: what softens, relaxes or was loaded before looks so.
+// Friction rarely drifts along a specimen by more than its error. A specimen that softens, relaxes
+// or was loaded before looks the same.
 Found changing_friction(T test) {
   const FrictionFit& fit = test.analysis.fit;
   if (test.judgement.friction_falls)
     return Finding{.severity = Severity::doubt,
                    .sentence =
-                       "Friction decreases along the record, as it would if stiffness were lost or if rollers "
-                       "were taken for edges.",
+                       "Friction decreases along the record. Lost stiffness, or rollers treated as knife edges, "
+                       "would look the same.",
                    .short_form = "friction decreases",
                    .remedy = !test.measurement.test.rig->states_supports()
-                                 ? fmt::format("State {} if the supports are not edges; if they are, an image of the "
-                                               "supports tells.",
+                                 ? fmt::format("If the supports are rollers, state {}; otherwise record images of a "
+                                               "support.",
                                                rig_keys(test, {"roller_radius"}))
                                  : std::string(image_of_supports)};
-  if (!(weight_without_roughness(fit) > 0.5) || !test.judgement.tells_friction) return std::nullopt;
+  if (!(weight_without_roughness(fit) > 0.5) || !test.judgement.determines_friction) return std::nullopt;
   if (!(std::abs(fit.drift.value) > fit.drift.standard_error)) return std::nullopt;
-  return Finding{.severity = Severity::condition,
-                 .sentence =
-                     "Friction changes steadily along the specimen, by more than its error: a specimen that softens or "
-                     "relaxes, or a preload that was tared, reads so.",
-                 .short_form = "it changes steadily, as softening reads",
-                 .remedy = reload_remedy(test)};
+  return Finding{
+      .severity = Severity::condition,
+      .sentence =
+          "Friction drifts along the specimen by more than its error. A specimen that softens or relaxes, or a "
+          "tared preload, would look the same.",
+      .short_form = "friction drifts along the specimen",
+      .remedy = reload_remedy(test)};
 }
 
-// The force falls while the stage rests.
 Found relaxes(T test) {
   const auto& relaxation = test.measurement.relaxation;
   if (!relaxation) return std::nullopt;
   const Estimate& share = relaxation->share;
   const std::string lost = format_relative(relaxation->over_loading);
-  return Finding{
-      .severity = Severity::condition,
-      .sentence = fmt::format(
-          "The force falls by {:.2f} ± {:.2f} % while the stage rests for {} at {}. At this rate the specimen or the "
-          "rig relaxes by {} during the loading. The error of friction allows for {}.",
-          100 * share.value, 100 * share.standard_error, format_count(relaxation->rows, "row", "rows"),
-          format_count(relaxation->rests, "place", "places"), lost,
-          format_relative(test.analysis.rig_errors.slow_force)),
-      .short_form = fmt::format("relaxes by {}", lost),
-      .remedy = "Load faster and without rests, and state the bending stiffness at that speed.",
-      .numbers = {{"relaxation", share.value},
-                  {"relaxation_error", share.standard_error},
-                  {"over_loading", relaxation->over_loading}}};
+  return Finding{.severity = Severity::condition,
+                 .sentence = fmt::format("The force decreases by {:.2f} ± {:.2f} % while the stage rests for {} at {}. "
+                                         "At this rate the specimen or the "
+                                         "rig relaxes by {} during the loading. The error of friction allows for {}.",
+                                         100 * share.value, 100 * share.standard_error,
+                                         format_count(relaxation->rows, "row", "rows"),
+                                         format_count(relaxation->rests, "place", "places"), lost,
+                                         format_relative(test.analysis.rig_errors.slow_force)),
+                 .short_form = fmt::format("relaxes by {}", lost),
+                 .remedy = "Load faster and without rests, and state the bending stiffness at that speed.",
+                 .numbers = {{"relaxation", share.value},
+                             {"relaxation_error", share.standard_error},
+                             {"over_loading", relaxation->over_loading}}};
 }
 
-// On a soft load train, or where rows are far apart, or noise moves their places by much, short variation hides: the specimen rests on its crests, and
-// friction reads smooth.
+// A soft load train, widely spaced rows or noise hide short variations of friction: the specimen
+// stops only on their crests.
 Found hidden_waves(T test) {
   const FrictionFit& fit = test.analysis.fit;
   if (const double hidden = fit.hidden_by_rig; hidden > 0)
-    return Finding{.severity = Severity::condition,
-                   .sentence = fmt::format("The load train is so soft that the specimen may slip from crest to crest "
-                                           "of its friction unseen: the mean may be off by {:.2f}.",
-                                           hidden),
-                   .short_form = "a load train so soft hides some of it",
-                   .remedy = "A stiffer rig tells friction better.",
-                   .numbers = {{"hidden", hidden, kind::number}}};
-  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || !test.judgement.tells_friction) return std::nullopt;
-  if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // it slides over all places alike
-  constexpr double lengths_told_apart = 20;
-  const double seen = fit.share * (fit.S_end - fit.S_begin);  // of places on the specimen
-  if (!(lengths_told_apart * fit.shortest_wave > seen)) return std::nullopt;
+    return Finding{
+        .severity = Severity::condition,
+        .sentence = fmt::format("The load train is so soft that the specimen may slip unseen from one crest of "
+                                "friction to the next; the mean would then be lower by up to {:.2f}.",
+                                hidden),
+        .short_form = "the soft load train may hide variations",
+        .remedy = "Use a stiffer rig.",
+        .numbers = {{"hidden", hidden, kind::number}}};
+  if (!(weight_without_roughness(fit) > 0.5) || fit.wave_claimed || !test.judgement.determines_friction)
+    return std::nullopt;
+  if (std::isinf(test.analysis.rig.stiffness)) return std::nullopt;  // then it slides continuously
+  constexpr double min_resolved_lengths = 20;
+  const double seen = fit.share * (fit.S_end - fit.S_begin);  // [L] observed along the specimen
+  if (!(min_resolved_lengths * fit.shortest_wave > seen)) return std::nullopt;
   const double shortest = test.analysis.scales.physical_length(fit.shortest_wave);
   const std::string length = format_roughly(shortest, Print(test).as(kind::length));
   return Finding{
       .severity = Severity::condition,
-      .sentence = fmt::format("Friction that varies over less than {} along the specimen would not show: the "
-                              "specimen would rest on its crests, and the mean be lower.",
+      .sentence = fmt::format("Variations of friction shorter than {} cannot be detected: the specimen would stop on "
+                              "their crests, and the mean would be lower.",
                               length),
-      .short_form = fmt::format("lower if it varies over less than {}", length),
-      .remedy = "A stiffer rig, less noise of the force or more rows show shorter variation.",
+      .short_form = fmt::format("lower if it varies within less than {}", length),
+      .remedy = "Use a stiffer rig, a quieter force or more rows to resolve shorter variations.",
       .numbers = {{"shortest_wave", shortest, kind::length}}};
 }
 
-// Rules that exclude each other: of a group the first that applies is said, and those after it are not.
+// Groups of rules that exclude each other: only the first rule of a group that applies makes a
+// finding.
 enum class Group {
-  alone,      // none: said whatever else is
-  answer,     // why there is none, or none to use
-  damage,     // did the specimen lose stiffness?
+  alone,      // a rule without a group
+  answer,     // why the test has no usable answer
+  damage,     // of the specimen
   beginning,  // of the record
-  reload,     // what it, or another loading, would tell
+  reload,     // or another loading that would answer more
   certainty,  // of friction
 };
 
-// A rule, under the code of what it finds; does it presume an answer of the analysis?
+// One rule and the code of its finding.
 struct Rule {
   Group group;
   std::string_view code;
   Found (*find)(T test);
-  bool presumes_an_answer = true;
+  bool needs_fit = true;
 };
 
-// Rules of a group stand together. None calls another.
+// The rules of a group are adjacent.
 constexpr std::array rules{
     Rule{Group::answer, "not_bent", not_bent, false},
     Rule{Group::answer, "deflection_for_stage", deflection_for_stage, false},
@@ -886,30 +898,30 @@ constexpr std::array rules{
     Rule{Group::alone, "hidden_waves", hidden_waves},
     Rule{Group::alone, "relaxes", relaxes},
 };
-static_assert(rules.size() <= 35);  // A new rule replaces one.
+static_assert(rules.size() <= 35);  // a new rule replaces an old one
 
 // True if the rules of each group are adjacent in the table, as findings_of presumes.
-constexpr bool groups_stand_together() {
+constexpr bool groups_are_adjacent() {
   for (std::size_t i = 0; i < rules.size(); ++i)
     for (std::size_t j = i + 1; j < rules.size(); ++j)
       if (rules[i].group != Group::alone && rules[j].group == rules[i].group && rules[j - 1].group != rules[i].group)
         return false;
   return true;
 }
-static_assert(groups_stand_together());
+static_assert(groups_are_adjacent());
 
 }  // namespace
 
 std::vector<Finding> findings_of(T test) {
   std::vector<Finding> findings;
-  Group said = Group::alone;
+  Group reported = Group::alone;
   for (const Rule& rule : rules) {
-    if (rule.group != Group::alone && rule.group == said) continue;
-    if (rule.presumes_an_answer && !is_fitted(test)) continue;
+    if (rule.group != Group::alone && rule.group == reported) continue;
+    if (rule.needs_fit && !is_fitted(test)) continue;
     Found found = rule.find(test);
     if (!found) continue;
     found->code = rule.code;
-    if (found->severity < Severity::passed) said = rule.group;
+    if (found->severity < Severity::passed) reported = rule.group;
     findings.push_back(std::move(*found));
   }
   return findings;

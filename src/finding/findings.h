@@ -1,4 +1,5 @@
-// What is found out about a fitted test, by one table of rules: what stands against its answer, what it is told under, what is worth knowing.
+// The findings of a fitted test: reasons against its answer, conditions, and notes, each made by
+// one rule of a table.
 #pragma once
 
 #include <string_view>
@@ -9,10 +10,12 @@
 
 namespace flexslip {
 
-// Of a test of any status, in the order of the rules; of rules that exclude each other the first that applies.
+// The findings in the order of the rules. Of rules that exclude each other, the first that applies
+// makes its finding.
+// Domain:     a test of any status.
 std::vector<Finding> findings_of(const FittedTest& test);
 
-// The codes that there are, in the order of the rules.
+// The codes of all rules, in their order.
 std::vector<std::string_view> finding_codes();
 
 }  // namespace flexslip

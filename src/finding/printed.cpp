@@ -8,10 +8,10 @@
 namespace flexslip {
 MatchedDigits matched_digits(const Estimate& estimate, double factor) {
   const double error = factor * estimate.standard_error;
-  constexpr double rounding = 1e-9;  // a value that is held has no error but this
+  constexpr double rounding = 1e-9;  // a fixed value has no other error
   if (!std::isfinite(error) || error <= rounding * std::abs(factor * estimate.value))
     return {fmt::format("{:.4g}", factor * estimate.value), "", "", ""};
-  // Rounded first: of 0.0996, two digits are 0.10.
+  // Round first: 0.0996 has the two digits 0.10.
   const double exponent = std::floor(std::log10(error));
   const double rounded = std::round(error / std::pow(10, exponent - 1)) * std::pow(10, exponent - 1);
   const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(rounded) + 1e-9)), 0, 12);
@@ -47,7 +47,7 @@ std::string format_percent(double share) {
 }
 
 std::string format_relative(double share) {
-  constexpr double all_digits = 0.0995;  // from there on two stand before the point
+  constexpr double all_digits = 0.0995;  // from here on two digits stand before the point
   return std::abs(share) < all_digits ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 

@@ -33,16 +33,17 @@ std::string_view name_of(StatedQuantity quantity) {
 
 std::string_view title_of(StatedQuantity quantity) {
   return name_in_order<StatedQuantity::support_radius>(
-      quantity, {"EI", "contact", "preload or bow", "load train", "span", "gain", "thickness", "support radius"});
+      quantity,
+      {"EI", "contact", "preload or bow", "load train", "span", "force calibration", "thickness", "support radius"});
 }
 
-// A quantity as the case has it, and what it may be off by.
+// A quantity as the case states it, and its uncertainty.
 struct Statement {
   std::string stated{};
-  bool is_there = true;      // else it is taken for none
-  bool may_be_there = true;  // and there may be some all the same
-  bool states_error = true;  // or none can be stated
-  double error = 0;          // [1] of it, or [m] of one whose zero is nothing by itself
+  bool is_there = true;      // false: the fit assumes none
+  bool may_be_there = true;  // false: there is none
+  bool states_error = true;  // or no error can be stated
+  double error = 0;          // [1] relative, or [m] for an offset
 };
 
 bool is_offset(StatedQuantity quantity) {
@@ -63,12 +64,13 @@ Statement statement_of(T test, StatedQuantity quantity) {
               .states_error = test.stiffness == StiffnessSource::stated,
               .error = analysis.bending_stiffness_error};
     case StatedQuantity::load_train: {
-      const bool gives = std::isfinite(analysis.rig.stiffness);
-      return {.stated = gives ? print.own(scales.physical_stiffness(analysis.rig.stiffness), kind::stiffness) : "∞",
-              .is_there = gives,
-              .may_be_there = gives,
-              .states_error = has_error(input.rig->stiffness),
-              .error = errors.load_train};
+      const bool is_compliant = std::isfinite(analysis.rig.stiffness);
+      return {
+          .stated = is_compliant ? print.own(scales.physical_stiffness(analysis.rig.stiffness), kind::stiffness) : "∞",
+          .is_there = is_compliant,
+          .may_be_there = is_compliant,
+          .states_error = has_error(input.rig->stiffness),
+          .error = errors.load_train};
     }
     case StatedQuantity::span:
       return {.stated = print.length(1), .states_error = has_error(input.rig->span), .error = errors.span};
@@ -101,7 +103,7 @@ Statement statement_of(T test, StatedQuantity quantity) {
       const bool is_there = supports.radius > 0;
       return {.stated = is_there ? print.length(supports.radius) : "edges",
               .is_there = is_there,
-              .may_be_there = input.rig->states_supports(),  // else the fit on usual rollers tells more
+              .may_be_there = input.rig->states_supports(),  // otherwise the fit on standard rollers shows more
               .states_error = has_error(input.rig->roller_radius),
               .error = errors.support_radius};
     }
@@ -158,24 +160,22 @@ std::vector<Sensitivity> sensitivities_of(T test) {
   return all;
 }
 
-std::string sensitivities_in_words(T test, bool tells_work) {
+std::string sensitivities_in_words(T test, bool has_work) {
   const auto all = sensitivities_of(test);
-  std::vector<std::string> words;
-  constexpr double worth_saying = 0.005;
-  const Sensitivity* most = nullptr;  // of the work
+  std::vector<std::string> clauses;
+  constexpr double noticeable = 0.005;
+  const Sensitivity* of_work = nullptr;  // the largest effect on the work
   for (const Sensitivity& each : all) {
-    const bool is_load_train = each.quantity == name_of(StatedQuantity::load_train);  // few measure it: never left out
-    if (std::abs(each.friction_moves) >= worth_saying || is_load_train)
-      words.push_back(fmt::format(
-          "{} +{}: {}", each.title, each.step,
-          std::abs(each.friction_moves) < worth_saying ? "below 0.01" : signed_number(each.friction_moves)));
-    if (!each.is_supposed && (!most || std::abs(each.work_moves) > std::abs(most->work_moves))) most = &each;
+    if (std::abs(each.friction_moves) >= noticeable)
+      clauses.push_back(fmt::format("{} +{}: {}{}", each.title, each.step, clauses.empty() ? "friction " : "",
+                                    signed_number(each.friction_moves)));
+    if (!each.is_supposed && (!of_work || std::abs(each.work_moves) > std::abs(of_work->work_moves))) of_work = &each;
   }
-  if (tells_work && most && std::abs(most->work_moves) >= worth_saying)
-    words.push_back(fmt::format("{} +{} moves the share of the work most, by {}", most->title, most->step,
-                                signed_points(most->work_moves)));
-  if (words.empty()) return "hardly anything that is stated";
-  return fmt::format("{}", fmt::join(words, "; "));
+  if (clauses.empty()) clauses.emplace_back("no input changes friction by 0.01");
+  if (has_work && of_work && std::abs(of_work->work_moves) >= noticeable)
+    clauses.push_back(
+        fmt::format("{} +{}: share of the work {}", of_work->title, of_work->step, signed_points(of_work->work_moves)));
+  return fmt::format("{}", fmt::join(clauses, "; "));
 }
 
 std::vector<FindingNumber> assumed_errors(T test) {

@@ -1,5 +1,5 @@
-// What an answer hangs on: each quantity that is stated or taken as something, by how much it may be off, and what that does to friction and to its
-// share of the work.
+// The sensitivity of friction and of its share of the work to each input: each quantity that the
+// case states or the program assumes, its uncertainty, and its effect.
 #pragma once
 
 #include <string>
@@ -12,29 +12,31 @@
 namespace flexslip {
 
 struct Sensitivity {
-  std::string_view quantity, title;   // "load_train", "load train"
-  std::string stated;                 // "90.65 N/m"; "edges, not stated"
-  std::string step;                   // "1 %"
-  std::string may_be_off;             // that, "1 %, assumed"
-  bool is_supposed;                   // it is taken for none, and told for some
-  double friction;                    // [1], or [1/m]: by how much it would be larger, were the quantity stated larger
-  double friction_moves, work_moves;  // [1] friction and its share of the work, for as much more; no work of a limit
+  std::string_view quantity, title;  // "load_train", "load train"
+  std::string stated;                // "90.65 N/m"; "edges"
+  std::string step;                  // "1 %", one standard deviation
+  std::string may_be_off;            // the step and its source: "1 %, assumed"
+  bool is_supposed;                  // the case states none; the effect of some is shown
+  double friction;                   // [1] or [1/m] derivative of friction in the quantity
+  double friction_moves,
+      work_moves;  // [1] change of friction and of its share of the work per step; NaN without a share
 };
 
-// Those that may be off, what moves friction most first; and last, for a thousandth of the span, a radius of the supports and a thickness that are
-// taken for none.
-// Domain:     any test; empty where the fit tells no sensitivities.
+// The sensitivities to all uncertain inputs, the largest effect on friction first. The last are a
+// support radius and a thickness of unstated_length, if the case states none.
+// Domain:     any test. Empty without a fit, and if the fit has no sensitivities.
 std::vector<Sensitivity> sensitivities_of(const FittedTest& test);
 
-// One line: friction for as much more of each as it may be off; and what moves the share of the work most, if that is told.
-// Domain:     the fit tells sensitivities.
-std::string sensitivities_in_words(const FittedTest& test, bool tells_work);
+// "load train +1 %: friction +0.02; EI +3 %: −0.01": the effects of 0.005 or more; and the largest
+// effect on the share of the work, if asked for.
+// Domain:     the fit has sensitivities.
+std::string sensitivities_in_words(const FittedTest& test, bool has_work);
 
-// Of quantities that a case can state with an error and does not.
+// The default errors of quantities that a case can state with an error and does not.
 std::vector<FindingNumber> assumed_errors(const FittedTest& test);
 
-// Of lengths that are taken for none, what is told all the same.
-inline constexpr double unstated_length = 0.001;  // [L]
+// [L] The support radius and thickness whose effect is shown if the case states none.
+inline constexpr double unstated_length = 0.001;
 
 // "+0.04", "−0.04".
 std::string signed_number(double value);

@@ -62,8 +62,7 @@ StiffnessFromSlope stiffness_from_slope(const Record& record, double span) {
     work += record.force[i] * record.deflection[i];
     square += record.deflection[i] * record.deflection[i];
   }
-  constexpr double bend =
-      0.03;  // of the curve over these points, by friction and large deflection: the order of 2.4 q w at w = 0.03
+  constexpr double bend = 0.03;  // of the slope, by friction and large deflection: the order of 2.4 q w at w = 0.03
   const double error = elementary::length(
       elementary::length(default_stiffness_error, contact.slope.standard_error / contact.slope.value), bend);
   return {.found = work > 0 && error <= max_stiffness_error,
@@ -82,7 +81,7 @@ Replay replay_of(const TestAnalysis& analysis) {
   std::vector<std::size_t> rows;
   std::vector<double> stages;
   double last = 0;
-  constexpr double deepest_replayed = 1;  // [L] deeper, a state that is there may not be found (supported_state.h)
+  constexpr double deepest_replayed = 1;  // [L] beyond, an existing state may not be found (supported_state.h)
   const double deepest = analysis.rig.fibre.on_edges() ? infinity : deepest_replayed;
   for (std::size_t i = 0; i < analysis.reduced.stage.size(); ++i)
     if (analysis.reduced.deflection[i] > from && analysis.reduced.deflection[i] <= deepest &&
@@ -91,15 +90,15 @@ Replay replay_of(const TestAnalysis& analysis) {
       last = analysis.reduced.stage[i];
       stages.push_back(last);
     }
-  if (!(last > 0)) return replay;  // bent deeper from its first row on
+  if (!(last > 0)) return replay;  // every row is deeper
   const TestPath replayed = path_in_steps({Friction::as_met(table), analysis.rig}, stages);
   for (std::size_t k = 0; k < replayed.path.size(); ++k) replay.force[rows[k]] = replayed.path[k].F;
   return replay;
 }
 
-// A record in the units of the bending stiffness that was fitted.
+// A record in units of the fitted bending stiffness.
 struct AtFit {
-  double stiffening;  // [1] of the fit over nominal
+  double stiffening;  // [1] fitted / nominal bending stiffness
   ReducedRecord record;
   Rig rig;
   MeasurementErrors errors;
@@ -116,7 +115,7 @@ AtFit in_units_of_fit(ReducedRecord record, const TestAnalysis& analysis) {
                      .contact = analysis.errors.contact}};
 }
 
-// As the fit has it: less what the rig is found to be off by.
+// The record corrected for the estimated errors of the rig.
 AtFit at_fit(const TestAnalysis& analysis) {
   return in_units_of_fit(analysis.fit.correction.corrected(analysis.reduced), analysis);
 }
@@ -125,21 +124,22 @@ double stiffening_of(const TestAnalysis& analysis) {
   return analysis.status == AnalysisStatus::ok ? analysis.fit.bending_stiffness.value : 1;
 }
 
-// [L] Twice the stage position read: a correction by more is none.
+// [L] Twice the measured stage position, the limit of a correction.
 double farthest_run(const TestAnalysis& analysis) {
   return 2 * *std::max_element(analysis.reduced.stage.begin(), analysis.reduced.stage.end());
 }
 
-// A point of a run at the fit as this rig would read it, in units of the nominal bending stiffness.
+// A point of a simulation of the fit as this rig would measure it, in units of the nominal bending
+// stiffness.
 void read_by_rig(PathPoint& point, const TestAnalysis& analysis) {
   point.F *= stiffening_of(analysis);
-  const Shift shift = analysis.fit.correction.at(point.stage);  // it changes slowly: that of the stage read is no other
+  const Shift shift = analysis.fit.correction.at(point.stage);  // the correction changes slowly with the stage
   point.w -= shift.deflection;
   point.F -= shift.force;
   point.stage -= shift.deflection + shift.force / analysis.rig.stiffness;
 }
 
-// The share of friction in the work is that of the specimen without its losses: they lower both alike.
+// The friction share refers to the specimen without losses, which lower friction and work alike.
 void share_as_unharmed(MeasuredEnergy& energy, const MeasuredEnergy& unharmed) {
   const double less = energy.work_of_fracture / unharmed.work_of_fracture;
   energy.friction_share = unharmed.friction_share;
@@ -169,7 +169,7 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
     const FibreState state = rig.fibre.state(read.S[k], read.q[k]);
     if (state.status != FibreStatus::ok) continue;
     if (k == 0) {
-      // Up to the first point μ is not measurable; the friction of the small slip there is that of the first value.
+      // Before the first point μ cannot be measured; its first value serves there.
       energy.account.friction += read.q[0] * state.Pn * 0.5 * (state.S - 1);
     } else {
       const auto i = read.rows[k - 1];
@@ -195,7 +195,7 @@ MeasuredEnergy measured_energy(const AtFit& at, const std::vector<Drop>& drops) 
   return energy;
 }
 
-// One standard deviation of each quantity moves the share; they are independent.
+// The errors of the quantities are independent.
 double error_of_share(const TestAnalysis& analysis) {
   if (!analysis.work_share_sensitivities) return not_a_number;
   const PerQuantity<double> deviations =
@@ -206,7 +206,8 @@ double error_of_share(const TestAnalysis& analysis) {
   return error;
 }
 
-// Of the share of the work that was friction: of the readings as another statement makes them, at the bending stiffness that the fit then finds.
+// The derivative of the friction share, from readings restated with another value at the bending
+// stiffness of its fit.
 Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   const AtFit found = in_units_of_fit(analysis.reduced, analysis);
   const auto share_of = [&](const FitProblem& problem) {
@@ -217,7 +218,8 @@ Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   const FitProblem stated{found.record, found.rig, found.errors};
   Sensitivities by;
   for (const StatedQuantity quantity : stated_quantities) {
-    // Shares are nearly linear in all of them; a reading that comes in or goes out jumps, and tells little over such a way.
+    // The share is nearly linear in each quantity; over this step, single readings that enter or
+    // leave matter little.
     constexpr double way = 0.004;
     const auto share_with = [&](double more) {
       const double stiffer = elementary::exp(more * (*analysis.fit.log_stiffness_by)[quantity]) - 1;
@@ -230,8 +232,8 @@ Sensitivities work_sensitivities(const TestAnalysis& analysis) {
   return by;
 }
 
-// All drops together, and one in the mean, as fractions of the greatest force. The bounds are empirical: they say what one would call a sawtooth,
-// as the authors called 24 of their 26 published tests.
+// The sum of the drops and their mean, as fractions of the maximum force. The empirical limits
+// agree with the authors on 24 of their 26 published tests.
 SawtoothCategory category_of(const TestAnalysis& analysis) {
   const double greatest = *std::max_element(analysis.record.force.begin(), analysis.record.force.end());
   double total = 0;
@@ -272,7 +274,7 @@ Estimate MeasuredEnergy::share() const {
 }
 
 double MeasuredEnergy::least_share() const {
-  constexpr double one_sided = 1.645;  // 95 % of a normal deviate lie above minus it
+  constexpr double one_sided = 1.645;  // the 95 % quantile of a normal deviate
   return std::max(friction_share - one_sided * friction_share_error, 0.0);
 }
 
@@ -285,13 +287,14 @@ TestAnalysis analyse_drops(const Record& record, const TestDescription& descript
   const InitialLine contact = initial_line(record);
   const double L = description.span, EI = description.bending_stiffness;
   const auto slope = stiffness_from_slope(record, L);
-  // A contact that settles lowers the slope through it, and raises that of the line beside it: the nearer one is the fair one.
+  // A settling contact lowers the slope through the contact and raises the slope of a free line;
+  // use the closer of the two.
   const double through_contact = EI / slope.value;
   const double beside = EI / beam_bending_stiffness(contact.slope.value, L);
   const bool contact_is_nearer = std::abs(elementary::log(through_contact)) < std::abs(elementary::log(beside));
   const double ratio = !slope.found ? not_a_number : contact_is_nearer ? through_contact : beside;
   constexpr double max_ratio =
-      1.4;  // contact, friction and large deflection bend the slopes of sound tests by up to 25 %
+      1.4;  // contact, friction and large deflection change the slopes of sound tests by up to 25 %
   const double EI_error = description.bending_stiffness_error;
   const double farthest_ratio = std::max(max_ratio, elementary::exp(2 * EI_error));
   const Scales scales(L, EI);
@@ -352,28 +355,30 @@ TestAnalysis analyse(const Record& record, const TestDescription& description, c
   analysis.suspects.suspect &= find_suspects(fitted.record, analysis.profile_at_fit, options.suspect_limit).suspect;
   analysis.slips = with_friction_from(analysis.profile_at_fit, analysis.slips, fitted.errors);
   analysis.slip_summary = summarise(analysis.slips, description.nose);
-  // Of a specimen that lost stiffness the force may lie below that of any friction; the passes allow for it.
+  // After a loss of stiffness the force may be below the frictionless force; the passes account for
+  // it.
   const auto slides = [&] {
     return is_consistent_with_sliding(analysis.record, scales, analysis.rig, analysis.bending_stiffness_error);
   };
   analysis.model_implausible = misses_force(analysis.fit, analysis.reduced) || (!are_fitted() && !slides());
   analysis.replay = replay_of(analysis);
-  // What work was measured is a matter of what was read.
+  // The measured work follows from the uncorrected readings.
   analysis.energy = measured_energy(in_units_of_fit(analysis.reduced, analysis), analysis.drops.drops);
   if (are_fitted()) share_as_unharmed(analysis.energy, measured_energy(fitted, analysis.drops.drops));
   const bool tells_work = !analysis.fit.mu0_is_bound && !is_friction_implausible(analysis) &&
-                          analysis.energy.friction_share > 0;  // no heat is negative
+                          analysis.energy.friction_share > 0;  // heat is not negative
   if (!tells_work) analysis.energy.friction_share = not_a_number;
   if (tells_work && analysis.fit.friction_by) analysis.work_share_sensitivities = work_sensitivities(analysis);
   analysis.energy.friction_share_error = error_of_share(analysis);
   stages.enter("checks", 0.09);
   analysis.checks = checks_of(problem, analysis.fit, options);
 
-  // The mean in its own units: those of the estimated bending stiffness.
+  // The mean in units of the estimated bending stiffness.
   const double stiffening = analysis.fit.bending_stiffness.value;
   const Rig rig = analysis.rig.in_units_of(stiffening);
   const Friction friction = Friction::as_met(analysis.fit.mean);
-  // On a load train that gives as much as all of the stage, what the force is off by may leave no way, or one without an end.
+  // On a load train that takes the whole stage travel, an error of the force may leave no
+  // deflection, or an unbounded one.
   const std::vector<double> positions = advancing(fitted.record.stage);
   if (positions.back() > 0 && positions.back() < farthest_run(analysis))
     analysis.model = path_in_steps({friction, rig}, positions);
@@ -431,7 +436,7 @@ double euler_bernoulli_force(const TestAnalysis& analysis, double deflection) {
 }
 
 TestPath simulated_mean_fit(const TestAnalysis& analysis) {
-  constexpr int points = 1000;  // on each stretch: a figure thins them out
+  constexpr int points = 1000;  // per segment; a figure thins them
   const auto stage = analysis.fit.correction.corrected(analysis.reduced).stage;
   const double farthest = std::min(*std::max_element(stage.begin(), stage.end()), farthest_run(analysis));
   const double stiffening = stiffening_of(analysis);

@@ -1,5 +1,5 @@
-// One measured test from its record to its answers: what friction, where along the specimen, how certainly, which drops are
-// slips, and how much of the work was friction; and what is known without a fit: may it slide, how stiff is it. SI in, everything of the model in reduced variables with their Scales beside.
+// The analysis of one measured test: its friction along the specimen with errors, its drops, and
+// the work of friction. Inputs are in SI units, results in reduced variables with their Scales.
 #pragma once
 
 #include <cstddef>
@@ -22,181 +22,178 @@
 
 namespace flexslip {
 
-// Can a record be sliding with friction at all?
+// ---- Before a fit
 
-// Do four fifths of the points past the deflection min_judged_deflection have a friction of min_friction or more (profile.h), at the bending stiffness of
-// the scales or one that differs from it by twice its error?
-// Domain:     bending_stiffness_error >= 0 [1]; the stiffness of the rig is in units of the scales.
+// True if sliding with non-negative friction can explain the record: at least four fifths of the
+// points beyond min_judged_deflection have a friction of min_friction or more (profile.h). The
+// bending stiffness may differ from that of the scales by two standard errors.
+// Domain:     bending_stiffness_error >= 0 [1]; rig.stiffness in units of the scales.
 bool is_consistent_with_sliding(const Record& record, const Scales& scales, const Rig& rig,
                                 double bending_stiffness_error);
 
-// The force over that without friction at the same deflection, past the deflection min_judged_deflection.
+// Measured force / frictionless force at the same deflection, beyond min_judged_deflection.
 struct FrictionlessForceRatio {
-  double median = not_a_number, least = not_a_number;  // [1] NaN without such points
+  double median = not_a_number, least = not_a_number;  // [1] NaN without points
 };
 
 // Max error:  1e-4.
 FrictionlessForceRatio frictionless_force_ratio(const ReducedRecord& record, const Fibre& fibre);
 
-// The bending stiffness of a specimen, as far as it is known without a fit.
-
-// Bending stiffness from the initial slope, F = 48 EI w/L^3.
+// The bending stiffness from the initial slope, EI = (F/w) L^3/48.
 struct StiffnessFromSlope {
-  bool found = false;  // a first rise tells EI to max_stiffness_error; nothing else is valid without
+  bool found = false;  // to max_stiffness_error or better; if not, nothing else is valid
   double value = 0;    // [N m^2] EI
-  // [1] standard deviation: that of the slope, 3 % that friction and large deflection bend it, and 3 %; without that of contact and load train
+  // [1] standard deviation: slope, 3 % for friction and large deflection, 3 %; no contact or load train
   double relative_error = 0;
-  double deflection = 0;  // [m] by which an error of the contact is divided in EI
+  double deflection = 0;  // [m] an error of the contact divided by it is the relative error of EI
 };
 
-// Domain:     stage and deflection counted from the contact; span [m] > 0.
-// Method:     force over deflection by least squares, through the contact, over the points of the initial_line.
+// Domain:     stage and deflection measured from the contact point; span [m] > 0.
+// Method:     least squares of force against deflection, over the points of initial_line.
 StiffnessFromSlope stiffness_from_slope(const Record& record, double span);
 
-// The uncertainty of a bending stiffness that is stated without one [1]: a data sheet and a diameter to 0.5 % give no better.
+// [1] The default error of a bending stiffness, from a data sheet and a diameter known to 0.5 %.
 inline constexpr double default_stiffness_error = 0.03;
-// And of a modulus beside a section whose uncertainty is stated: what the diameter to 0.5 %, which is 2 % of EI, leaves of it.
+// [1] The default error of a modulus whose section has a stated error: no 2 % from the diameter.
 inline constexpr double default_modulus_error = 0.022;
 
-// What is known of a test besides its record.
+// A test, apart from its readings.
 struct TestDescription {
   double span;                  // [m]
-  double load_train_stiffness;  // [N/m] with that of the supports, if they give way; infinite for displacement control
+  double load_train_stiffness;  // [N/m] including compliant supports; infinite for displacement control
   double bending_stiffness;     // [N m^2] EI
   double bending_stiffness_error = default_stiffness_error;  // [1] standard deviation
-  std::optional<double>
-      contact_error{};  // [m] standard deviation of the contact point; not given: default_contact_error
-  Fibre fibre{};        // on its supports
+  std::optional<double> contact_error{};                     // [m] standard deviation; default: default_contact_error
+  Fibre fibre{};                                             // the specimen on its supports
   Nose nose = Nose::holds;
-  std::optional<SnapRest> snaps{};  // not given: as the record shows
+  std::optional<SnapRest> snaps{};  // default: as the record shows
   RigErrors rig_errors{};
-  std::optional<PassesFit> passes{};  // of all passes of the record, where it has several
+  std::optional<PassesFit> passes{};  // the fit of all passes, if the record has several
 };
 
 struct AnalysisOptions {
   FitOptions fit;
   DropOptions drops;
-  double suspect_limit = 1.0;      // [1] friction above it is implausible
-  double max_friction = infinity;  // [1] that the supports let act: rollers that turn on their pins
+  double suspect_limit = 1.0;      // [1] friction above this is implausible
+  double max_friction = infinity;  // [1] limit set by the supports, such as rollers that turn on their pins
 };
 
-// How the curve looks, by a fixed rule on its drops (theory.md, "Categories").
+// How clear the sawtooth is, by a fixed rule on the drops (theory.md, "Categories").
 enum class SawtoothCategory { clear, nominal, none };
 
-// A test in energies, from contact to failure [EI/L]. As EnergyAccount, from the measured points, at the bending stiffness of the fit: friction = ∫ μ P_n dS while the
-// fibre slides, snaps all that is lost in drops, where a test cannot tell friction from noise and vibration; that the account does not close
-// tells how coarse the points are.
+// The energy account of the measured test from contact to failure, at the fitted EI [EI/L].
+// friction = ∫ μ P_n dS while sliding, snaps = all energy lost in drops, by the measured points.
 struct MeasuredEnergy {
-  EnergyAccount account;    // without its imbalance
-  double work_of_fracture;  // ∫ F dw0: what is read off a curve as toughness times area
-  double friction_share;    // [1] (friction + snaps)/work_of_fracture; NaN where friction is only a limit, or cannot be
-  // [1] Its standard deviation by all that the rig is off by; NaN without a share, and of smooth friction that is fitted as a constant.
+  EnergyAccount account;    // its imbalance is not set
+  double work_of_fracture;  // ∫ F dw0, the area under the curve, commonly reported as toughness
+  double friction_share;    // [1] (friction + snaps)/work_of_fracture; NaN if friction is only a limit
+  // [1] Standard deviation due to errors of the rig; NaN without a share or for a constant friction.
   double friction_share_error = not_a_number;
 
-  // [1] 95 % lie between low and high, none beyond 0 and 1; and the share that there is with a probability of 95 % at least.
+  // [1] The share with its 95 % interval within [0, 1], and its one-sided lower limit of 95 %.
   Estimate share() const;
   double least_share() const;
 };
 
-// The measured profile run forward as a table.
+// The measured friction profile used as a table in a simulation of the test.
 struct Replay {
-  std::vector<double>
-      force;  // [EI/L^2] at the points of the record past the deflection 0.05, on supports up to 1; NaN elsewhere
+  std::vector<double> force;  // [EI/L^2] per point; NaN for w <= 0.05 and, on rollers, w > 1
 };
 
-// Friction as read off the curve point by point at the bending stiffness of the fit: half of the points lie below the median, four
-// fifths between the other two. NaN without points.
+// Friction inverted point by point at the fitted EI: median and range of the middle 80 %.
 struct PointwiseFriction {
   double median = not_a_number, low80 = not_a_number, high80 = not_a_number;  // [1]
 };
 
-// Fewer do not tell the noise, and so no drops.
+// With fewer points the noise, and therefore the drops, cannot be determined.
 inline constexpr std::size_t min_fitted_points = 30;
 
 enum class AnalysisStatus {
   ok,
-  deflection_too_small,  // fewer than 20 readings lie past min_fit_deflection (first_passages.h): nothing from the fit on is valid
-  not_explained,  // there are such points, but fewer than 20, or than two in three, that sliding with any friction gives: nothing from the fit on is valid
+  // Fewer than 20 readings beyond min_fit_deflection. Nothing from the fit on is valid.
+  deflection_too_small,
+  // Sliding explains fewer than 20 of them, or fewer than two thirds. Nothing from the fit on is valid.
+  not_explained,
 };
 
 struct TestAnalysis {
   AnalysisStatus status;
-  Scales scales;  // nominal
+  Scales scales;  // from the nominal bending stiffness
   Rig rig;
   double bending_stiffness_error;   // [1] as used
-  double stiffness_to_slope_ratio;  // [1] bending stiffness used over that of the initial slope; NaN without a slope
-  bool stiffness_implausible;       // they differ by more than 40 % and twice its error
-  // The fit misses the record by more than a tenth of its greatest force, or it may not slide (is_consistent_with_sliding).
+  double stiffness_to_slope_ratio;  // [1] bending stiffness used / from the initial slope; NaN without a slope
+  bool stiffness_implausible;       // the two differ by more than 40 % and by more than two standard errors
+  // The fit misses the force by a tenth of its maximum, or is_consistent_with_sliding is false.
   bool model_implausible = false;
-  FrictionlessForceRatio frictionless_force_ratio{};  // beforehand
+  FrictionlessForceRatio frictionless_force_ratio{};  // at the nominal bending stiffness
   Record record;
   ReducedRecord reduced;
-  double force_noise = not_a_number;  // [EI/L^2] of one reading
-  MeasurementErrors errors{};         // as fitted with
-  RigErrors rig_errors{};             // likewise
+  double force_noise = not_a_number;  // [EI/L^2] standard deviation of one reading
+  MeasurementErrors errors{};         // as used in the fit
+  RigErrors rig_errors{};             // as used in the fit
   Drops drops{};
   RecordStatistics statistics{};  // of the record and its drops
   FrictionProfile profile{};
-  // Judged at the bending stiffness stated, told at that of the fit.
+  // The verdicts hold at the stated bending stiffness; lengths and frictions at the fitted one.
   std::vector<Slip> slips{};
   double max_friction = infinity;  // [1] as in the options
   SlipSummary slip_summary{};
   std::optional<PassesFit> passes{};  // as in the description
-  DropFeatures drop_features{};       // whatever the status
+  DropFeatures drop_features{};       // for any status
   SuspectReport suspects{};
   FrictionFit fit{};
-  FrictionProfile profile_at_fit{};        // at the bending stiffness of the fit, past the deflection 0.05
-  PointwiseFriction pointwise_friction{};  // of it
+  FrictionProfile profile_at_fit{};        // at the fitted bending stiffness, for w > 0.05
+  PointwiseFriction pointwise_friction{};  // of profile_at_fit
   std::vector<Check> checks{};
-  // The mean of the fit on the stage positions of the record, at the estimated bending stiffness: work and energies are in units of that.
+  // The mean of the fit, simulated at the stages of the record, in units of the fitted EI.
   TestPath model{};
   Replay replay{};
   MeasuredEnergy energy{};
-  std::optional<Sensitivities>
-      work_share_sensitivities{};  // of energy.friction_share; none of a constant, and where there is none
+  std::optional<Sensitivities> work_share_sensitivities{};  // of energy.friction_share, if it exists
   SawtoothCategory category = SawtoothCategory::none;
 };
 
-// Domain:     one loading up to the failure of at least min_fitted_points, counted from the contact, without faults (check_record); span and
-//             stiffness positive; std::invalid_argument otherwise.
-// Cost:       that of the fit: at most 200,000 states (numerics/effort.h) for each row fitted, at most 1200 of them, and for 100 more; 500 for each row of
-//             the record; on supports 60 million besides, as 20 draws and the mean are run forward through up to 10,000 lengths each.
+// Domain:     one loading up to failure, measured from the contact point, of min_fitted_points or
+//             more, without faults (check_record); span and stiffness positive;
+//             std::invalid_argument otherwise.
+// Cost:       at most 200,000 states (numerics/effort.h) for each of 1300 rows, and 500 for each row
+//             of the record; on rollers or with a thickness 60 million more, for simulations.
 TestAnalysis analyse(const Record& record, const TestDescription& description, const AnalysisOptions& options = {});
 
-// What is known of it without a fit: scales, rig, readings, drops and their features, slips, passes. Nothing else is valid.
-// Domain:     as analyse.
+// The analysis without a fit. Only scales, rig, readings, drops, their features, slips and passes are
+// valid.
 TestAnalysis analyse_drops(const Record& record, const TestDescription& description,
                            const AnalysisOptions& options = {});
 
-// Does the record need more friction than its supports let act, or than the suspect limit?
+// True if the record requires more friction than the supports allow or than the suspect limit.
 // Domain:     analysis.status is ok.
 bool is_friction_implausible(const TestAnalysis& analysis);
 
-// [1] By how much the friction read off a record, averaged over the length that slid, would be larger if that share of the bending stiffness had been lost by
-// its middle, the half of its deepest deflection, evenly until there. A loss lowers the force, which reads as less friction.
-// Domain:     analysis.status is ok; 0 <= loss < 1, std::invalid_argument otherwise. NaN where no point can be read off both ways.
+// [1] By how much a loss of this share of the bending stiffness hides the mean friction. The loss
+// grows evenly up to half of the largest deflection.
+// Domain:     analysis.status is ok; 0 <= loss < 1; std::invalid_argument otherwise.
+// Fails:      NaN if no point can be inverted both with and without the loss.
 double friction_underestimate(const TestAnalysis& analysis, double loss);
 
-// What a figure of an analysis shows beside the record: curves of the same specimen on the same rig. Reduced variables of the nominal bending
-// stiffness.
+// ---- Curves for figures, in reduced variables of the nominal bending stiffness
 
-// Without friction up to the greatest deflection of the record or beyond, from the straight specimen on; at the bending stiffness of the fit, or,
-// where there is no fit, that stated.
+// The frictionless curve up to the largest deflection or beyond, at the fitted (else stated) EI.
 // Domain:     analysis.status is ok or not_explained.
 std::vector<EquilibriumPoint> frictionless_curve(const TestAnalysis& analysis);
 
-// The straight line of small deflections at that bending stiffness, [EI/L^2] at a deflection [L].
+// [EI/L^2] The force of linear beam theory at a deflection [L], at the same bending stiffness.
 double euler_bernoulli_force(const TestAnalysis& analysis, double deflection);
 
-// The mean of the fit run forward over all stage positions, not only those of the record.
+// The mean of the fit, simulated with a continuously moving stage.
 // Domain:     analysis.status is ok.
 TestPath simulated_mean_fit(const TestAnalysis& analysis);
 
-// The waves that the fit claims, about its mean and drift, over what has been drawn in.
+// The detected waves of friction about its mean and trend, against the sliding length. Empty if no
+// wave was detected.
+// Domain:     analysis.status is ok.
 struct FittedFriction {
   double S, mu;  // [L], [1]
 };
-// Domain:     analysis.status is ok. Empty if no wave is claimed.
 std::vector<FittedFriction> detected_waves(const TestAnalysis& analysis);
 
 }  // namespace flexslip

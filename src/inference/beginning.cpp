@@ -18,12 +18,12 @@
 namespace flexslip {
 namespace {
 
-constexpr double deepest_beginning = 0.2;  // [L] that any beginning is looked at
+constexpr double deepest_beginning = 0.2;  // [L] limit of the deflections examined
 
-// [1] Frictions that a specimen may begin with.
+// [1] Candidate frictions at the beginning.
 constexpr std::array begin_frictions{0.0, 0.2, 0.4, 0.6, 0.8, 1.0};
 
-// The force over the deflection of the fibre that slides with one friction, in EI/L^3, at even deflections.
+// F/w [EI/L^3] of a specimen that slides with one friction, at evenly spaced deflections.
 class Rise {
  public:
   explicit Rise(double q) {
@@ -40,7 +40,7 @@ class Rise {
   struct Value {
     double force, slope;
   };
-  // [EI/L^2], [EI/L^3] at a deflection [L]; none before the contact.
+  // [EI/L^2], [EI/L^3] at a deflection [L]; zero before the contact.
   Value at(double w) const {
     if (w <= 0) return {0, 0};
     const auto last = static_cast<double>(over_.size() - 1);
@@ -55,28 +55,28 @@ class Rise {
   std::vector<double> over_;
 };
 
-// The readings looked at, deflections in spans.
+// The examined readings, with deflections in spans.
 struct Looked {
   std::vector<double> stage, deflection, force;
 };
 
-// A way for a beginning to have come about.
+// One candidate for the beginning.
 struct Seat {
-  double force;  // [N] at which the seat has given way to 1 - 1/e; 0: none
+  double force;  // [N] at which the seat has settled to 1 - 1/e; 0: no settling
 };
 
 struct Fitted {
   double contact = 0, log_stiffness = 0, offset = 0, depth = 0;  // [L], of e [N], [N], [L] of the seat
   double contact_variance = 0, depth_variance = 0;
-  double loss = std::numeric_limits<double>::infinity();  // -2 ln of the probability, but for a constant
+  double loss = std::numeric_limits<double>::infinity();  // -2 ln of the probability, up to a constant
   double log_volume = 0;                                  // ½ ln det of the covariance
-  double scatter = 0;                                     // [N] of the residuals, robustly
+  double scatter = 0;                                     // [N] robust scatter of the residuals
   std::vector<double> residuals;
 
   double settled() const { return contact + depth; }
 };
 
-constexpr double usual_depth = 0.012;  // [L] standard deviation of a seat's
+constexpr double usual_depth = 0.012;  // [L] prior standard deviation of the settling
 
 class BeginningFit {
  public:
@@ -118,7 +118,8 @@ class BeginningFit {
       }
       normal.diagonal() *= 1 + 1e-9;
       const Symmetric solver(normal);
-      // Newton's step, where it leads downhill; where readings far away bend the loss the other way, that of their weights.
+      // Newton's step if it decreases the loss. Distant readings can make the curvature negative;
+      // then a step of reweighted least squares.
       Eigen::Vector4d move = Symmetric(curved).solved(gradient);
       if (!(move.dot(gradient) > 0)) move = solver.solved(gradient);
       const Eigen::MatrixXd& covariance = solver.inverse();
@@ -128,7 +129,7 @@ class BeginningFit {
           -0.5 * solver.log_determinant() + (has_seat ? -elementary::log(usual_depth) : 0.5 * elementary::log(exactly));
       if (!move.allFinite()) return {};
       if (std::abs(move[0]) < 1e-8 && std::abs(move[1]) < 1e-6 && std::abs(move[3]) < 1e-8) break;
-      // Half of it, and again half, until the loss does not grow.
+      // Halve the step until the loss does not grow.
       constexpr int halvings = 10;
       double part = 1 / std::max({1.0, std::abs(move[0]) / 0.02, std::abs(move[1]) / 0.3, std::abs(move[3]) / 0.02});
       bool is_better = false;
@@ -150,13 +151,13 @@ class BeginningFit {
   }
 
  private:
-  static constexpr double far = 9;         // [scatter²] beyond which a reading hardly counts
-  static constexpr double exactly = 1e18;  // the weight of what is known
+  static constexpr double far = 9;         // [scatter²] beyond which a reading has little weight
+  static constexpr double exactly = 1e18;  // the weight of an exactly known value
 
-  // By how much each residual goes down as contact, ln e, offset and depth go up.
+  // Minus the derivatives of each residual in contact, ln e, offset and depth.
   using Slopes = std::vector<Eigen::Vector4d>;
 
-  // With the residuals of a fit, which are set.
+  // At a fit, whose residuals it sets.
   Slopes slopes_at(Fitted& at, const Rise& rise, Seat seat) const {
     at.residuals.clear();
     const double e = elementary::exp(at.log_stiffness);
@@ -176,7 +177,7 @@ class BeginningFit {
     double away, weight;
   };
   std::array<Known, 4> prior_of(const Fitted& at, bool has_seat, double offset_error) const {
-    constexpr double somewhere = 100;  // [1/L²] about where it is first looked for
+    constexpr double somewhere = 100;  // [1/L²] weak prior about the start
     return {{{at.contact - first_.contact, somewhere},
              {at.log_stiffness - first_.log_stiffness, weight_of_stiffness_},
              {at.offset, 1 / square(offset_error)},
@@ -202,10 +203,10 @@ class BeginningFit {
   Fitted first_;
   double compliance_;                 // [L/N]
   double noise_;                      // [N]
-  double weight_of_stiffness_ = 0.1;  // nothing is known of it
+  double weight_of_stiffness_ = 0.1;  // a weak prior
 };
 
-// Each reading, or the middle one of it and its neighbours: single ones do not count.
+// The running median of three readings, which removes outliers.
 std::vector<double> without_spikes(std::span<const double> readings) {
   std::vector<double> calm(readings.begin(), readings.end());
   for (std::size_t i = 0; i < readings.size(); ++i) {
@@ -216,7 +217,7 @@ std::vector<double> without_spikes(std::span<const double> readings) {
   return calm;
 }
 
-// The first rows, until the force first passes a share of its greatest, at least so many.
+// The number of first rows until the force exceeds a share of its maximum; at least `fewest`.
 Looked looked_at(const Record& record, std::span<const double> calm, double share, double span) {
   constexpr std::size_t fewest = 12;
   const double most = *std::max_element(calm.begin(), calm.end());
@@ -232,21 +233,22 @@ Looked looked_at(const Record& record, std::span<const double> calm, double shar
   return looked;
 }
 
-// How far the readings of a record scatter about the best of its curves, and how much farther a mean of them does, as neighbours err alike.
+// The scatter of the readings about the best curve, and the factor for correlated neighbours.
 struct Scatter {
   double size = 0, alike = 1;  // [N], [1]
 };
 
 struct Told {
-  double offset = 0, variance = 0;  // [L], [L²] of the contact, once it has settled
+  double offset = 0, variance = 0;  // [L], [L²] of the contact after settling
   double log_evidence = -std::numeric_limits<double>::infinity();
   double depth = 0, depth_variance = 0;  // of the seat
   Fitted likeliest{};
   Scatter scatter{};
 };
 
-// All frictions and seats together, each weighed by its evidence. Without a scatter it is that of the best of them.
-// Fails:      an evidence of 0 where none fits.
+// The average over all frictions and seats, weighed by their evidence. Without a scatter, the
+// scatter of the best one is used.
+// Fails:      an evidence of 0 if none fits.
 Told told_by(const BeginningFit& fit, std::span<const Rise> rises, std::span<const Seat> seats, const Fitted& start,
              double offset_error, Scatter scatter = {}) {
   std::vector<Fitted> fits;
@@ -260,12 +262,12 @@ Told told_by(const BeginningFit& fit, std::span<const Rise> rises, std::span<con
   if (!std::isfinite(least)) return told;
   if (scatter.size == 0) {
     told.scatter.size = least;
-    for (std::size_t i = 0; i < fits.size(); ++i)  // the same for all, or they could not be compared
+    for (std::size_t i = 0; i < fits.size(); ++i)  // the same scatter for all candidates
       fits[i] = fit.fit(rises[i % rises.size()], fits[i], seats[i / rises.size()], offset_error, least);
   }
   for (const Fitted& each : fits)
     if (each.loss < told.likeliest.loss) told.likeliest = each;
-  constexpr double max_correlation = 0.8;  // more is that of a curve that does not fit
+  constexpr double max_correlation = 0.8;  // a higher value belongs to a curve that does not fit
   if (scatter.size == 0)
     told.scatter.alike = std::max(1.0, effective_deviation(told.likeliest.residuals, 3, 0, max_correlation) / least);
   const double inflation = told.scatter.alike * told.scatter.alike;
@@ -292,16 +294,16 @@ Told told_by(const BeginningFit& fit, std::span<const Rise> rises, std::span<con
 }  // namespace
 
 Contact find_contact(const Record& record, const BeginningOf& test) {
-  constexpr std::size_t fewest = 11;  // for a noise
+  constexpr std::size_t fewest = 11;  // to determine a noise
   if (record.force.size() < fewest) return {ContactStatus::too_few_points};
   const std::vector<double> calm = without_spikes(record.force);
   const double most = *std::max_element(calm.begin(), calm.end());
   if (!(most > 0)) return {ContactStatus::not_rising};
-  constexpr double short_range = 0.15, long_range = 0.3;  // [greatest force]
+  constexpr double short_range = 0.15, long_range = 0.3;  // [maximum force]
   const Looked looked = looked_at(record, calm, short_range, test.span);
   const double noise = std::max(force_noise(record), 1e-9 * most);
 
-  // To begin with: a line through the upper part of them.
+  // Start with a line through the upper part of the readings.
   const std::size_t n = looked.force.size();
   const std::size_t half = n - std::max<std::size_t>(n / 3, 5);
   const std::vector<double> deflection = without_spikes(looked.deflection);
@@ -313,14 +315,14 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
                                                                : line.slope / beam_stiffness);
 
   std::vector<Rise> rises;
-  constexpr double of_rollers = 5.6;  // [1/L] friction that would bend the curve as a roller's radius does
+  constexpr double of_rollers = 5.6;  // [1/L] the friction with the same effect as a roller radius
   for (const double mu : begin_frictions) rises.emplace_back(mu + of_rollers * test.support_radius / test.span);
   constexpr std::array firm{Seat{0}};
   const BeginningFit fit(looked, test, start, noise);
   double offset_error = noise;
   Told told = told_by(fit, rises, firm, start, offset_error);
   if (!std::isfinite(told.log_evidence)) return {ContactStatus::not_rising};
-  constexpr std::ptrdiff_t enough = 3;  // rows that show the zero of the force
+  constexpr std::ptrdiff_t enough = 3;  // rows to determine the zero of the force
   const auto before = std::count_if(looked.stage.begin(), looked.stage.end(),
                                     [&](double at) { return at < told.offset - std::sqrt(told.variance); });
   if (before >= enough) {
@@ -329,7 +331,7 @@ Contact find_contact(const Record& record, const BeginningOf& test) {
     told = told_by(fit, rises, firm, start, offset_error);
   }
 
-  // Has it settled on the way? By the evidence of a longer beginning.
+  // Compare the evidence with and without settling over a longer range.
   const Looked longer = looked_at(record, calm, long_range, test.span);
   const BeginningFit longer_fit(longer, test, start, noise);
   const std::array seats{Seat{0.01 * most},  Seat{0.02 * most}, Seat{0.03 * most},

@@ -52,7 +52,7 @@ CategorySpread spread_over(std::span<const TestSummary> tests, Predicate belongs
 
 MeasuredFriction measured_friction(const FrictionFit& fit, const Scales& scales) {
   MeasuredFriction measured{measured_by_record(fit.of_mu0), measured_by_record(fit.of_log_roughness), {}};
-  if (weight_without_roughness(fit) > 0.5) return measured;  // what is likely not there has no length
+  if (weight_without_roughness(fit) > 0.5) return measured;  // probably no roughness, so no length
   measured.log_length = measured_by_record(fit.of_log_length);
   if (measured.log_length) measured.log_length->value += elementary::log(scales.span());
   return measured;
@@ -104,9 +104,9 @@ TestSummary summary_of(const std::string& name, const TestAnalysis& analysis) {
     summary.mu0_by_span = (*by)[StatedQuantity::span] * analysis.rig_errors.span;
     summary.mu0_by_gain = (*by)[StatedQuantity::force_gain] * analysis.rig_errors.force_gain;
   }
-  if (!tells_variation(fit))
+  if (!determines_variation(fit))
     summary.roughness = summary.correlation_length = normal_estimate(not_a_number, not_a_number);
-  if (!fit.waves.empty() && tells_variation(fit)) {
+  if (!fit.waves.empty() && determines_variation(fit)) {
     const WaveEstimate& wave = fit.waves.front();
     summary.amplitude = wave.amplitude;
     summary.wavelength = scaled(wave.wavelength, scales.span());
@@ -131,7 +131,7 @@ CauseShares cause_shares(std::span<const Causes> tests) {
   for (const Causes& test : tests)
     if (std::isfinite(test.slips)) told.push_back(&test);
   if (told.empty()) return {};
-  std::vector<std::array<double, 4>> points;  // three shares and the logarithm of the weight
+  std::vector<std::array<double, 4>> points;  // three shares and their log weight
   double greatest = -infinity;
   for (int i = 0; i <= steps; ++i)
     for (int j = 0; i + j <= steps; ++j) {

@@ -8,11 +8,11 @@
 namespace flexslip {
 namespace {
 
-constexpr double of_needed = 0.12;  // [1] of what the drops need, by which that is uncertain
+constexpr double of_needed = 0.12;  // [1] relative error of the loss required by the drops
 
 double squashed(double x) { return 1 - 2 / (1 + elementary::exp(2 * std::clamp(x, -20.0, 20.0))); }  // tanh
 
-// Slips have the log odds 0.
+// The log odds are relative to slips only.
 template <std::size_t n>
 Causes causes_by(const std::array<double, n>& inputs, const std::array<double, n>& of_cracks,
                  const std::array<double, n>& of_both) {
@@ -34,7 +34,7 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
   return {1,
           follows,
           follows * sure,
-          squashed(f.greatest_steepness / 0.5),
+          squashed(f.max_steepness / 0.5),
           squashed(f.recovery_near),
           squashed(f.recovery_far),
           squashed(f.least_after_drop / 3),
@@ -42,7 +42,7 @@ CauseInputs inputs_of(const DropFeatures& f, double load_train) {
           squashed((f.stiffness_recovery - 0.5) / 0.5) * sure,
           squashed(f.roughness),
           sure,
-          squashed(f.drawn_in / 0.5),
+          squashed(f.slid_in / 0.5),
           elementary::log(std::min(load_train, stiffest) / usual)};
 }
 
@@ -51,7 +51,7 @@ Causes causes_of(const DropFeatures& features, double load_train) {
 }
 
 Causes causes_of(const Causes& by_one_loading, const Reload& reload) {
-  constexpr double surest = 0.98;  // one loading is no surer
+  constexpr double surest = 0.98;  // limit of the probability from one loading
   const double z = reload.log_loss / reload.error;
   const double c =
       (reload.log_needed - reload.log_loss) / elementary::length(reload.error, of_needed * reload.log_needed);

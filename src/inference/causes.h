@@ -1,4 +1,4 @@
-// What made the drops of a loading: slips, cracks, or both.
+// The probabilities of the causes of the drops of a loading: slips only, cracks only, or both.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace flexslip {
 
-// [1] Probabilities of the causes of the drops. They are equally likely beforehand. NaN: nothing is known.
+// [1] Probabilities of the causes, for equal prior probabilities. NaN if unknown.
 struct Causes {
   double slips = not_a_number, cracks = not_a_number, both = not_a_number;
 };
 
-// What the probabilities depend on, each between -1 and 1 or so.
+// The inputs of the probabilities, each roughly between -1 and 1.
 inline constexpr std::array cause_input_names{"one",      "follows",    "follows_sure", "steepest",   "back_near",
                                               "back_far", "above_zero", "below_zero",   "given_sure", "rough",
                                               "sure",     "drawn_in",   "stiff"};
@@ -25,32 +25,34 @@ using CauseInputs = std::array<double, cause_input_names.size()>;
 // Domain:     features with drops; load_train [EI/L^3] > 0, may be infinite.
 CauseInputs inputs_of(const DropFeatures& features, double load_train);
 
-// By one loading. `cracks`, and `slips` below .5, are reliable: they say whether the specimen slipped at all, and whether it lost stiffness at all. One
-// loading cannot distinguish slips only from slips and cracks.
+// The probabilities from one loading. `cracks`, and `slips` below 0.5, are reliable; one loading
+// cannot distinguish slips only from slips and cracks.
 // Domain:     as inputs_of.
-// Method:     multinomial logistic regression on simulated records (tools/calibrate-verdict; docs/slip-or-crack.md).
+// Method:     multinomial logistic regression on simulated records (tools/calibrate-verdict;
+//             docs/slip-or-crack.md).
 Causes causes_of(const DropFeatures& features, double load_train);
 
-// What a reload shows of the loading before it.
+// The result of a reload for the loading before it.
 struct Reload {
-  double log_loss, error;  // of the stiffness, as -ln of what is left
-  double log_needed;       // likewise by the drops, if they were cracks only
-  bool drops_again;        // does any drop come again? Cracks are made once.
+  double log_loss, error;  // -ln of the remaining stiffness, and its standard deviation
+  double log_needed;       // the same loss if the drops are cracks only
+  bool drops_again;        // a drop repeats, which a crack cannot
 };
 
-// By one loading and a reload.
+// The probabilities from one loading and a reload.
 // Domain:     error >= 0, log_needed > 0; by_one_loading may be NaN.
-// Method:     likewise.
+// Method:     as above.
 Causes causes_of(const Causes& by_one_loading, const Reload& reload);
 
-// Did the specimen surely slip: is cracks only below 5 %? Did it surely lose stiffness: is slips only below 5 %, or below 3 % by one loading?
+// True if the specimen certainly slipped (cracks only below 5 %), or certainly lost stiffness
+// (slips only below 5 % with a reload, below 3 % without).
 bool slips_at_all(const Causes& causes);
 bool loses_at_all(const Causes& causes, bool is_reloaded);
 
-// Is a loss, as -ln of what is left, more than three times its error?
+// True if a loss, as -ln of the remaining stiffness, exceeds three times its error.
 bool is_loss(double log_loss, double error);
 
-// [1] How often a reload finds the true cause of drops: that nothing was lost if they were slips only, and the loss that they need if they were
+// [1] The probability that a reload leads to the right verdict if the drops are slips only, or
 // cracks only.
 struct CauseChances {
   double slips, cracks;
@@ -58,9 +60,9 @@ struct CauseChances {
   double least() const { return std::min(slips, cracks); }
 };
 
-// Domain:     as causes_of. Of cracks, one loading is assumed to show nothing.
+// Domain:     as causes_of. For cracks, one loading is assumed uninformative.
 // Max error:  0.002.
-// Method:     the measured loss is normally distributed, and the loss that the drops need is uncertain besides.
+// Method:     the measured loss is normal, and the loss that the drops require is uncertain.
 CauseChances chances_of_causes(double log_needed, double error, const Causes& slips_by_one_loading,
                                bool slips_come_again);
 

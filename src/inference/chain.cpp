@@ -20,15 +20,15 @@ namespace {
 using chain::States;
 using chain::Transition;
 using Eigen::Index;
-using AllSeries = chain::Series<chain::most_series>;
-using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, chain::most_series, chain::most_series>;
+using AllSeries = chain::Series<chain::max_series>;
+using SeriesMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, chain::max_series, chain::max_series>;
 
 template <std::size_t N>
 void add(double factor, const std::array<double, N>& x, std::array<double, N>& sum) {
   for (std::size_t i = 0; i < N; ++i) sum[i] += factor * x[i];
 }
 
-// The states of N series after a transition; of the columns of a covariance likewise.
+// The states of N series, or of the columns of a covariance, after a transition.
 template <int M, std::size_t N, std::size_t Size>
 void carry(const Transition<M>& A, const std::array<std::array<double, N>, Size>& states,
            std::array<std::array<double, N>, Size>& next) {
@@ -61,13 +61,13 @@ Transition<M> transposed(const Transition<M>& A) {
   return {transposed(A.of_g), A.of_e};
 }
 
-// A P A' of a symmetric P.
+// A P A' for a symmetric P.
 template <int M>
 States<M, M> carried(const Transition<M>& A, const States<M, M>& P) {
   return A * transposed<M>(A * P);
 }
 
-// Even and odd terms are summed apart, as a processor adds two at a time.
+// Sums of even and odd terms, for vector instructions.
 template <std::size_t N>
 double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   if constexpr (N % 2 == 1) {
@@ -83,13 +83,13 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
 }
 
 template <int M>
-Few<M> times_state(const States<M, M>& matrix, const Few<M>& v) {  // of a symmetric matrix
+Few<M> times_state(const States<M, M>& matrix, const Few<M>& v) {  // for a symmetric matrix
   Few<M> out{};
   for (int i = 0; i < M; ++i) add(v[i], matrix[i], out);
   return out;
 }
 
-// The covariance of a state of which nothing is observed.
+// The stationary covariance of a state.
 template <int M>
 States<M, M> stationary(const Hyperparameters& at) {
   States<M, M> limit{};
@@ -102,7 +102,7 @@ States<M, M> stationary(const Hyperparameters& at) {
   return limit;
 }
 
-// The transitions from each observation to the next; of none to the first.
+// The transitions to each observation from the previous one.
 template <int M>
 void find_transitions(const Observations& observations, const Hyperparameters& at, chain::Steps<M>& steps) {
   const auto& all = observations.all;
@@ -119,16 +119,16 @@ void find_transitions(const Observations& observations, const Hyperparameters& a
   }
 }
 
-// H, of which H'X is what an observation sees of the state: g + D e.
+// H such that H'X = g + D e is the observed part of the state.
 template <int M>
 Few<M> seen_by(const Observation& observation) {
   Few<M> H{};
   H[0] = 1;
-  H[M - 1] = observation.noise_gain;  // without a kernel e is the whole state
+  H[M - 1] = observation.noise_gain;  // without a kernel, the state is e
   return H;
 }
 
-// What an observation sees of the states of all series.
+// The observed part H'X for all series.
 template <int M, int N>
 chain::Series<N> seen(const Observation& observation, const States<M, N>& states) {
   chain::Series<N> sum;
@@ -138,7 +138,7 @@ chain::Series<N> seen(const Observation& observation, const States<M, N>& states
   return sum;
 }
 
-// The number of one of several series at an observation, or of one alone.
+// The value of one series at an observation.
 auto& number_of(auto& of_series, int s) {
   if constexpr (requires { of_series[s]; })
     return of_series[static_cast<std::size_t>(s)];
@@ -146,7 +146,7 @@ auto& number_of(auto& of_series, int s) {
     return of_series;
 }
 
-// Passes further series through the filter: their innovations over the standard deviation, and the predictions of g of the first.
+// Filters further series: their standardised innovations, and the predictions of g of the first.
 template <int M, int N, class Series>
 void filter(const Observations& observations, const chain::Steps<M>& steps, std::span<const Series> series,
             std::span<Series> white, std::span<double> predictions = {}) {
@@ -164,9 +164,9 @@ void filter(const Observations& observations, const chain::Steps<M>& steps, std:
   }
 }
 
-// The sums over all observations of the products of two series; four observations at once, as the sums are kept in memory.
+// The sums over all observations of the products of two series, four observations at a time.
 SeriesMatrix products_of(std::span<const AllSeries> white, std::size_t series) {
-  std::array<AllSeries, chain::most_series> sums{};  // of each with those before it and itself
+  std::array<AllSeries, chain::max_series> sums{};  // of each series with the previous ones and itself
   constexpr std::size_t at_once = 4;
   constexpr AllSeries none{};
   for (std::size_t k = 0; k < white.size(); k += at_once) {
@@ -218,8 +218,8 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
                           .rate = M > 1 ? matern::rate_of(kernel) / at.length : 0};
     find_transitions<M>(observations, at, steps);
     const States<M, M> limit = stationary<M>(at);
-    States<M, M> away{};  // covariance less the limit
-    States<M, chain::most_series> states{};
+    States<M, M> away{};  // covariance - stationary covariance
+    States<M, chain::max_series> states{};
     for (std::size_t k = 0; k < n; ++k) {
       const Observation& observation = observations.all[k];
       auto& step = steps.steps[k];
@@ -245,11 +245,11 @@ Chain::Chain(const Observations& observations, Kernel kernel, const Hyperparamet
       for (std::size_t s = 0; s < max_columns; ++s) v[s] = s < columns ? h[s] : 0;
       v[max_columns] = v[max_columns + 1] = 0;
       v[columns] = observations.values[k];
-      const AllSeries expected = seen<M, chain::most_series>(observation, step.series);
-      for (std::size_t s = 0; s < chain::most_series; ++s) v[s] -= expected[s];
-      for (std::size_t s = 0; s < chain::most_series; ++s) white[s] = step.scale * v[s];
+      const AllSeries expected = seen<M, chain::max_series>(observation, step.series);
+      for (std::size_t s = 0; s < chain::max_series; ++s) v[s] -= expected[s];
+      for (std::size_t s = 0; s < chain::max_series; ++s) white[s] = step.scale * v[s];
       for (int i = 0; i < M; ++i)
-        for (std::size_t s = 0; s < chain::most_series; ++s) states[i][s] = step.series[i][s] + step.gain[i] * v[s];
+        for (std::size_t s = 0; s < chain::max_series; ++s) states[i][s] = step.series[i][s] + step.gain[i] * v[s];
       deviations.multiply(deviation);
       count += 1;
     }
@@ -331,16 +331,17 @@ Chain::Functional Chain::functional(const Coefficients& a, std::span<const doubl
 std::vector<SmoothedObservation> Chain::smoothed() const {
   const std::size_t n = observations_.all.size(), columns = observations_.prior.size();
   std::vector<SmoothedObservation> result(n);
-  std::size_t first_place = 0;  // that is no reading: before it no variance is asked for
+  std::size_t first_place = 0;  // first observation that is no reading; earlier ones need no variance
   while (first_place < n && observations_.all[first_place].is_reading()) ++first_place;
-  AllSeries rest{};  // y less what the columns explain
+  AllSeries rest{};  // y - the part that the columns explain
   for (std::size_t c = 0; c < columns; ++c) rest[c] = -beta_[static_cast<Index>(c)];
   rest[columns] = 1;
   std::visit(
       [&]<int M>(const chain::Steps<M>& steps) {
-        // The score of the state by the observations from here on, of the rest and of each column, and its information N.
+        // The score of the state from later observations, for the residual and each column, and its
+        // information N.
         States<M, 1> r{};
-        States<M, chain::most_series> of_columns{};
+        States<M, chain::max_series> of_columns{};
         States<M, M> N{};
         for (std::size_t k = n; k-- > 0;) {
           const auto& step = steps.steps[k];
@@ -353,7 +354,7 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
             for (int i = 0; i < M; ++i) r[i][0] += sum * H[i];
             if (with_variances) {
               AllSeries v;
-              for (std::size_t s = 0; s < chain::most_series; ++s) v[s] = step.scale * white_[k][s];
+              for (std::size_t s = 0; s < chain::max_series; ++s) v[s] = step.scale * white_[k][s];
               for (int i = 0; i < M; ++i) add(-step.gain[i], of_columns[i], v);
               for (int i = 0; i < M; ++i) add(H[i], v, of_columns[i]);
               const Few<M> with_gain = times_state<M>(N, step.gain);
@@ -395,7 +396,8 @@ std::vector<SmoothedObservation> Chain::smoothed() const {
       },
       steps_);
   if (const auto* steps = std::get_if<chain::Steps<2>>(&steps_)) {
-    // Between two observations the mean of an exponential kernel is a sum of exponentials, which bends at each of them.
+    // With an exponential kernel the mean is a sum of exponentials between observations, with a
+    // kink at each one.
     const auto g = [&](std::size_t k) { return result[k].f - observations_.columns[k].dot(beta_); };
     const auto slope_at = [&](std::size_t k, std::size_t beside) {
       const double away = observations_.all[beside].place - observations_.all[k].place;
@@ -422,11 +424,11 @@ LikelihoodGradient Chain::gradient(std::span<const double> wavelengths) const {
   return std::visit([&](const auto& steps) { return gradient_of(steps, wavelengths); }, steps_);
 }
 
-// The adjoint of the filter. -2 ln p(y) = Σ ln s + v Q v'/s + ..., v being the innovations of the series and s their variance. A bar marks the
-// derivative of this to a quantity.
+// The adjoint of the filter. -2 ln p(y) = Σ ln s + v Q v'/s + ..., with v the innovations of the
+// series and s their variance. A bar marks the derivative of this sum in a quantity.
 template <int M>
 LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<const double> wavelengths) const {
-  constexpr int G = M - 1, N = chain::most_series;
+  constexpr int G = M - 1, N = chain::max_series;
   const std::size_t n = observations_.all.size(), columns = observations_.prior.size();
   effort_spent += n * 2 * (columns + 1);
   const States<M, M> limit = stationary<M>(at_);
@@ -483,7 +485,7 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     if (k == 0) break;
     const auto& before = steps.steps[k - 1];
     const Transition<M>& A = step.transition;
-    States<M, M> away = before.predicted;  // covariance less the limit, after the observation before
+    States<M, M> away = before.predicted;  // covariance - stationary covariance, after the previous observation
     States<M, N> states = before.series;
     for (int i = 0; i < M; ++i) add(-1, limit[i], away[i]);
     if (before.scale > 0) {
@@ -516,7 +518,7 @@ LikelihoodGradient Chain::gradient_of(const chain::Steps<M>& steps, std::span<co
     P_bar = through;
     states_bar = back * states_bar;
   }
-  double by_log_roughness = 0;  // the limit scales with the squares of σ and σ_g
+  double by_log_roughness = 0;  // the stationary covariance scales with σ² and σ_g²
   for (int i = 0; i < G; ++i)
     for (int j = 0; j < G; ++j) by_log_roughness += 2 * limit[i][j] * (limit_bar[i][j] + P_bar[i][j]);
   const double by_log_noise = 2 * limit[G][G] * (limit_bar[G][G] + P_bar[G][G]);

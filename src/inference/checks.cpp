@@ -17,7 +17,7 @@ namespace flexslip {
 namespace {
 
 struct Falls {
-  double number, mean;  // [1]; force unit of the record, NaN without falls
+  double number, mean;  // [1]; force unit of the record, NaN without drops
 };
 
 Falls falls_beyond(double threshold, std::span<const Drop> drops) {
@@ -67,7 +67,7 @@ Check check_residuals(const FitProblem& problem, const FrictionFit& fit) {
 }
 
 Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropOptions& options) {
-  // find_drops knows SI alone; with a unit scale its numbers are those of the model.
+  // find_drops expects SI; with unit scales its numbers are reduced.
   const Scales unit(1, 1);
   const auto drops_of = [&](const ReducedRecord& record) { return find_drops(to_physical(record, unit), options); };
   const Drops measured = drops_of(problem.record);
@@ -90,7 +90,7 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
       drawn.deflection.push_back(stages[i] - drawn.force[i] / problem.rig.stiffness);
       error = rho * error + fresh * normal();
     }
-    // A test drawn ends where its specimen slips through.
+    // A simulated test ends when its specimen slips through.
     const auto end = std::find_if(drawn.force.begin(), drawn.force.end(), [](double F) { return !std::isfinite(F); });
     const auto held = static_cast<std::size_t>(end - drawn.force.begin());
     for (auto* column : {&drawn.stage, &drawn.deflection, &drawn.force}) column->resize(held);
@@ -99,7 +99,7 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
     if (falls.number > 0) means.push_back(falls.mean);
   }
   const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
-  constexpr double beyond = 2;  // drops: 20 draws do not reach the ends of their distribution
+  constexpr double beyond = 2;  // drops outside the range of 20 samples
   return {CheckKind::drops,
           passed_if(record.number >= *low - beyond && record.number <= *high + beyond),
           {{"threshold", threshold, true},
@@ -113,7 +113,8 @@ Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropO
 
 Check check_whiteness(const FrictionFit& fit) {
   if (fit.innovations.empty()) return {CheckKind::whiteness, CheckOutcome::not_possible, {}};
-  // About their mean, which is above 0: a fibre rests where friction is high, and passes over where it is low.
+  // Subtract the mean, which is positive: the specimen sticks where friction is high and skips
+  // where it is low.
   auto r = fit.innovations;
   const double mean = mean_of(r);
   for (double& value : r) value -= mean;
@@ -127,7 +128,8 @@ Check check_whiteness(const FrictionFit& fit) {
     sum += correlation * correlation / static_cast<double>(n - lag);
   }
   const double statistic = static_cast<double>(n) * static_cast<double>(n + 2) * sum;
-  const double p_value = chi_squared_beyond(statistic, static_cast<double>(lags - 1));  // one is spent on ρ
+  const double p_value =
+      chi_squared_beyond(statistic, static_cast<double>(lags - 1));  // one degree of freedom is used by ρ
   return {CheckKind::whiteness,
           passed_if(p_value > min_p_of_noise),
           {{"ljung_box", statistic, false}, {"lags", static_cast<double>(lags), false}, {"p_value", p_value, false}}};
@@ -137,10 +139,10 @@ Check check_friction(const FrictionFit& fit) {
   return {CheckKind::friction, passed_if(!fit.mu0_is_bound), {{"mu0_high", fit.mu0.high, false}}};
 }
 
-double stiffness_errors(const Estimate& told, double stated) {
-  constexpr double least = 0.35;  // of what is stated: what tells nothing contradicts nothing
-  const double by_record = std::sqrt(std::max(stated * stated - told.standard_error * told.standard_error, 0.0));
-  return std::abs(elementary::log(told.value)) / std::max(by_record, least * stated);
+double stiffness_errors(const Estimate& fitted, double stated) {
+  constexpr double min_share = 0.35;  // of the stated error: an uninformative record contradicts nothing
+  const double by_record = std::sqrt(std::max(stated * stated - fitted.standard_error * fitted.standard_error, 0.0));
+  return std::abs(elementary::log(fitted.value)) / std::max(by_record, min_share * stated);
 }
 
 Check check_bending_stiffness(const FrictionFit& fit, double error) {

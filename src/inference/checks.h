@@ -1,4 +1,4 @@
-// What the program holds its own fit against. A fit that fails a check is still given, and says so.
+// Goodness-of-fit checks. A fit that fails a check is still returned, with the failure reported.
 #pragma once
 
 #include <string_view>
@@ -10,22 +10,21 @@
 namespace flexslip {
 
 enum class CheckKind {
-  residuals,  // the mean profile run forward gives the measured force back
-  drops,      // profiles that explain the record as well show about as many drops as it does
-  whiteness,  // what the readings add to those before them is noise
-  friction,   // the record tells friction from none
-  stiffness,  // the bending stiffness of the fit is that told beforehand
+  residuals,  // the simulated mean profile reproduces the measured force
+  drops,      // simulated posterior samples have about as many drops as the record
+  whiteness,  // the prediction errors of the readings are white noise
+  friction,   // friction can be distinguished from zero
+  stiffness,  // the fitted bending stiffness agrees with the stated one
 };
 
 std::string_view name_of(CheckKind kind);
 
 enum class CheckOutcome { passed, failed, not_possible };
 
-// What a check passes up to.
-inline constexpr double max_residual =
-    0.1;  // of the greatest force; empirical: the authors' sound tests reach 0.03, cracked ones 0.5
-inline constexpr double min_p_of_noise = 1e-4;     // a campaign of a hundred has one false alarm in a hundred
-inline constexpr double max_stiffness_errors = 2;  // of the difference, see stiffness_errors
+// Limits up to which a check passes.
+inline constexpr double max_residual = 0.1;     // [maximum force] the authors' sound tests reach 0.03, cracked ones 0.5
+inline constexpr double min_p_of_noise = 1e-4;  // one false alarm in a hundred campaigns of a hundred tests
+inline constexpr double max_stiffness_errors = 2;  // see stiffness_errors
 
 struct CheckNumber {
   std::string_view name;
@@ -36,46 +35,51 @@ struct CheckNumber {
 struct Check {
   CheckKind kind;
   CheckOutcome outcome;
-  std::vector<CheckNumber> numbers;  // those of a check that was not possible may be missing
+  std::vector<CheckNumber> numbers;  // may be incomplete if the check was not possible
 };
 
 // Domain:     the check has that number; std::invalid_argument otherwise.
 double number_of(const Check& check, std::string_view name);
 
-// Domain of all below: fit.status is ok, and the fit is that of the problem.
+// Domain of all functions below: fit.status is ok, and the fit belongs to the problem.
 
-// Does a fit leave residuals of max_residual of a record's greatest force, or more? So does one that leaves none that could be told.
+// True if the residuals reach max_residual of the maximum force, or cannot be calculated.
 bool misses_force(const FrictionFit& fit, const ReducedRecord& record);
 
 // Passes if the fit does not miss the force of the problem.
 // Numbers:    residual_rms, greatest_force.
 Check check_residuals(const FitProblem& problem, const FrictionFit& fit);
 
-// Each of fit.draws is run forward over the stage positions of the record at its own bending stiffness, with noise such as the fit
-// has found; drops are found as in the record. Those that fall by less than four standard deviations of the noise of a reading are
-// not counted, neither here nor there. Passes if the number of the record's lies within the range of the draws', or 2 beyond.
-// Numbers:    threshold; record, draws_low, draws_median, draws_high (numbers of drops); record_fall, draws_fall (mean falls).
+// Each of fit.draws is simulated at the stage positions of the record, at its own bending stiffness
+// and with the fitted noise; drops are detected as in the record. Drops below four standard
+// deviations of the noise are not counted. Passes if the number in the record lies within the range
+// of the samples, or at most 2 outside.
+// Numbers:    threshold; record, draws_low, draws_median, draws_high (numbers of drops);
+//             record_fall, draws_fall (mean falls).
 // Fails:      not possible without draws (a constant), or with a record too short for drops.
 Check check_drops(const FitProblem& problem, const FrictionFit& fit, const DropOptions& options = {});
 
-// Ljung and Box's test of the innovations about their mean: the sum of the squares of their correlations over up to 20 readings. Passes if noise alone
-// would give as much in one of ten thousand records.
+// Ljung and Box's test of the innovations: the sum of the squares of their correlations over up to
+// 20 readings. Passes unless noise alone would reach it in fewer than one of ten thousand records.
 // Numbers:    ljung_box, lags, p_value.
 // Fails:      not possible for a constant.
 Check check_whiteness(const FrictionFit& fit);
 
-// Fails if the interval of mu0 has no lower end above 0. Numbers: mu0_high.
+// Fails unless the lower limit of mu0 is above 0.
+// Numbers:    mu0_high.
 Check check_friction(const FrictionFit& fit);
 
-// By how many standard errors what the record says of the bending stiffness lies off what is stated of it, to a relative error: told to s in the end
-// and stated to p, a record that says m more says |ln m|/√(p² - s²). Never over less than 0.35 p: what tells nothing contradicts nothing.
-// Domain:     told over the nominal value; stated > 0.
-double stiffness_errors(const Estimate& told, double stated);
+// The difference between the fitted and the stated bending stiffness in standard errors: |ln
+// m|/√(p² - s²), with m their ratio and p and s the stated and fitted relative errors. The root is
+// at least 0.35 p, because an uninformative record contradicts nothing.
+// Domain:     fitted relative to the nominal value; stated > 0.
+double stiffness_errors(const Estimate& fitted, double stated);
 
-// Fails if the bending stiffness of the fit contradicts the nominal one by more than max_stiffness_errors.
+// Fails if the fitted bending stiffness differs from the nominal one by more than
+// max_stiffness_errors.
 // Domain:     its relative error >= 0.
 // Numbers:    fitted_over_nominal, errors (stiffness_errors).
-// Fails:      not possible for a constant, and for a stiffness that is exact.
+// Fails:      not possible for a constant friction, and for an exact stiffness.
 Check check_bending_stiffness(const FrictionFit& fit, double error);
 
 }  // namespace flexslip

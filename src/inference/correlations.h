@@ -1,4 +1,4 @@
-// How the errors of estimates go together.
+// Correlations between the errors of estimates.
 #pragma once
 
 #include <array>
@@ -9,13 +9,14 @@
 
 namespace flexslip {
 
-// Of bending stiffness, roughness and correlation length it is the correlation of their logarithms.
+// The correlation of two parameters; for bending stiffness, roughness and correlation length, of
+// their logarithms.
 struct Correlation {
   std::string_view of, with;  // as parameter_names
   double value;               // [1]
 };
 
-// What one explanation, or one draw of it, tells of all parameters at once. NaN: nothing of that one.
+// The values of all parameters in one explanation, or in one sample of it. NaN: undetermined.
 struct JointPart {
   enum Parameter : std::size_t {
     mu0,
@@ -30,14 +31,15 @@ struct JointPart {
   };
   static constexpr std::array<std::string_view, count> parameter_names{
       "mu0", "drift", "bending_stiffness", "roughness", "correlation_length", "amplitude", "wavelength", "phase"};
-  static constexpr std::size_t normal = 3;  // of the first so many it tells a covariance, too
+  static constexpr std::size_t normal = 3;  // the first parameters have a covariance
 
   double weight;
   std::array<double, count> value;  // [1], [1/L], ln of three, [1], [L], [rad]
   std::array<std::array<double, normal>, normal> covariance{};
 };
 
-// Over all parts, of each pair that varies, once. Of a parameter that some parts tell nothing of it counts in these as what it is on average.
+// The correlation of each pair of parameters that varies, over all parts. Where a parameter is NaN,
+// its mean is used.
 // Domain:     weights positive.
 std::vector<Correlation> correlations_of(std::span<const JointPart> parts);
 

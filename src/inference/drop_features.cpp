@@ -15,10 +15,10 @@ namespace flexslip {
 namespace {
 
 constexpr double usual_q = 0.5;
-constexpr double min_slope_friction = -0.5, max_slope_friction = 1.6;  // between which slopes of the map are taken
-constexpr double deepest = 0.515;                                      // [L] deeper, the specimen slips through
+constexpr double min_slope_friction = -0.5, max_slope_friction = 1.6;  // range of friction for slopes of the map
+constexpr double deepest = 0.515;                                      // [L] beyond, the specimen slips through
 
-// States of given deflections and frictions, with slopes: to w at fixed q, and to q at fixed w.
+// States for given deflections and frictions, with derivatives in w and q.
 struct States {
   std::vector<double> S, F, S_w, S_q, F_w, F_q;
 
@@ -37,7 +37,7 @@ States states_on_supports(std::span<const double> w, std::span<const double> q, 
   return states;
 }
 
-// By Newton's method in w², which is nearly straight in S.
+// Newton's method in w², which is nearly linear in S.
 States states_on_edges(std::span<const double> w, std::span<const double> q, const Fibre& fibre) {
   constexpr int iterations = 8;
   std::vector<double> S;
@@ -62,8 +62,8 @@ States states_at(std::span<const double> w, std::span<const double> q, const Fib
   return fibre.on_edges() ? states_on_edges(w, q, fibre) : states_on_supports(w, q, fibre);
 }
 
-// [EI/L^2] The change of the force with friction, as features are read by it. The surface of a bar slides outwards as it is hardly bent; there friction tells
-// nothing of the force, and what is read as friction has an error as large.
+// [EI/L^2] The derivative of the force in friction, with a lower limit. The surface of a bar slides
+// outwards at small deflections, where the force does not depend on friction.
 double sensitivity(double F_q, double F) {
   constexpr double least = 0.01;  // [1] of the force
   return std::max(F_q, least * std::abs(F));
@@ -73,11 +73,11 @@ double snap_length_of(const States& states, std::size_t i, double k) {
   return states.S_w[i] * states.F_q[i] / (k + states.F_w[i]) - states.S_q[i];
 }
 
-// The rows of a loading that features are taken from: from where friction shows, and while the map has states.
+// The rows of a loading with information on friction and with states of the map.
 class Rows {
  public:
   Rows(const ReducedRecord& record, const Rig& rig, const LoadingErrors& errors) {
-    constexpr double from = 0.12;  // [greatest deflection]
+    constexpr double from = 0.12;  // [maximum deflection]
     const double greatest = *std::max_element(record.deflection.begin(), record.deflection.end());
     first = static_cast<std::size_t>(std::find_if(record.deflection.begin(), record.deflection.end(),
                                                   [&](double at) { return at > from * greatest; }) -
@@ -92,7 +92,7 @@ class Rows {
     std::vector<double> pressed = F;
     for (double& each : pressed) each = std::max(each, 0.0);
     q = rig.fibre.tabulated_states_from_forces(w, pressed).q;
-    std::vector<double> held = q;  // where the map has slopes; beyond, friction is led on straight
+    std::vector<double> held = q;  // within the range of slopes; beyond, friction is extrapolated linearly
     for (std::size_t i = 0; i < w.size(); ++i) {
       if (std::isnan(held[i])) held[i] = usual_q + (F[i] - usual.F[i]) / sensitivity(usual.F_q[i], usual.F[i]);
       held[i] = std::clamp(held[i], min_slope_friction, max_slope_friction);
@@ -104,7 +104,7 @@ class Rows {
       if (held[i] != q[i]) q[i] = held[i] + (F[i] - states.F[i]) / F_q[i];
       c.push_back(snap_length_of(states, i, rig.stiffness));
       const bool is_read = std::isfinite(q[i]) && std::isfinite(S[i]) && F_q[i] > 0 && c[i] > 0;
-      if (!is_read) {  // as the row before, or nothing
+      if (!is_read) {  // the value of the previous row, or 0
         if (i == 0) {
           q[i] = 0, S[i] = 1, F_q[i] = F_w[i] = 1, c[i] = 1e-9;
         } else {
@@ -122,8 +122,8 @@ class Rows {
 
   std::size_t first = 0;  // in the record
   std::vector<double> w, F, q, S, c, F_q, F_w;
-  std::vector<double> y;                        // ln of the apparent stiffness: F over that at the usual friction
-  std::vector<double> q_noise, q_by_stiffness;  // errors of q by noise and by EI
+  std::vector<double> y;                        // ln of the apparent stiffness: F / force at the median friction
+  std::vector<double> q_noise, q_by_stiffness;  // errors of q due to noise and EI
 };
 
 double median_between(const std::vector<double>& values, std::size_t first, std::size_t last) {
@@ -131,20 +131,20 @@ double median_between(const std::vector<double>& values, std::size_t first, std:
       {values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(last)});
 }
 
-// A drop by its rows, and the rise after it.
+// A drop and the rise after it.
 struct Tooth {
-  std::size_t before, after;    // the rows about the drop
+  std::size_t before, after;    // the rows around the drop
   std::size_t last;             // of the rise
   double q_before, fall;        // of friction
   double y_fall;                // of the apparent stiffness
-  bool rises = false;           // there is a rise that is judged
-  double rise = 0, length = 0;  // of friction; [L] that slides
-  double snap = 0;              // [L] by unit of friction, in the rise
+  bool rises = false;           // the rise is long enough
+  double rise = 0, length = 0;  // of friction; [L] sliding length
+  double snap = 0;              // [L] per unit of friction, in the rise
 };
 
 std::vector<Tooth> teeth_of(const Rows& rows, std::span<const Drop> drops, double greatest_force) {
   constexpr double shows_from = 0.15, least_w = 0.006,
-                   least_fall = 0.002;  // [greatest deflection], [L], [greatest force]
+                   least_fall = 0.002;  // [maximum deflection], [L], [greatest force]
   const double greatest = *std::max_element(rows.w.begin(), rows.w.end());
   std::vector<Tooth> teeth;
   for (const Drop& drop : drops) {
@@ -176,7 +176,7 @@ std::vector<Tooth> teeth_of(const Rows& rows, std::span<const Drop> drops, doubl
   return teeth;
 }
 
-// [1] Of friction by length, before the first drop.
+// The slope of friction along the length before the first drop.
 double trend_before(const Rows& rows, std::size_t first_drop) {
   constexpr std::size_t enough = 8;
   if (first_drop <= enough) return 0;
@@ -185,7 +185,8 @@ double trend_before(const Rows& rows, std::size_t first_drop) {
       .slope;
 }
 
-// [1] Of the fall of a tooth, what is back after so many lengths of its snap, less the trend.
+// [1] The share of the drop of friction that recovers within `lengths` snap lengths, minus the
+// trend.
 double recovery(const Rows& rows, const Tooth& tooth, double lengths, double trend) {
   const double target = rows.S[tooth.after] + lengths * tooth.snap * tooth.fall;
   std::size_t i = tooth.after + 1;
@@ -204,7 +205,7 @@ void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth
     const double weight = tooth.fall / (tooth.fall + 2 * rows.q_noise[tooth.after]);
     const double steepness =
         tooth.snap * tooth.rise / std::max(tooth.snap * std::abs(tooth.rise) + tooth.length, 1e-12);
-    features.greatest_steepness = weights == 0 ? steepness : std::max(features.greatest_steepness, steepness);
+    features.max_steepness = weights == 0 ? steepness : std::max(features.max_steepness, steepness);
     weights += weight;
     features.recovery_near += weight * recovery(rows, tooth, near, trend);
     features.recovery_far += weight * recovery(rows, tooth, far, trend);
@@ -214,7 +215,7 @@ void add_rises(DropFeatures& features, const Rows& rows, const std::vector<Tooth
   features.stiffness_recovery = rises / falls;
 }
 
-// The friction that would have acted at the end if the drops were cracks only.
+// The friction at the end if the drops are cracks only.
 void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth) {
   constexpr double broken = 0.02;  // [1] of the stiffness
   double left = 1;
@@ -231,7 +232,8 @@ void add_needed(DropFeatures& features, const Rows& rows, const std::vector<Toot
   features.loss_recovered = features.loss_needed * std::clamp(features.recovery_far, 0.0, 1.0);
 }
 
-// y = a + b (S - S_first)/slid - β Σ falls of y, at both ends of each rise; b ~ N(0, (.15 F_q/F)^2), β ~ N(.5, .7^2).
+// y = a + b (S - S_first)/slid - β Σ falls of y, at both ends of each rise; b ~ N(0, (.15
+// F_q/F)^2), β ~ N(.5, .7^2).
 void add_following(DropFeatures& features, const Rows& rows, const std::vector<Tooth>& teeth, double relative_noise) {
   constexpr double of_trend = 0.15, middle = 0.5, spread = 0.7;
   std::vector<Eigen::Vector3d> inputs;
@@ -277,10 +279,11 @@ void add_following(DropFeatures& features, const Rows& rows, const std::vector<T
   features.follows_drops_error = std::sqrt(Positive(precision()).solved(Eigen::Vector3d(0, 0, 1))[2]);
 }
 
-// Of friction about a parabola along each long rise, over the usual fall; what is usual where there is none.
+// The roughness of friction about a parabola along each long rise, relative to the median drop; a
+// default without long rises.
 double roughness_of(const Rows& rows, const std::vector<Tooth>& teeth, double usual_fall) {
   constexpr std::size_t long_enough = 12;
-  constexpr double usual = 0.3, of_medians = 0.35;  // the variance that medians of five leave of noise
+  constexpr double usual = 0.3, of_medians = 0.35;  // the variance of noise after medians of five
   std::vector<double> squares;
   for (std::size_t j = 0; j <= teeth.size(); ++j) {
     const std::size_t a = j == 0 ? 0 : teeth[j - 1].after, b = j < teeth.size() ? teeth[j].before : rows.size() - 1;
@@ -308,7 +311,7 @@ double roughness_of(const Rows& rows, const std::vector<Tooth>& teeth, double us
   return squares.empty() ? usual : std::sqrt(mean_of(squares)) / usual_fall;
 }
 
-// Errors that no friction is read to.
+// Minimum errors.
 constexpr double of_friction = 0.05, of_deflection = 0.003;  // [1], [L]
 
 void add_anywhere(DropFeatures& features, const Rows& rows, std::span<const std::size_t> halts) {
@@ -355,7 +358,7 @@ DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const Lo
     const double error =
         elementary::length(elementary::length(rows.q_by_stiffness[a], 2 * rows.q_noise[a]), of_friction);
     features.least_after_drop = std::min(features.least_after_drop, (tooth.q_before - tooth.fall) / error);
-    features.drawn_in += rows.c[tooth.before] * tooth.fall / rows.slid();
+    features.slid_in += rows.c[tooth.before] * tooth.fall / rows.slid();
   }
   return features;
 }

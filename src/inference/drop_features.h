@@ -1,8 +1,10 @@
-// What the rows of one loading show of the cause of its drops: slips over the supports, cracks, or both.
+// Features of the rows of one loading that depend on the cause of its drops: slips, cracks, or
+// both.
 //
-// A slip is a snap: it draws in a length, and friction must fall within it. On a stiff load train that length is very short. All lengths are therefore
-// measured in units of the length that a snap draws in, which makes the features alike on every rig and at every depth (theory.md, "Slip or crack").
-// Reduced variables of the nominal bending stiffness.
+// In a slip, a length slides in, and friction decreases within this length. On a stiff load train
+// the length is very short. All lengths are measured in units of the length that slides in during a
+// snap, so that the features are alike on every rig and at every depth (theory.md, "Slip or
+// crack"). Reduced variables of the nominal bending stiffness.
 #pragma once
 
 #include <cstddef>
@@ -14,40 +16,42 @@
 
 namespace flexslip {
 
-// [L] The length drawn in by a snap, for each unit of friction lost in it: -dS/dq along the line of the load train.
-// Domain:     a state at the deflection w [L] with the mobilised friction q, before it is bent through the supports; k [EI/L^3] > 0, may be infinite.
-//             NaN where there is no state.
-// Source:     theory.md, "Slip or crack": c = S_w F_q/(k + F_w) - S_q, with the slopes of S(w, q) and F(w, q).
+// [L] The length that slides in during a snap, per unit of friction lost: -dS/dq along the line of
+// the load train.
+// Domain:     a state at the deflection w [L] with the mobilised friction q, before it is pushed
+//             through the supports; k [EI/L^3] > 0, may be infinite. NaN without a state.
+// Source:     theory.md, "Slip or crack": c = S_w F_q/(k + F_w) - S_q, with the slopes of S(w, q)
+//             and F(w, q).
 double snap_length(const Fibre& fibre, double w, double q, double k);
 
-// What is known of a loading besides its rows and drops.
+// The errors of a loading, and its rests.
 struct LoadingErrors {
-  double force;              // [EI/L^2] noise of one reading
-  double bending_stiffness;  // [1] of EI
-  std::span<const std::size_t>
-      halts{};  // points after which the stage halted, rising: what the force did meanwhile is relaxation
+  double force;                          // [EI/L^2] noise of one reading
+  double bending_stiffness;              // [1] of EI
+  std::span<const std::size_t> halts{};  // points after which the stage stopped, in order; the force relaxes there
 };
 
-// Friction is meant as it is read at the nominal bending stiffness.
+// Features of the friction inverted at the nominal bending stiffness.
 struct DropFeatures {
-  std::size_t drops = 0;  // those that are judged; 0: only least_anywhere and fall_anywhere are valid
+  std::size_t drops = 0;  // judged drops; if 0, only least_anywhere and fall_anywhere are valid
 
-  // How far the apparent stiffness follows the drops, 0 for slips and 1 for cracks.
+  // [1] The apparent loss of stiffness relative to that required by the drops as cracks: 0 for
+  // slips, 1 for cracks.
   double follows_drops = 0, follows_drops_error = 0;
-  // Of the rise that is most like sticking: 0 for sliding at a constant friction, 1 for sticking.
-  double greatest_steepness = 0;
-  // Of a drop, the part of friction that is back after three and twelve lengths of its snap.
+  // [1] Of the steepest rise: 0 for sliding at constant friction, 1 for sticking.
+  double max_steepness = 0;
+  // [1] The share of the friction lost in a drop that recovers within 3 and 12 snap lengths.
   double recovery_near = 0, recovery_far = 0;
-  double stiffness_recovery = 0;  // the sum of the rises of friction over that of its falls
-  double least_after_drop = 0;    // [errors] the least friction after a drop
-  double needed_at_end = 0;       // friction at the end of the loading, if the drops were cracks only
-  double roughness = 0;           // of friction within the rises, over the usual drop
-  double drawn_in = 0;            // the length of all snaps over the length that slid
-  double loss_needed = 0;         // of the stiffness, by the drops, if they were cracks only
-  double loss_recovered = 0;      // of it, what is back after twelve lengths of the snaps
+  double stiffness_recovery = 0;  // sum of the rises of friction / sum of its falls
+  double least_after_drop = 0;    // [errors] the lowest friction after a drop
+  double needed_at_end = 0;       // friction at the end of the loading if the drops are cracks only
+  double roughness = 0;           // of friction within the rises / a typical drop
+  double slid_in = 0;             // length of all snaps / sliding length
+  double loss_needed = 0;         // of the stiffness, if the drops are cracks only
+  double loss_recovered = 0;      // the part of loss_needed that recovers within 12 snap lengths
 
-  // Of all rows, in drops or not: the least friction [errors], and the farthest that friction fell
-  // below what it was before, while the stage moved.
+  // Over all rows: the lowest friction [errors], and the largest decrease of friction while the
+  // stage moved.
   double least_anywhere = 0, fall_anywhere = 0;
 };
 
@@ -57,7 +61,7 @@ struct DropFeatures {
 DropFeatures drop_features(const ReducedRecord& record, const Rig& rig, const LoadingErrors& errors,
                            std::span<const Drop> drops);
 
-// Did the specimen lose force or stiffness, in a drop or not, that no friction explains?
+// True if the specimen lost force or stiffness that no friction explains, in a drop or not.
 bool is_loss_without_friction(const DropFeatures& features);
 
 }  // namespace flexslip

@@ -28,7 +28,7 @@ constexpr double min_mu = -0.5, max_mu = 1.8;
 constexpr double min_q = -1.5, max_q = 2.2;
 constexpr double max_w = 0.8;
 
-// Readings at the end of a run of falls show where the fibre came to rest; those before it, what the loop of a recorder caught.
+// Of a run of decreasing readings only the last shows where the specimen stopped.
 std::vector<char> within_drops(std::span<const double> force, double noise) {
   std::vector<char> within(force.size(), 0);
   for (std::size_t i = 1; i + 1 < force.size(); ++i)
@@ -36,7 +36,7 @@ std::vector<char> within_drops(std::span<const double> force, double noise) {
   return within;
 }
 
-// The slopes of the inverse of Ψ at states.
+// The derivatives of the inverse of Ψ at states.
 struct InverseSlopes {
   std::vector<double> F, S_w, S_F, q_w, q_F;
 };
@@ -47,7 +47,8 @@ InverseSlopes inverse_slopes(const SlopeArrays& s) {
                        std::vector<double>(n)};
   for (std::size_t i = 0; i < n; ++i) {
     const double jacobian = s.w_S[i] * s.F_q[i] - s.w_q[i] * s.F_S[i];
-    // Positive for S < 1.6. Far beyond, and where the branch ends, deflection and force no longer tell S and q: slopes of 0 say so.
+    // Positive for S < 1.6. Beyond and at the end of the branch, deflection and force do not
+    // determine S and q; the slopes are set to 0.
     if (!(jacobian > 1e-9)) {
       slopes.F[i] = 0;
       continue;
@@ -60,7 +61,8 @@ InverseSlopes inverse_slopes(const SlopeArrays& s) {
   return slopes;
 }
 
-// [1/L] The rms of dμ/dS as read, between readings whose places noise does not confuse. An error of the place is one of friction by as much.
+// [1/L] The rms of dμ/dS between readings with distinct places, which turns an error of the place
+// into one of friction.
 double steepness_of(const Passages& passages, const Eigen::VectorXd& noise_place) {
   double squares = 0;
   int count = 0;
@@ -76,8 +78,8 @@ double steepness_of(const Passages& passages, const Eigen::VectorXd& noise_place
   return count > 0 ? std::sqrt(squares / count) : 0;
 }
 
-// What a bending stiffness and a rig that are off do to the readings; of the rig combined so that the first tells most, by friction or by place, without
-// what no noise would let show.
+// The effects of errors of EI and the rig on the readings. Errors of the rig are combined in order
+// of their signal in friction or place; combinations below the noise are left out.
 void add_errors(Passages& passages, const FitProblem& problem, double from) {
   const int points = static_cast<int>(passages.options.rig_places);
   const double friction = std::clamp(median_of(passages.q), 0.0, 1.5);
@@ -90,14 +92,14 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
     S.push_back(point.S);
     F.push_back(point.F);
   }
-  if (w.size() < 2) {  // what they show is no sliding: no such friction lets the specimen be bent so far
+  if (w.size() < 2) {  // no sliding: with this friction the specimen does not bend so far
     passages.row.clear();
     return;
   }
   const auto slopes =
       inverse_slopes(passages.fibre.states_slopes_before_branch_end({S, std::vector<double>(S.size(), friction)}));
 
-  // Along that curve, a column each: the quantities, ln EI first, then the deviations.
+  // One column each along the curve: the quantities, ln EI first, then the slow deviations.
   using Eigen::Index;
   using Eigen::MatrixXd;
   using Eigen::VectorXd;
@@ -121,7 +123,8 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
       of_place(row, column) = slopes.S_w[k] * shift.deflection + slopes.S_F[k] * shift.force + shift.length;
     }
   }
-  // By the stage, which has no noise: with that of the deflection read, noise itself would pass for an error of the rig.
+  // Evaluated by the stage, which has no noise. With the measured deflection, noise would look like
+  // an error of the rig.
   const auto at_readings = [&](const MatrixXd& along) {
     MatrixXd at(static_cast<Index>(passages.size()), along.cols());
     for (std::size_t i = 0; i < passages.size(); ++i) {
@@ -150,7 +153,7 @@ void add_errors(Passages& passages, const FitProblem& problem, double from) {
   }
   const auto [values, vectors] = eigen_of(product(MatrixXd(over_noise.transpose()), over_noise));
   const auto at_most =
-      std::min(static_cast<Index>(passages.options.max_rig_errors), static_cast<Index>(most_rig_errors));
+      std::min(static_cast<Index>(passages.options.max_rig_errors), static_cast<Index>(rig_error_capacity));
   const Index count = values.size();
   Index kept = 0;
   while (kept < std::min(count, at_most) && values[count - 1 - kept] > passages.options.min_rig_signal) ++kept;
@@ -189,7 +192,7 @@ double deflection_judged_from(const ReducedRecord& record, const Fibre& fibre) {
 }  // namespace
 
 double min_fit_deflection(double greatest_deflection, const Fibre& fibre) {
-  constexpr double usually = 0.08;  // below, 1 % in EI is 0.06 in μ
+  constexpr double usually = 0.08;  // at smaller deflections, 1 % in EI is more than 0.06 in μ
   return std::max(std::min(usually, 0.5 * greatest_deflection), min_informative_deflection(fibre));
 }
 
@@ -199,7 +202,7 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
   std::vector<std::size_t> rows;
   double stage = -infinity;
   for (std::size_t i = 0; i < record.force.size(); ++i) {
-    constexpr double min_step = 1e-6;  // [L] a stage that stands or trembles passes no new place
+    constexpr double min_step = 1e-6;  // [L] a stage at rest passes no new place
     if (!(record.deflection[i] > from && record.deflection[i] < max_w && record.force[i] > 0) || within[i] ||
         !(record.stage[i] > stage + min_step))
       continue;
@@ -211,7 +214,7 @@ std::vector<std::size_t> readings_judged(const ReducedRecord& record, const Fibr
 
 namespace {
 
-// Takes out the readings at which the fibre sticks after a snap.
+// Removes the readings at which the specimen sticks after a snap.
 void take_out(const std::vector<StuckReadings>& stuck, std::span<const double> S_force, Passages& p) {
   std::vector<std::size_t> slides;
   std::size_t next = 0;
@@ -225,7 +228,7 @@ void take_out(const std::vector<StuckReadings>& stuck, std::span<const double> S
       rest.S.push_back(p.S[next]);
       rest.S_force.push_back(S_force[next]);
     }
-    if (!p.stuck.empty() && p.stuck.back().reading == slides.size()) p.stuck.pop_back();  // it snapped on
+    if (!p.stuck.empty() && p.stuck.back().reading == slides.size()) p.stuck.pop_back();  // it snapped again
     if (!slides.empty())
       p.stuck.push_back({.reading = slides.size(), .S = S, .landing = p.stage[first], .last = p.stage[beyond - 1]});
   }
@@ -298,7 +301,7 @@ double log_density_of_rests(const Passages& passages, double noise, double corre
   };
   double sum = 0;
   for (const Rest& rest : passages.rests) {
-    double vv = 0, uv = 0, uu = 0;  // of lengths and ones, whitened
+    double vv = 0, uv = 0, uu = 0;  // products of whitened lengths and ones
     elementary::LogProduct scales;
     for (std::size_t k = 0; k < rest.S.size(); ++k) {
       const double deviation = deviation_at(rest, k);
@@ -312,7 +315,7 @@ double log_density_of_rests(const Passages& passages, double noise, double corre
       uv += u * v;
       uu += u * u;
       scales.multiply(std::sqrt(2 * std::numbers::pi) * deviation * (k > 0 ? innovation : 1) /
-                      std::max(std::abs(rest.S_force[k]), 1e-9));  // of a force
+                      std::max(std::abs(rest.S_force[k]), 1e-9));  // per force
     }
     sum += -scales.value() - 0.5 * (uu - uv * uv / vv) +
            elementary::log(std::sqrt(2 * std::numbers::pi / vv) / (2 * rest.jump));
@@ -322,21 +325,22 @@ double log_density_of_rests(const Passages& passages, double noise, double corre
 
 namespace {
 
-// Friction levels (friction_at_stage), and the states there.
+// The frictions of friction_at_stage, and their states.
 struct Levels {
   std::vector<double> mu;
   SlopeArrays states;
 };
 
-// From frictions `mu` that are near, between two bounds; compliance: [L^3] over the EI fitted.
+// Solves from approximate frictions `mu` between two bounds; compliance in [L^3/EI] with the fitted
+// EI.
 Levels levels_between(double least, double most, std::span<const double> S, std::span<const double> stage,
                       std::vector<double> mu, const Fibre& fibre, double compliance) {
   SlopeArrays states(S.size());
   const auto columns = states.columns();
-  std::vector<std::size_t> moving(S.size());  // the readings whose friction is not found yet
+  std::vector<std::size_t> moving(S.size());  // readings that have not converged
   std::iota(moving.begin(), moving.end(), 0);
-  std::vector<Bracket> ends(
-      S.size(), {-infinity, infinity});  // where the branch ends: the friction that has no state, and that has one
+  std::vector<Bracket> ends(S.size(),
+                            {-infinity, infinity});  // at the end of the branch: frictions without and with a state
   constexpr int iterations = 12;
   for (int iteration = 0; iteration < iterations && !moving.empty(); ++iteration) {
     std::vector<double> S_here, mu_here;
@@ -362,7 +366,8 @@ Levels levels_between(double least, double most, std::span<const double> S, std:
       next = std::clamp(next, least, most);
       const double move = next - mu[i];
       mu[i] = next;
-      constexpr double negligible = 1e-6;  // of μ, beside bounds as soft as 0.003: the step after is its square
+      constexpr double negligible =
+          1e-6;  // of μ, compared with the softness of bounds, 0.003; convergence is quadratic
       if (std::abs(move) >= negligible)
         moving[left++] = i;
       else if (exists)
@@ -375,7 +380,7 @@ Levels levels_between(double least, double most, std::span<const double> S, std:
   return {std::move(mu), std::move(states)};
 }
 
-// Where μ is when lengths, stage positions and EI have moved on from those at which it was found.
+// μ extrapolated to other lengths, stage positions and EI.
 std::vector<double> levels_ahead(const Linearisation& at, double compliance) {
   std::vector<double> mu = at.mu;
   for (std::size_t i = 0; i < at.found.size(); ++i) {
@@ -403,14 +408,15 @@ void complete(Linearisation& at, const Passages& passages) {
       at.stage[i] += at.rig[r] * (shift.deflection + passages.compliance * shift.force);
       at.force[i] += at.rig[r] * shift.force;
     }
-  // A fitted state lies within what was seen, or little beyond.
+  // Fitted states lie within the observed lengths, or slightly outside.
   const auto [least, greatest] = std::minmax_element(passages.S.begin(), passages.S.end());
   const auto& options = passages.options;
   const double beyond = options.beyond_seen * (*greatest - *least);
   const double low = std::max(*least - beyond, min_S), high = std::min(*greatest + beyond, max_S);
   for (double& S : at.S) S = std::clamp(S, low, high);
   at.S = non_falling(at.S);
-  // The friction at which the fibre passes here, by the stage alone; what the force says beside it is how far it errs.
+  // The friction at which the specimen passes this length, from the stage alone. The measured force
+  // then gives the residual.
   const double compliance = passages.compliance * elementary::exp(at.eta);
   auto [mu, states] =
       levels_between(min_mu, max_mu, at.S, at.stage, levels_ahead(at, compliance), passages.fibre, compliance);
@@ -459,7 +465,7 @@ Linearisation rises_of(const Passages& passages) {
   if (!options.parts.rises) return at;
 
   const double noise = std::max(noise_of_second_differences(second_differences(passages.force)), options.rises_noise);
-  // Sums from the beginning: of the weights, and of their moments with the stage x and the length y.
+  // Cumulative sums of the weights and of their moments with the stage x and the length y.
   struct Sums {
     double w = 0, x = 0, xx = 0, y = 0, xy = 0, yy = 0;
   };
@@ -530,8 +536,8 @@ std::vector<SkippedPoint> skipped_segments(const Passages& passages, const Linea
     const double jump = (rest ? landing_of(*rest, S) : S[i]) - S[i - 1];
     const double blur = std::abs(at.S_force[std::min(i, S.size() - 1)]) * noise;
     if (!rest && !(jump > options.gap_advances * passages.advance[i] + options.gap_noise * blur)) continue;
-    const double spacing = 0.5 * passages.range / passages.share /
-                           options.gap_spacing;  // [L] in S: a few nodes tell what a jump passed over
+    const double spacing =
+        0.5 * passages.range / passages.share / options.gap_spacing;  // [L] in S, for a few nodes per jump
     const auto count = static_cast<std::size_t>(std::clamp(std::ceil(jump / spacing), options.min_gap_places,
                                                            std::max(options.min_gap_places, options.max_gap_places)));
     for (std::size_t node = 1; node <= count; ++node) {

@@ -102,17 +102,18 @@ ConstantFriction estimate_at(const ReducedRecord& record, double stiffening, con
   VectorXd slope;
   VectorXd residuals;
   for (int iteration = 0; iteration < 20; ++iteration) {
-    constexpr double h = 1e-4;  // F is smooth in μ on a scale of 1
+    constexpr double h = 1e-4;  // F varies with μ on a scale of 1
     const VectorXd force = force_at(mu);
     slope = (force_at(mu + h) - force) / h;
     residuals = data - force;
-    if (!(slope.squaredNorm() > 0)) break;  // at the greatest friction: no curve of sliding is as high
+    if (!(slope.squaredNorm() > 0)) break;  // the maximum friction: no sliding curve is as high
     const double next = std::clamp(mu + slope.dot(residuals) / slope.squaredNorm(), 0.0, max_friction);
     const bool done = std::abs(next - mu) < 1e-8;
     mu = next;
     if (done) break;
   }
-  // Sandwich with the autocovariance of the scores, tapered (Newey & West) over a tenth of the record.
+  // Sandwich with the autocovariance of the scores, tapered (Newey & West) over a tenth of the
+  // record.
   const VectorXd scores = slope.cwiseProduct(residuals);
   const Index reach = std::max<Index>(n / 10, 1);
   double variance = scores.squaredNorm();
@@ -144,12 +145,12 @@ Estimate estimate_of(const NormalMixture& mixture) {
   return {quantile_of(mixture, 0.5), deviation_of(mixture), quantile_of(mixture, 0.025), quantile_of(mixture, 0.975)};
 }
 
-// Of a number whose logarithm is known.
+// The estimate of a number from its logarithm.
 Estimate estimate_of_exponential(const NormalMixture& mixture) { return exponential(estimate_of(mixture)); }
 
 Estimate none() { return {0, 0, 0, 0}; }
 
-// Of weighted draws.
+// The estimate from weighted samples.
 Estimate estimate_of(std::vector<WeightedDraw> draws) {
   std::stable_sort(draws.begin(), draws.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
   double total = 0, sum = 0, squares = 0;
@@ -170,7 +171,7 @@ Estimate estimate_of(std::vector<WeightedDraw> draws) {
   return {quantile(0.5), std::sqrt(squares / total), quantile(0.025), quantile(0.975)};
 }
 
-// What a soft rig hides of the mean is an error of its own, as what turns a drift round is a sign.
+// The part of the mean hidden by a soft rig is an additional error.
 std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_by_rig, bool rolls_back) {
   for (JointPart& part : parts) {
     part.covariance[JointPart::mu0][JointPart::mu0] += hidden_by_rig * hidden_by_rig;
@@ -182,7 +183,7 @@ std::vector<JointPart> as_estimated(std::vector<JointPart> parts, double hidden_
   return parts;
 }
 
-// place: [L] of the middle of the fibre seen, from the straight fibre's midspan on.
+// place: [L] the middle of the observed length, from midspan of the straight specimen.
 WaveEstimate wave_of(const std::vector<WaveDraw>& draws, double place, double log_wavelength, double hidden_by_rig,
                      bool rolls_back) {
   std::vector<WeightedDraw> amplitude, wavelength, phase, at_middle;
@@ -221,7 +222,8 @@ Hypotheses asked_by(ProfileModel model) {
   return asked;
 }
 
-// The force at stage positions, each beyond the last, under friction with which snaps overshoot; NaN from where the fibre slips through.
+// The force at increasing stage positions with overshooting snaps; NaN after the specimen slips
+// through.
 std::vector<double> forces_overshooting(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {
   std::vector<double> rising;
   for (const double stage : stages) rising.push_back(std::max(stage, rising.empty() ? 0 : rising.back()));
@@ -231,7 +233,7 @@ std::vector<double> forces_overshooting(const FrictionTable& friction, const Rig
   return forces;
 }
 
-// The force at stage positions that the mean profile lets this rig read.
+// The force at stage positions, simulated with the mean profile on this rig.
 std::vector<double> run_forward(const FrictionFit& fit, const Rig& rig, std::span<const double> stages) {
   const double stiffening = fit.bending_stiffness.value;
   std::vector<double> corrected;
@@ -258,7 +260,7 @@ RigCorrection correction_of(const std::vector<double>& rig, const Passages& pass
   return {passages.stage, std::move(shift), passages.compliance};
 }
 
-// One friction for the whole fibre, by least squares in the force: what a handbook would compare.
+// One friction for the whole specimen, by least squares in the force.
 FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, const Passages& passages) {
   const ConstantFit constant = fit_constant(problem);
   FrictionFit fit{};
@@ -293,7 +295,7 @@ FrictionFit constant_fit_of(const FitProblem& whole, const FitProblem& problem, 
 MeanFriction mean_friction(const NormalMixture& mixture) {
   const double negative = probability_below(mixture, 0);
   if (negative < 0.025) return {estimate_of(mixture), false};
-  // Given that it is not negative: the median, the deviation about it, and one-sided 95 %.
+  // For a non-negative mean: the median, the deviation about it, and the one-sided 95 % limit.
   const auto quantile = [&](double probability) {
     return std::max(quantile_of(mixture, negative + probability * (1 - negative)), 0.0);
   };
@@ -317,18 +319,18 @@ double weight_without_roughness(const FrictionFit& fit) {
   return fit.model == ProfileModel::roughness ? weight : 0;
 }
 
-bool tells_lengths(const FrictionFit& fit) {
+bool determines_lengths(const FrictionFit& fit) {
   return (fit.wave_claimed && !fit.waves.empty()) ||
          (fit.model == ProfileModel::roughness && !(weight_without_roughness(fit) > 0.5));
 }
 
 namespace {
 
-// What explains the readings of a record, where anything does.
+// The explanation of the readings of a record, if there is one.
 struct Explained {
   std::shared_ptr<const FrictionProcess> process;
   ProcessSearch found;
-  double log_evidence = -infinity;  // of all forces read: of passages, and of rests
+  double log_evidence = -infinity;  // of all measured forces, while sliding and sticking
 };
 
 Explained explained_by(const Passages& passages, const Hypotheses& asked) {
@@ -355,11 +357,12 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     fit.status = FrictionFitStatus::too_few_points;
     return fit;
   }
-  // Friction gives every reading of the authors' tests and of cracked ones, three in five of noise.
+  // Friction explains every reading of the authors' tests and of cracked ones, and three in five of
+  // pure noise.
   const bool mostly_given = 3 * read.size() >= 2 * read.judged;
-  // On a rig so soft nothing bends that a history could follow, whatever deflections the record says.
-  constexpr double hardly_bends = 1e-5;  // [L]
-  const bool bends = beam_deflection(problem.record.stage.back(), problem.rig.stiffness) > hardly_bends;
+  // On a very soft rig the specimen does not bend enough to be simulated.
+  constexpr double min_bending = 1e-5;  // [L]
+  const bool bends = beam_deflection(problem.record.stage.back(), problem.rig.stiffness) > min_bending;
   if (read.size() < min_readings || !mostly_given || !bends) {
     fit.status = FrictionFitStatus::not_explained;
     return fit;
@@ -375,7 +378,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     Explained other = explained_by(passages_of(overshooting, options.search), asked);
     if (other.log_evidence > explained.log_evidence + claiming_gain) explained = std::move(other);
   }
-  if (!explained.process || !has_slid(explained.found.components.front().mode.at)) {  // whatever is read is no sliding
+  if (!explained.process || !has_slid(explained.found.components.front().mode.at)) {  // no sliding
     fit.status = FrictionFitStatus::not_explained;
     return fit;
   }
@@ -398,8 +401,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   const auto mean = mean_friction(of_mean);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;
-  const bool rolls_back =
-      fit.along.contact_moves_outward_at(passages.S_middle);  // so that it passes the contacts the other way
+  const bool rolls_back = fit.along.contact_moves_outward_at(passages.S_middle);  // the contacts move outwards
   fit.drift = estimate_of(posterior.drift);
   if (rolls_back) fit.drift = {-fit.drift.value, fit.drift.standard_error, -fit.drift.high, -fit.drift.low};
   const bool rough = options.model == ProfileModel::roughness;
@@ -409,7 +411,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
   fit.friction_by = posterior.friction_by;
   fit.log_stiffness_by = posterior.log_stiffness_by;
   fit.noise = estimate_of_exponential(posterior.log_noise);
-  const auto rows = static_cast<double>(thinning_of(usable.record.force.size()));  // from one fitted to the next
+  const auto rows = static_cast<double>(thinning_of(usable.record.force.size()));  // between fitted rows
   fit.noise_correlation = elementary::exp(elementary::log(posterior.noise_correlation) / rows);
   for (auto wave : posterior.waves) {
     if (rolls_back)
@@ -417,7 +419,7 @@ FrictionFit fit_friction(const FitProblem& whole, const FitOptions& options) {
     fit.waves.push_back(
         wave_of(wave.draws, passages.share * fit.S_middle, wave.log_wavelength, fit.hidden_by_rig, rolls_back));
   }
-  // What is longer may be a trend.
+  // A longer wave may be a trend.
   const auto repeats = [&](const WaveEstimate& wave) { return wave.wavelength.value < passages.range / 4; };
   std::stable_sort(fit.waves.begin(), fit.waves.end(), [&](const WaveEstimate& a, const WaveEstimate& b) {
     return repeats(a) == repeats(b) ? a.amplitude.value > b.amplitude.value : repeats(a);

@@ -9,7 +9,7 @@
 namespace flexslip {
 namespace {
 
-// Along all that is seen, by a third of its mean or more, and surely.
+// True if friction certainly decreases along the observed length, by a third of its mean or more.
 bool friction_falls(const FrictionFit& fit) {
   constexpr double much = 1.0 / 3;
   const double passed = fit.between_contacts(fit.S_end) - fit.between_contacts(fit.S_begin);
@@ -17,7 +17,7 @@ bool friction_falls(const FrictionFit& fit) {
   return surely && -fit.drift.value * passed > much * fit.mu0.value;
 }
 
-// [1] Of a reload, besides its own errors: passes of sound specimens differ by as much.
+// [1] Additional error of a reload: passes of sound specimens differ by this much.
 constexpr double usual_difference = 0.02;
 
 bool are_fitted(const std::optional<PassesFit>& passes) { return passes && passes->status == PassesStatus::ok; }
@@ -47,7 +47,7 @@ Conclusion conclusion_by_reload(const TestAnalysis& analysis, const Causes& caus
 
 Conclusion conclusion_by_one_loading(const TestAnalysis& analysis, const Causes& causes) {
   constexpr double crests =
-      0.9;  // [1] cracks only would need less friction than that to the end: then slips are not told from them
+      0.9;  // [1] below this friction required by cracks only, slips and cracks cannot be distinguished
   const DropFeatures& features = analysis.drop_features;
   if (loses_at_all(causes, false) || is_loss_without_friction(features)) return Conclusion::cracks;
   const bool has_slipped = slips_at_all(causes) && features.needed_at_end > crests;
@@ -97,9 +97,9 @@ bool is_gained(const PassesFit& passes) {
 }
 
 bool is_settled(const PassesFit& passes) {
-  constexpr double errors = 3, least = 0.0005, errors_of_loss = 2;  // [1], [L], [1]
+  constexpr double errors = 3, noticeable = 0.0005, errors_of_loss = 2;  // [1], [L], [1]
   const Estimate& settled = passes.settled;
-  return passes.is_reloaded && settled.value > errors * elementary::length(settled.standard_error, least) &&
+  return passes.is_reloaded && settled.value > errors * elementary::length(settled.standard_error, noticeable) &&
          log_loss_of(passes) < errors_of_loss * log_loss_error(passes);
 }
 
@@ -110,9 +110,9 @@ Judgement judge(const TestAnalysis& analysis) {
   if (analysis.status != AnalysisStatus::ok) return judgement;
   const bool has_lost =
       judgement.conclusion == Conclusion::cracks || judgement.conclusion == Conclusion::slips_and_damage;
-  judgement.tells_friction = !has_lost || are_fitted(analysis.passes);
+  judgement.determines_friction = !has_lost || are_fitted(analysis.passes);
   judgement.friction_falls = friction_falls(analysis.fit);
-  if (judgement.tells_friction && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
+  if (judgement.determines_friction && !allows_for_losses(analysis)) judgement.if_lost = friction_if_lost(analysis);
   return judgement;
 }
 

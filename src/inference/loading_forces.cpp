@@ -14,7 +14,7 @@
 namespace flexslip {
 namespace {
 
-// [EI/L^2] The mean force of a pass near a deflection [L]; NaN where it has no row there.
+// [EI/L^2] The mean force of a pass near a deflection [L]; NaN without rows there.
 double force_near(const ReducedRecord& record, const Leg& leg, double w, double reach,
                   const std::vector<char>& left_out) {
   double sum = 0, count = 0;
@@ -32,8 +32,9 @@ double deepest_of(const ReducedRecord& record, const Leg& leg) {
                            begin + static_cast<std::ptrdiff_t>(leg.last));
 }
 
-// [1] Of all that the earlier loading lost and settled, the share that was still to come at a deflection. Its drops show it, by
-// the losses that they need as cracks. Without drops the loss grows in proportion to the deflection.
+// [1] The share of the loss of the earlier loading that occurs beyond a deflection. It follows from
+// the losses that the drops require as cracks; without drops, the loss is proportional to the
+// deflection.
 class StillToCome {
  public:
   StillToCome(const PassesProblem& problem, const Leg& leg, double deepest) : deepest_(deepest) {
@@ -84,8 +85,9 @@ using Unknowns = Eigen::Vector<double, 5>;
 
 // The stiffness lost between two loadings, by least squares of
 //   ln(F2/F1) = -Λ h - Λ' - d h F_w/F - c F_w/F + v q F_q/F,
-// where h is the share still to come. Unknown are the loss Λ in the loading and Λ' behind it, the settling d, the change c of the
-// contact and the change v of ln(friction). Where the map tells no friction, F_w/F is 1/w and the last term is left out.
+// where h is the share still to come. The unknowns are the loss Λ in the loading and Λ' after it,
+// the settling d, the change c of the contact and the change v of ln(friction). Where friction
+// cannot be determined, F_w/F is 1/w and the last term is omitted.
 std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& before, const Leg& after,
                                      const std::vector<char>& left_out, const StillToCome& still_to_come,
                                      double common) {
@@ -108,7 +110,7 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
   }
   constexpr double least = 0.003;  // [1] of the scatter
   const PassesOptions& options = problem.options;
-  constexpr double any = 100, behind = 0.2;  // standard deviations of Λ, which is free, and of Λ'
+  constexpr double any = 100, behind = 0.2;  // prior standard deviations of Λ, which is free, and Λ'
   const double of_gain = elementary::length(options.of_forces, options.stiffening);
   const Unknowns errors(any, behind, options.settling, options.contact_change, options.level_at_bottom);
   double variance = least * least;
@@ -118,7 +120,7 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
     const double weight = independent / static_cast<double>(count) / variance;
     Unknowns prior = errors;
     for (const Eigen::Index loss : {0, 1})
-      if (solution[loss] < 0) prior[loss] = of_gain;  // nothing stiffens
+      if (solution[loss] < 0) prior[loss] = of_gain;  // no specimen stiffens
     Eigen::Matrix<double, 5, 5> precision = weight * slopes.transpose() * slopes;
     precision.diagonal() += prior.array().pow(-2).matrix();
     covariance = precision.inverse();
@@ -127,15 +129,15 @@ std::optional<Estimate> loss_between(const PassesProblem& problem, const Leg& be
   }
   const double log_loss = solution[0] + solution[1];
   const double log_loss_variance = covariance(0, 0) + covariance(1, 1) + 2 * covariance(0, 1);
-  constexpr double alike = 0.1;  // [1] loadings that scatter by more about these are not of one specimen
+  constexpr double alike = 0.1;  // [1] a larger scatter means that the loadings are not comparable
   if (variance > alike * alike) return std::nullopt;
-  constexpr double broken = 0.1;  // [1] of the stiffness: with less left there is nothing to compare
+  constexpr double broken = 0.1;  // [1] remaining stiffness below which loadings are not compared
   const double left = elementary::exp(-log_loss);
   if (left < broken) return std::nullopt;
-  constexpr double of_loss = 0.25;  // [1] of the loss, as when it came is known by the drops only
+  constexpr double of_loss = 0.25;  // [1] of the loss, because its course is uncertain
   const double error =
       elementary::length(elementary::length(std::sqrt(log_loss_variance), of_loss * log_loss), options.of_forces);
-  constexpr double vague = 0.3;  // with a larger error nothing is known
+  constexpr double vague = 0.3;  // limit of the error
   if (error > vague) return std::nullopt;
   return normal_estimate(1 - left, left * error);
 }

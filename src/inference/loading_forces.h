@@ -1,5 +1,5 @@
-// The stiffness lost between two loadings of a record, by their forces at the same deflections.
-// Reduced variables of the nominal EI.
+// The loss of stiffness between two loadings of a record, from their forces at the same
+// deflections. Reduced variables of the nominal EI.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,18 @@
 namespace flexslip {
 
 struct LoadingForces {
-  bool is_followed;  // the other loading comes after the evaluated one
-  Estimate loss;     // [1] share of the stiffness lost from one to the other
-  double
-      loss_needed;  // [1] likewise, by the drops of the evaluated loading if they were cracks only; 0 unless it is followed
+  bool is_followed;    // the other loading comes after the evaluated one
+  Estimate loss;       // [1] share of the stiffness lost between the two loadings
+  double loss_needed;  // [1] required by the drops of the evaluated loading as cracks only; 0 unless is_followed
 };
 
-// The evaluated loading and the last after it, or else the first and the evaluated one. Rows that are left out show no sliding.
-// The loss, what settled, the contact and the wear of friction act on the force each in its way along the deflection.
-// Error:      a quarter of the loss, and PassesOptions::of_forces, besides that of the fit.
-// Fails:      none of a record without two loadings that reach the same deflections, or whose forces scatter by a tenth about these four, or do not
-//             tell them apart.
+// Compares the evaluated loading with the last one after it, or else the first loading with the
+// evaluated one. Rows left out do not slide. Loss, settling, contact and wear change the force in
+// different ways along the deflection.
+// Max error:  a quarter of the loss and PassesOptions::of_forces, in addition to the error of the
+//             fit.
+// Fails:      empty without two loadings to the same deflections, if their forces scatter by a
+//             tenth about the fit, or if the four effects cannot be distinguished.
 std::optional<LoadingForces> compare_loading_forces(const PassesProblem& problem, const std::vector<Leg>& legs,
                                                     const std::vector<char>& left_out);
 

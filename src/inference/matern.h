@@ -1,7 +1,8 @@
-// Friction along the fibre as a random process: a Matérn process about a mean that is linear in what is sought, and its kernels as state-space
-// models: g and its derivatives, each in units of the rate of the kernel.
+// Matérn kernels as state-space models: the state is g and its derivatives, in units of the rate of
+// the kernel.
 //
-// A place x on the fibre is its distance from the middle of the fibre seen, in spans: x = (S - S_middle)/2, so that λ is the period in x.
+// The place x of a point is its distance from the middle of the observed length, in spans: x = (S -
+// S_middle)/2, so that λ is the period in x.
 #pragma once
 
 #include <array>
@@ -15,7 +16,7 @@
 
 namespace flexslip::matern {
 
-// Matérn kernels of a half-integer order: G numbers of the state, G - 1 derivatives.
+// The size G of the state of a kernel: g and G - 1 derivatives.
 constexpr int order_of(Kernel kernel) {
   switch (kernel) {
     case Kernel::none:
@@ -49,7 +50,8 @@ void with_order_of(Kernel kernel, Function function) {
 // The rate [1/L] of a kernel of correlation length 1.
 inline double rate_of(Kernel kernel) { return std::sqrt(2.0 * order_of(kernel) - 1); }
 
-// F, with which the state X goes on as dX = F X da without noise, a in units of 1/rate: the companion matrix of (1 + d/da)^G.
+// The matrix F of dX = F X da without noise, a in units of 1/rate: the companion matrix of (1 +
+// d/da)^G.
 template <int G>
 constexpr Square<G> companion() {
   Square<G> F{};
@@ -62,7 +64,7 @@ constexpr Square<G> companion() {
   return F;
 }
 
-// exp(F a), the powers of F + 1 ending with that of G - 1; decay is exp(-a).
+// exp(F a) from the powers of F + 1, which end at G - 1; decay is exp(-a).
 template <int G>
 Square<G> transition_over(double a, double decay) {
   constexpr auto powers = [] {
@@ -99,7 +101,8 @@ constexpr Square<G> stationary() {
   return P;
 }
 
-// ∫ k from 0 to R, and ∫ (R - r) k: what averages of the process need. k is the kernel of variance 1 over r = rate · distance.
+// ∫ k and ∫ (R - r) k from 0 to R, for averages of the process; k is the kernel of variance 1, r =
+// rate · distance.
 struct KernelIntegrals {
   double of_kernel, of_tapered;
 };

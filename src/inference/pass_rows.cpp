@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double least_deflection = 1e-4;  // [L] below, hardly a state can be told from the straight fibre
-constexpr double beyond_least = 1e-7;      // [L] likewise of its length
+constexpr double min_deflection = 1e-4;  // [L] smaller ones are indistinguishable from the straight specimen
+constexpr double min_excess = 1e-7;      // [L] of the length beyond 1
 
 void append(VectorXd& column, const std::vector<double>& values) {
   const Index before = column.size();
@@ -22,17 +22,19 @@ void append(VectorXd& column, const std::vector<double>& values) {
   column.tail(index_of(values.size())) = Eigen::Map<const VectorXd>(values.data(), index_of(values.size()));
 }
 
-// Of the first row that slides after a turn; `last` if none does. Rows [first, last) are those of the pass after the turn.
+// The first row that slides after a turn, or `last`. Rows [first, last) belong to the pass after
+// the turn.
 std::size_t slides_from(const PassRows& rows, const PassStates& read, std::size_t first, std::size_t last,
                         double compliance, double force_noise) {
   const Index turn = index_of(first - 1);
-  const double w_by_q = -read.S_q[turn] / read.S_w[turn];  // at a length that stays
+  const double w_by_q = -read.S_q[turn] / read.S_w[turn];  // at constant length
   const double rate = 1 / (w_by_q + compliance * (read.F_q[turn] + read.F_w[turn] * w_by_q));
   std::vector<double> steps;
   for (std::size_t i = first + 1; i < last; ++i)
     steps.push_back(std::abs(rows.stage[index_of(i)] - rows.stage[index_of(i - 1)]));
   const double step = steps.empty() ? 0 : median_of(std::move(steps));
-  // As many rows as tell the slope to an eighth of the rate: its standard error is σ/step √(12/m³).
+  // Enough rows m to determine the slope to an eighth of the rate; its standard error is σ/step
+  // √(12/m³).
   const double noise = force_noise * std::abs((1 + compliance * read.F_w[turn]) / read.F_q[turn]);
   const double ratio = 8 * noise / (rate * step);
   const double needed = std::ceil(std::cbrt(12 * ratio * ratio));
@@ -42,11 +44,11 @@ std::size_t slides_from(const PassRows& rows, const PassStates& read, std::size_
       const auto stage = [&](std::size_t k) { return rows.stage[index_of(i + k)] - rows.stage[index_of(i)]; };
       const auto q = [&](std::size_t k) { return read.q[index_of(i + k)]; };
       const Line line = line_through(window + 1, stage, q);
-      // By a third of the window it may still stick: there the slope of a bent line falls to a quarter.
+      // The specimen may still stick for a third of the window, where the slope falls to a quarter.
       if (line.sum_xx > 0 && line.slope < 0.25 * rate) return i + window / 3 + 1;
     }
   }
-  // Where noise hides that, by the length.
+  // If noise hides the slope, use the length.
   const double S_turn = read.S[turn], reach = 0.003 + 0.04 * std::max(S_turn - 1, 0.0);
   std::size_t away = 0;
   for (std::size_t i = first; i < last; ++i) {
@@ -109,19 +111,19 @@ PassRows rows_evaluated(const PassesProblem& problem, const std::vector<Leg>& le
 
 PassStates states_read(const VectorXd& w, const VectorXd& F, const Fibre& fibre) {
   const auto n = static_cast<std::size_t>(w.size());
-  constexpr double any_friction = 4;  // [1] beyond, noise or a wrong stiffness is read, and no friction
+  constexpr double any_friction = 4;  // [1] larger values result from noise or a wrong stiffness
   std::vector<double> deflection(n), force(n);
   for (std::size_t i = 0; i < n; ++i) {
-    deflection[i] = std::max(w[index_of(i)], least_deflection);
+    deflection[i] = std::max(w[index_of(i)], min_deflection);
     force[i] = std::max(F[index_of(i)], 0.0);
   }
   auto [S, q] = fibre.tabulated_states_from_forces(deflection, force);
   PassStates read;
   read.q = Eigen::Map<const VectorXd>(q.data(), w.size());
   for (std::size_t i = 0; i < n; ++i) {
-    if (std::abs(q[i]) < any_friction && S[i] > std::max(fibre.least_length(), 1.0) + beyond_least) continue;
+    if (std::abs(q[i]) < any_friction && S[i] > std::max(fibre.least_length(), 1.0) + min_excess) continue;
     read.q[index_of(i)] = not_a_number;
-    S[i] = 1 + 2.4 * deflection[i] * deflection[i] + 0.01;  // somewhere
+    S[i] = 1 + 2.4 * deflection[i] * deflection[i] + 0.01;  // a start
     q[i] = 0;
   }
   const SlopeArrays at = fibre.tabulated_states_slopes({S, q});
@@ -140,7 +142,7 @@ PassStates states_read(const VectorXd& w, const VectorXd& F, const Fibre& fibre)
 
 PassForces forces_modelled(const VectorXd& w, const VectorXd& q, const PassStates& near, const Fibre& fibre) {
   const auto n = static_cast<std::size_t>(w.size());
-  const double least = std::max(fibre.least_length(), 1.0) + beyond_least;
+  const double least = std::max(fibre.least_length(), 1.0) + min_excess;
   const std::vector<double> friction(q.data(), q.data() + q.size());
   std::vector<double> S(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -175,7 +177,7 @@ std::vector<char> stuck_rows(const PassRows& rows, const PassStates& read, doubl
   for (std::size_t first = 0; first < rows.size(); first = last) {
     last = first + 1;
     while (last < rows.size() && rows.pass[last] == rows.pass[first]) ++last;
-    if (first == 0) continue;  // a record begins with no turn
+    if (first == 0) continue;  // no turn before the first pass
     const std::size_t slides = slides_from(rows, read, first, last, compliance, force_noise);
     for (std::size_t i = first; i < slides; ++i) stuck[i] = 1;
   }

@@ -1,4 +1,4 @@
-// The rows of all passes of a record that tell of friction, and what they read.
+// The rows of all passes that carry information on friction, and their states.
 // Reduced variables of the nominal EI.
 #pragma once
 
@@ -27,30 +27,32 @@ struct PassRows {
            const std::vector<std::size_t>& chosen);
 };
 
-// Rows deep enough to show friction; of those within a drop none, of more than 1200 rows every so many.
+// The rows deep enough for friction and not within a drop, thinned to 1200.
 PassRows rows_of(const PassesProblem& problem, const std::vector<Leg>& legs);
 
-// All rows of the loading that is evaluated.
+// All rows of the evaluated loading.
 PassRows rows_evaluated(const PassesProblem& problem, const std::vector<Leg>& legs);
 
-// The states that deflections and forces read, with the slopes of the map: F and S to w at fixed q, and to q at fixed w.
+// The states inverted from deflections and forces, with derivatives of F and S in w and q.
 struct PassStates {
-  Eigen::VectorXd S, q;  // q is NaN where no friction gives deflection and force
+  Eigen::VectorXd S, q;  // q is NaN if no friction explains deflection and force
   Eigen::VectorXd F_q, F_w, S_q, S_w;
 
   bool is_read(Eigen::Index i) const { return q[i] == q[i]; }
 };
 PassStates states_read(const Eigen::VectorXd& w, const Eigen::VectorXd& F, const Fibre& fibre);
 
-// The forces that frictions give at deflections, with slopes; `near` are states not far away. F is NaN where there is no state.
+// The modelled forces for given frictions and deflections, with derivatives; `near` are approximate
+// states. F is NaN without a state.
 struct PassForces {
   Eigen::VectorXd F, F_q, F_w, S_q, S_w;
 };
 PassForces forces_modelled(const Eigen::VectorXd& w, const Eigen::VectorXd& q, const PassStates& near,
                            const Fibre& fibre);
 
-// Does the specimen stick in a row? After a turn it does, until friction as read changes four times less steeply over the stage than it would at a
-// length that stays. An error of the rig makes both slopes a little wrong, and hardly their ratio.
+// For each row, true if the specimen sticks. It sticks after a turn until the inverted friction
+// changes four times more slowly with the stage than at constant length. Errors of the rig barely
+// change this ratio.
 std::vector<char> stuck_rows(const PassRows& rows, const PassStates& read, double compliance, double force_noise);
 
 }  // namespace flexslip

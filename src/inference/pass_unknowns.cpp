@@ -23,7 +23,7 @@ VectorXd column_of(const PassRows& rows, const Value& value) {
 
 bool is_inwards(const Leg& leg) { return leg.direction == Direction::loading; }
 
-// At which thickness and supports act.
+// The friction at which thickness and supports act.
 double usual_friction(const PassStates& read) {
   constexpr double least = 0, most = 1.5, unknown = 0.4;
   std::vector<double> sizes;
@@ -36,10 +36,11 @@ FitProblem as_fit_problem(const PassesProblem& problem) {
   return {problem.record, problem.rig, problem.errors, problem.rig_errors};
 }
 
-// [1] How much of the deflection that a leg reaches beyond all before it has been reached, at each row of the record; empty if it goes no farther.
+// [1] For each row, the reached share of the deflections that a leg adds to all previous ones;
+// empty if it adds none.
 std::vector<double> fresh_part(const ReducedRecord& record, const Leg& leg, double farthest, double reached) {
-  constexpr double worth_it = 0.02;    // [L] beyond
-  constexpr double shows_from = 0.06;  // [L] below, hardly a loss shows
+  constexpr double worth_it = 0.02;    // [L] added deflection
+  constexpr double shows_from = 0.06;  // [L] smaller deflections barely show a loss
   if (!is_inwards(leg) || !(reached > farthest + worth_it)) return {};
   const double from = std::max(farthest, std::min(shows_from, 0.5 * reached));
   std::vector<double> part(record.deflection.size(), 0);
@@ -54,8 +55,8 @@ std::vector<double> fresh_part(const ReducedRecord& record, const Leg& leg, doub
 }  // namespace
 
 std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::vector<Drop>& drops, const Fibre& fibre) {
-  constexpr double shows_from = 0.04;  // [L] below, hardly any friction is told
-  constexpr double broken = 0.02;      // [1] of the stiffness: a drop that leaves less is a failure
+  constexpr double shows_from = 0.04;  // [L] smaller deflections carry almost no information
+  constexpr double broken = 0.02;      // [1] remaining stiffness below which a drop is a failure
   std::vector<NeededLoss> needed;
   double left = 1;
   for (const Drop& drop : drops) {
@@ -74,9 +75,9 @@ std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::ve
 }
 
 std::vector<Drop> with_breaks(std::vector<Drop> drops, const ReducedRecord& record, const std::vector<Leg>& legs) {
-  constexpr double beyond = 4;        // [noise of a step] at 3.3 friction is told no better
-  constexpr double least = 0.003;     // [maximum force] without noise, the course itself is not so well known
-  constexpr std::size_t enough = 30;  // rows of a loading, to know its noise by
+  constexpr double beyond = 4;        // [noise of a step] 3.3 determines friction no better
+  constexpr double least = 0.003;     // [maximum force] uncertainty of the trend itself
+  constexpr std::size_t enough = 30;  // rows of a loading, to determine its noise
   const std::vector<Drop> known = drops;
   const auto is_known = [&](std::size_t row) {
     return std::any_of(known.begin(), known.end(),
@@ -127,7 +128,7 @@ Index PassUnknowns::add(double prior_mean, double prior_deviation) {
   return column;
 }
 
-// What hardly is less than nothing.
+// Adds an unknown that is almost certainly positive.
 Index PassUnknowns::add_one_sided(double prior_deviation, double below) {
   const Index column = add(0, prior_deviation);
   below_zero[column] = std::min(below, prior_deviation);
@@ -155,7 +156,7 @@ PassUnknowns::Moved PassUnknowns::at(const VectorXd& w, const VectorXd& F) const
   return moved;
 }
 
-// A force that reads too much bends the load train as well.
+// An error of the force also changes the deflection of the load train.
 void PassUnknowns::add_zero(const PassesProblem& problem, const PassRows& rows) {
   const PassesOptions& options = problem.options;
   const double compliance = 1 / problem.rig.stiffness;
@@ -180,7 +181,7 @@ void PassUnknowns::add_wear(const PassesOptions& options, const std::vector<Leg>
   double longest = 1;
   for (Index i = 0; i < read.S.size(); ++i)
     if (read.is_read(i)) longest = std::max(longest, read.S[i]);
-  const auto along = [&](std::size_t i) {  // from -1 to 1 over the stretch
+  const auto along = [&](std::size_t i) {  // from -1 to 1 over the sliding length
     return std::clamp(2 * (read.S[index_of(i)] - 1) / std::max(longest - 1, 1e-9) - 1, -1.0, 1.0);
   };
   for (std::size_t leg = 1; leg < legs.size(); ++leg) {
@@ -193,13 +194,13 @@ void PassUnknowns::add_wear(const PassesOptions& options, const std::vector<Leg>
 void PassUnknowns::add_losses(const PassesProblem& problem, const std::vector<Leg>& legs,
                               const std::vector<NeededLoss>& needed, const PassRows& rows) {
   const PassesOptions& options = problem.options;
-  constexpr double least_drop = 0.003;  // of the prior deviation of the loss in a drop
+  constexpr double least_drop = 0.003;  // minimum prior deviation of the loss in a drop
   double farthest = 0;
   for (std::size_t leg = 0; leg < legs.size(); ++leg) {
     double reached = farthest;
     for (std::size_t i = legs[leg].first; i < legs[leg].last; ++i)
       reached = std::max(reached, problem.record.deflection[i]);
-    const double is_followed = leg + 1 < legs.size() ? 1 : 0;  // by a pass that shows what was lost
+    const double is_followed = leg + 1 < legs.size() ? 1 : 0;  // a later pass measures the loss
     const std::vector<double> fresh = fresh_part(problem.record, legs[leg], farthest, reached);
     farthest = reached;
     if (!fresh.empty() && is_followed > 0) {

@@ -1,7 +1,8 @@
-// What is unknown of the passes of a record besides friction along the fibre: errors of the rig, wear, losses of stiffness, settling.
+// The unknowns of the passes other than friction: errors of the rig, wear, losses of stiffness,
+// settling.
 //
-// Each unknown θ is linear in what it does to the rows:
-//   w' = w + W θ,   F' = F + G θ,   ln(EI/nominal) = E θ,   ln(friction of the pass/that of the first) = L θ.
+// Each unknown θ has a linear effect on the rows:
+//   w' = w + W θ,   F' = F + G θ,   ln(EI/nominal) = E θ,   ln(friction of the pass/friction of the first) = L θ.
 // Reduced variables of the nominal EI.
 #pragma once
 
@@ -16,39 +17,42 @@
 
 namespace flexslip {
 
-// What a drop of the force needs if it is a crack (theory.md, "Friction that cracks only would require").
+// The loss that one drop requires as a crack (theory.md, "Friction that cracks only would
+// require").
 struct NeededLoss {
   std::size_t before, after;  // rows of the record
-  double log_loss;            // of stiffness, as -ln of what it leaves
+  double log_loss;            // -ln of the remaining stiffness
 };
 std::vector<NeededLoss> losses_needed(const ReducedRecord& record, const std::vector<Drop>& drops, const Fibre& fibre);
 
-// The drops, and besides them the rows behind which a loading rises by less than its course, beyond four times the noise of a step: a crack too small,
-// or in too steep a rise, for the force to fall.
+// The drops, and the rows after which the force rises less than its trend by four times the noise
+// of a step: cracks too small for the force to fall.
 std::vector<Drop> with_breaks(std::vector<Drop> drops, const ReducedRecord& record, const std::vector<Leg>& legs);
 
 class PassUnknowns {
  public:
-  // Domain:     `read` are the states that `rows` read.
+  // Domain:     `read` are the states of `rows`.
   PassUnknowns(const PassesProblem& problem, const std::vector<Leg>& legs, const std::vector<NeededLoss>& needed,
                const PassRows& rows, const PassStates& read);
 
   Eigen::Index size() const { return mean.size(); }
 
-  Eigen::VectorXd mean, deviation;  // of the prior of each
-  Eigen::VectorXd below_zero;       // its deviation there
-  Eigen::MatrixXd W, G, E, L;       // a row for each of `rows`
+  Eigen::VectorXd mean, deviation;  // prior of each
+  Eigen::VectorXd below_zero;       // prior deviation below zero
+  Eigen::MatrixXd W, G, E, L;       // one row for each of `rows`
 
-  // W and G at other deflections and forces of the same rows. At those read, noise itself would pass for an error of the rig.
+  // W and G at other deflections and forces of the same rows. At the measured ones, noise would
+  // look like an error of the rig.
   struct Moved {
     Eigen::MatrixXd W, G;
   };
   Moved at(const Eigen::VectorXd& w, const Eigen::VectorXd& F) const;
 
-  // Of all that is lost, and of all that settles, in loadings that another pass follows: coefficients of the unknowns.
+  // Coefficients of the unknowns for the total loss and settling in loadings that another pass
+  // follows.
   Eigen::VectorXd log_loss, settled;
-  static constexpr Eigen::Index stiffness = 0;  // of ln EI
-  // Of a quantity that is stated, and its prior deviation (rig_error_effects.h).
+  static constexpr Eigen::Index stiffness = 0;  // index of ln EI
+  // The index of a stated quantity, and the prior deviations (rig_error_effects.h).
   Eigen::Index of(StatedQuantity quantity) const { return static_cast<Eigen::Index>(quantity); }
   PerQuantity<double> deviations;
 
@@ -62,7 +66,7 @@ class PassUnknowns {
   void add_losses(const PassesProblem& problem, const std::vector<Leg>& legs, const std::vector<NeededLoss>& needed,
                   const PassRows& rows);
 
-  RigErrorEffects in_, out_;  // of the rig, for a specimen that slides in or out
+  RigErrorEffects in_, out_;  // for a specimen that slides in or out
   std::vector<double> side_;
 };
 

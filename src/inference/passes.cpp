@@ -26,9 +26,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Friction along the fibre as values at nodes, and its prior.
+// Friction at nodes along the specimen, and its prior.
 
-// How rough friction is: its standard deviation [1] and length [L] of S.
+// The roughness of friction: standard deviation [1] and correlation length [L] in S.
 struct Roughness {
   double size, length;
 };
@@ -37,17 +37,17 @@ constexpr std::array lengths_of_roughness{0.006, 0.015, 0.04};
 
 class Nodes {
  public:
-  // From the straight fibre to a length [L].
+  // From the straight specimen to a length [L].
   Nodes(const PassesOptions& options, double longest)
       : options_(options),
-        size_(static_cast<Index>(std::clamp(std::ceil((longest - 1) / options.spacing), 30.0, options.most_nodes))),
+        size_(static_cast<Index>(std::clamp(std::ceil((longest - 1) / options.spacing), 30.0, options.max_nodes))),
         spacing_((longest - 1) / static_cast<double>(size_ - 1)) {}
 
   Index size() const { return size_; }
   double S(Index j) const { return 1 + spacing_ * static_cast<double>(j); }
   double last() const { return S(size() - 1); }
 
-  // The two nodes beside a length, and how far it is from the first to the second.
+  // The two nodes around a length, and its fraction of their distance.
   struct Place {
     Index first;
     double part;
@@ -70,20 +70,20 @@ class Nodes {
     return slopes;
   }
 
-  // Of friction: its mean and trend, and its slow and its rough variation.
+  // The prior of friction: mean, trend, slow variation and roughness.
   MatrixXd covariance(const Roughness& rough) const { return covariance(options_.slow_friction, rough); }
-  // Of its mean and its trend alone.
+  // The prior of mean and trend only.
   MatrixXd covariance_of_trend() const { return covariance(0, {0, 1}); }
 
  private:
   MatrixXd covariance(double slow, const Roughness& rough) const {
-    constexpr double nugget = 1e-6;  // of the variance: nodes of a smooth process can hardly be told apart
+    constexpr double nugget = 1e-6;  // [variance] neighbouring nodes of a smooth process are almost equal
     const double range = last() - 1;
     const auto matern = [](double distance) {
       const double r = std::sqrt(3.0) * distance;
       return (1 + r) * elementary::exp(-r);
     };
-    // It depends on the distance of two nodes, but for the trend.
+    // Apart from the trend, it depends on the distance of two nodes.
     VectorXd by_distance(size());
     for (Index d = 0; d < size(); ++d) {
       const double apart = spacing_ * static_cast<double>(d);
@@ -105,13 +105,14 @@ class Nodes {
   double spacing_;
 };
 
-// Rows linearised about a state of all unknowns: force = by_friction μ(place) + by_unknowns θ + amplification · noise.
+// Rows linearised about a state of all unknowns: force = by_friction μ(place) + by_unknowns θ +
+// amplification · noise.
 struct Linear {
   std::vector<Index> row;  // of PassRows
   std::vector<Nodes::Place> place;
   VectorXd by_friction, amplification, force;
   MatrixXd by_unknowns;
-  MatrixXd log_gain_by;  // d ln(by_friction/amplification)/dθ, the readings as they are
+  MatrixXd log_gain_by;  // d ln(by_friction/amplification)/dθ at the given readings
 
   Index size() const { return force.size(); }
 };
@@ -145,13 +146,13 @@ Normal normal_of(const Linear& at, const VectorXd& weight, Index nodes) {
   return normal;
 }
 
-// The fit as it goes on.
+// The state of the fit.
 class PassesFitter {
  public:
   PassesFitter(const PassesProblem& problem, const std::vector<Leg>& legs, const PassRows& rows,
                const PassUnknowns& unknowns, std::vector<char> stuck, double longest);
 
-  // What the last round ends with; none if too few rows show what could be fitted.
+  // The result of the last round; empty with too few rows.
   std::optional<PassesSolution> run();
 
  private:
@@ -165,7 +166,7 @@ class PassesFitter {
   VectorXd leverage(const MatrixXd& A, const MatrixXd& prior) const;
   MatrixXd prior_precision(const MatrixXd& covariance_of_friction) const;
   double scatter_of(std::size_t pass, std::size_t least) const;
-  // [1] How many neighbouring rows are worth one, as they err alike.
+  // [1] The number of correlated neighbouring rows that count as one.
   double inflation() const {
     constexpr double most = 12;
     return std::min((1 + correlation_) / (1 - correlation_), most);
@@ -183,9 +184,9 @@ class PassesFitter {
   const Nodes nodes_;
   const double compliance_, greatest_, least_noise_;
 
-  VectorXd mu_, theta_;                   // where the rows are linearised
+  VectorXd mu_, theta_;                   // the point of linearisation
   double noise_, correlation_ = 0;        // of one row [EI/L^2]; of neighbours
-  Roughness rough_{0.06, 0.012};          // to begin with
+  Roughness rough_{0.06, 0.012};          // the start
   VectorXd prior_mean_, robust_;          // of all unknowns; of all rows
   MatrixXd trend_precision_, precision_;  // of friction without roughness; of all unknowns
   Linear linear_;
@@ -194,7 +195,8 @@ class PassesFitter {
   MatrixXd covariance_;
 };
 
-// The noise is lowered by these steps [maximum force]: with its true size at once, the fit ends in a wrong place.
+// [maximum force] The noise decreases in these steps; starting with its true size leads to a wrong
+// optimum.
 constexpr std::array noise_steps{.03, .02, .012, .008, .005, .004, .003, .002, .0015, .001};
 constexpr std::size_t min_rows = 20;
 
@@ -246,9 +248,9 @@ bool PassesFitter::linearise() {
   const VectorXd reduced = F.cwiseQuotient(e);
   const PassStates read = states_read(w, reduced, fibre);
 
-  // Where each row slides: by what was read and, hardly bent, by what is fitted.
+  // The place of each row: from the readings, or from the fit at small deflections.
   constexpr double by_fit_up_to = 0.04, by_reading_from = 0.08;  // [L] of deflection
-  constexpr double wrong_way = -0.2;                             // [1] friction that no sliding reads
+  constexpr double wrong_way = -0.2;                             // [1] no sliding has this friction
   S_.resize(n);
   q_.resize(n);
   for (Index i = 0; i < n; ++i) {
@@ -274,7 +276,7 @@ bool PassesFitter::linearise() {
 
   const auto [W, G] = unknowns_.at(w, modelled.F.cwiseProduct(e));
   const VectorXd slope = nodes_.slopes(mu_);
-  // The gain of friction at deflections and forces a little larger.
+  // The derivative of friction at slightly larger deflections and forces.
   constexpr double dw = 1e-5, dF = 2e-4;
   const PassStates deeper = states_read(w.array() + dw, reduced, fibre);
   const PassStates stronger = states_read(w, reduced.array() + dF, fibre);
@@ -292,12 +294,13 @@ bool PassesFitter::linearise() {
     const Nodes::Place place = nodes_.place(S_[i]);
     linear_.place.push_back(place);
     linear_.by_friction[k] = F_q * times[i];
-    // An error of the rig or of the force moves the place that is read as well; friction rises there along the way.
-    constexpr double most = 6;  // times as uncertain as at constant friction: beyond, the place is a crest
+    // An error of the rig or the force also shifts the inverted place, along which friction
+    // changes.
+    constexpr double max_ratio = 6;  // of the uncertainty to that at constant friction; beyond, the place is a crest
     const double plain = 1 + F_w * compliance_;
     const double moved = std::max(F_q * modelled.S_w[i] * compliance_ - plain * modelled.S_q[i], 1e-9);
     const double rise =
-        std::clamp(times[i] * Nodes::between(place, slope), 0.0, std::max((most - 1) * plain / moved, 0.0));
+        std::clamp(times[i] * Nodes::between(place, slope), 0.0, std::max((max_ratio - 1) * plain / moved, 0.0));
     const double held = 1 - rise * modelled.S_q[i];
     linear_.amplification[k] = plain * held + F_q * rise * modelled.S_w[i] * compliance_;
     linear_.by_unknowns.row(k) = -held * G.row(i) + (held * F_w + F_q * rise * modelled.S_w[i]) * W.row(i) +
@@ -314,7 +317,7 @@ bool PassesFitter::linearise() {
 }
 
 MatrixXd PassesFitter::prior_precision(const MatrixXd& covariance_of_friction) const {
-  constexpr double exact = 1e-9;  // a deviation so small is none
+  constexpr double exact = 1e-9;  // a smaller deviation means exact
   MatrixXd precision = MatrixXd::Zero(prior_mean_.size(), prior_mean_.size());
   precision.topLeftCorner(nodes_.size(), nodes_.size()) = Symmetric(covariance_of_friction).inverse();
   const VectorXd deviation = (theta_.array() < 0).select(unknowns_.below_zero, unknowns_.deviation).cwiseMax(exact);
@@ -322,7 +325,7 @@ MatrixXd PassesFitter::prior_precision(const MatrixXd& covariance_of_friction) c
   return precision;
 }
 
-// Neighbouring rows that err alike are worth fewer.
+// Correlated neighbouring rows count less.
 void PassesFitter::weigh() {
   weight_.resize(linear_.size());
   for (Index k = 0; k < linear_.size(); ++k)
@@ -330,8 +333,8 @@ void PassesFitter::weigh() {
                  (std::pow(noise_ * linear_.amplification[k], 2) * inflation());
 }
 
-// How much of what friction leaves is noise, and how much is roughness: by the evidence. First among some of each; then the size alone, which has to be
-// right where `pull` weighs roughness against errors of the rig.
+// Chooses noise and roughness by the evidence: first on a grid, then the size of the roughness
+// alone, on which `pull` depends.
 void PassesFitter::choose_roughness(int round) {
   VectorXd plain(linear_.size());
   double count = 0;
@@ -385,7 +388,7 @@ void PassesFitter::choose_roughness(int round) {
   rough_.size = std::clamp(rough_.size * elementary::exp(steps * elementary::log(factor)), smallest, largest);
 }
 
-// Of friction at the places of the rows: how much of each the row itself tells.
+// The share of each friction that its own row determines.
 VectorXd PassesFitter::leverage(const MatrixXd& A, const MatrixXd& prior) const {
   const MatrixXd inverse = Symmetric(MatrixXd(A.topLeftCorner(nodes_.size(), nodes_.size()) + prior)).inverse();
   VectorXd leverage(linear_.size());
@@ -399,15 +402,16 @@ VectorXd PassesFitter::leverage(const MatrixXd& A, const MatrixXd& prior) const 
   return leverage;
 }
 
-// A rig by which the same readings need less roughness would always be likelier, as a density of friction and rig together: the volume of friction
-// that explains the readings shrinks with it. What counts is the density of the rig alone, over all friction.
+// The joint density of friction and rig always favours a rig that needs less roughness, because the
+// volume of suitable frictions shrinks. Therefore the density of the rig alone counts, integrated
+// over friction.
 VectorXd PassesFitter::pull(const Normal& normal) const {
   const Index n = nodes_.size();
   return -(linear_.log_gain_by.transpose() *
            (leverage(normal.A, precision_.topLeftCorner(n, n)) - leverage(normal.A, trend_precision_)));
 }
 
-// [EI/L^2] Of a pass, by the median; 0 of one with too few rows.
+// [EI/L^2] The scatter of a pass, from the median; 0 with too few rows.
 double PassesFitter::scatter_of(std::size_t pass, std::size_t least) const {
   std::vector<double> sizes;
   for (Index k = 0; k < linear_.size(); ++k)
@@ -433,8 +437,9 @@ void PassesFitter::solve(int round) {
                      linear_.amplification[k];
   };
   solve_once();
-  // Robust weights, by the scatter of each pass: with one for all, a pass that fits badly at first would count no more.
-  constexpr double linear_beyond = 2;  // [scatter] residuals count by their size beyond, not by their square
+  // Robust weights from the scatter of each pass. A common scatter would exclude a pass that
+  // initially fits badly.
+  constexpr double linear_beyond = 2;  // [scatter] larger residuals count linearly
   constexpr int often = 3, early = 5;
   for (int again = 0; again < (round < early ? often : 1); ++again) {
     std::vector<double> scatter;
@@ -488,9 +493,9 @@ double greatest_of(const std::vector<double>& values) { return *std::max_element
 
 double noise_of(const std::vector<double>& force) { return noise_of_second_differences(second_differences(force)); }
 
-// [L] Beyond, one pass alone shows the fibre, and says nothing that the others could be compared with.
+// [L] The length up to which more than one pass slides.
 double length_passed_twice(const PassRows& rows, const PassStates& read, std::size_t passes) {
-  constexpr double beside = 1.04, least = 0.005;  // [1], [L] what is a little farther is compared, too
+  constexpr double beside = 1.04, least = 0.005;  // [1], [L] margin
   std::vector<double> farthest(passes, 1);
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (read.is_read(index_of(i))) farthest[rows.pass[i]] = std::max(farthest[rows.pass[i]], read.S[index_of(i)]);
@@ -498,7 +503,7 @@ double length_passed_twice(const PassRows& rows, const PassStates& read, std::si
   return 1 + std::max(beside * (farthest[1] - 1), least);
 }
 
-// [1] From one length [L] to another; that of all where it has no place between them.
+// [1] The mean from one length [L] to another; of all places if none is between them.
 double mean_of_band(const ProfileBand& band, double S_first, double S_last) {
   double sum = 0, count = 0;
   for (std::size_t i = 0; i < band.S.size(); ++i)
@@ -509,8 +514,8 @@ double mean_of_band(const ProfileBand& band, double S_first, double S_last) {
   return count > 0 ? sum / count : mean_of(band.mean);
 }
 
-// [EI/L^2] As those of a specimen that lost nothing in the evaluated loading. One that lost much seems to slide out at less force than any friction
-// allows, and to stick where it slides.
+// [EI/L^2] The forces of the specimen without a loss in the evaluated loading. After a large loss,
+// the measured forces would look like sticking while the specimen slides.
 VectorXd unharmed_forces(const PassRows& rows, std::size_t after, double loss) {
   VectorXd forces = rows.F;
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -518,7 +523,7 @@ VectorXd unharmed_forces(const PassRows& rows, std::size_t after, double loss) {
   return forces;
 }
 
-// The rows of all passes, and what they read at the nominal EI.
+// The rows of all passes, and their states at the nominal EI.
 struct ReadPasses {
   PassRows rows;
   PassStates states;
@@ -532,13 +537,14 @@ ReadPasses read_passes(const PassesProblem& problem, const std::vector<Leg>& leg
   return {std::move(rows), std::move(states), std::move(stuck)};
 }
 
-// What the forces of two loadings say.
+// The loss from the forces of two loadings.
 PassesFit told_by_forces(const PassesProblem& problem, const std::vector<Leg>& legs) {
   const ReducedRecord& record = problem.record;
   const double least = problem.options.min_force * greatest_of(record.force);
-  std::vector<char> left_out;  // without contact, or where the specimen sticks
+  std::vector<char> left_out;  // no contact, or sticking
   for (const double force : record.force) left_out.push_back(force < least);
-  if (greatest_of(record.deflection) > min_judged_deflection) {  // less deep, friction holds hardly any of the force
+  if (greatest_of(record.deflection) >
+      min_judged_deflection) {  // at smaller deflections, friction barely changes the force
     const ReadPasses read = read_passes(problem, legs);
     if (read.rows.size() >= min_rows)
       for (std::size_t i = 0; i < read.rows.size(); ++i) left_out[read.rows.row[i]] = read.stuck[i];
@@ -553,7 +559,7 @@ PassesFit told_by_forces(const PassesProblem& problem, const std::vector<Leg>& l
   return fit;
 }
 
-// The contact is off, in each pass by another length, and rows are deep enough for it to stay so.
+// The problem with a wrong contact in each pass, restricted to deep rows.
 PassesProblem bedding_down(PassesProblem problem) {
   PassesOptions& options = problem.options;
   options.min_deflection =
@@ -563,7 +569,7 @@ PassesProblem bedding_down(PassesProblem problem) {
   return problem;
 }
 
-// Cracks are made once. Slips come again, as friction belongs to the place.
+// Cracks do not repeat. Slips do, because friction belongs to the place.
 std::size_t drops_again(const PassesProblem& problem) {
   const std::vector<double>& w = problem.record.deflection;
   const auto begin = w.begin();
@@ -574,7 +580,8 @@ std::size_t drops_again(const PassesProblem& problem) {
   }));
 }
 
-// What all passes tell if they leave five times the noise, or this part of the maximum force; else what is known already.
+// Improves the fit if the residuals are within five times the noise or this part of the maximum
+// force.
 PassesFit fit_together(PassesFit fit, const PassesProblem& problem, const std::vector<Leg>& legs, double left_over) {
   fit.status = PassesStatus::not_sliding_out;
   ReadPasses read = read_passes(problem, legs);
@@ -598,10 +605,10 @@ PassesFit fit_together(PassesFit fit, const PassesProblem& problem, const std::v
   constexpr double explained = 5;  // [noise]
   if (!best || best->noise > std::max(explained * force_noise, left_over * greatest_of(problem.record.force)))
     return fit;
-  return told_of(*best, problem, legs, needed, rows, unknowns);
+  return passes_fit_of(*best, problem, legs, needed, rows, unknowns);
 }
 
-// Of a mean friction whose error is one of its own and one in common with the bending stiffness.
+// A mean friction with its own error and one shared with the bending stiffness.
 std::vector<Correlation> with_common_error(std::vector<Correlation> all, double own, double common,
                                            double correlation) {
   const std::string_view mean = JointPart::parameter_names[JointPart::mu0];
@@ -663,7 +670,7 @@ FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, cons
   for (double& each : fit.draw_stiffness) each *= stiffening;
   fit.friction_by = passes.friction_by;
   fit.log_stiffness_by = passes.log_stiffness_by;
-  const double common = passes.mean_friction.standard_error;  // of all places alike
+  const double common = passes.mean_friction.standard_error;  // common to all places
   const double beside = passes.mean_friction.value - mean_of_band(fit.band, passes.S_first, passes.S_last);
   for (NormalPart& part : fit.of_mu0.posterior) part.mean += beside;
   fit.of_mu0.posterior = widened(std::move(fit.of_mu0.posterior), common);

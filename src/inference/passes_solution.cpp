@@ -10,12 +10,12 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t rows_of_a_loading = 10;  // that slide in: fewer are no loading
+constexpr std::size_t rows_of_a_loading = 10;  // minimum of rows that slide in
 
 using Eigen::Index;
 using Eigen::VectorXd;
 
-// A functional of all unknowns with its error.
+// A linear functional of all unknowns with its error.
 class Told {
  public:
   explicit Told(const PassesSolution& best) : best_(best) {}
@@ -24,14 +24,14 @@ class Told {
   double deviation(const VectorXd& of) const { return std::sqrt(std::max(of.dot(best_.covariance * of), 0.0)); }
   Estimate estimate(const VectorXd& of) const { return normal_estimate(value(of), widened * deviation(of)); }
 
-  // What linearisation, outliers and correlated errors add to the errors of a Gaussian (bench/causes).
+  // The increase of errors by linearisation, outliers and correlations (bench/causes).
   static constexpr double widened = 1.2;
 
  private:
   const PassesSolution& best_;
 };
 
-// [1] Mean of friction from one length to another.
+// [1] The mean friction between two lengths.
 VectorXd mean_between(const PassesSolution& best, double S_first, double S_last) {
   VectorXd mean = VectorXd::Zero(best.solution.size());
   double count = 0;
@@ -51,7 +51,7 @@ struct SlidOver {
   }
 };
 
-// [1] Of the loss, besides its own error: what a ramp in the greatest deflection leaves of how it came.
+// [1] Additional relative error of the loss, from its unknown course.
 constexpr double loss_of_loss = 0.06;
 
 RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>& legs,
@@ -68,7 +68,7 @@ RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>
     if (!stage.empty() && !(rows.stage[i] > stage.back())) continue;
     const double unharmed = (rows.F[i] + more[i]) * elementary::exp(theta[PassUnknowns::stiffness] - lost[i]);
     Shift at{moved[i], unharmed - rows.F[i]};
-    // The stage of the loading only advances, whatever the errors of the losses.
+    // The stage of the loading only advances, despite errors of the losses.
     advanced = std::max(advanced, rows.stage[i] + at.deflection + compliance * at.force);
     at.deflection = advanced - rows.stage[i] - compliance * at.force;
     stage.push_back(rows.stage[i]);
@@ -79,8 +79,8 @@ RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>
 
 }  // namespace
 
-PassesFit told_of(const PassesSolution& best, const PassesProblem& problem, const std::vector<Leg>& legs,
-                  const std::vector<NeededLoss>& needed, const PassRows& rows, const PassUnknowns& unknowns) {
+PassesFit passes_fit_of(const PassesSolution& best, const PassesProblem& problem, const std::vector<Leg>& legs,
+                        const std::vector<NeededLoss>& needed, const PassRows& rows, const PassUnknowns& unknowns) {
   PassesFit fit;
   fit.status = PassesStatus::ok;
   const Told told(best);

@@ -12,12 +12,12 @@
 namespace flexslip {
 namespace {
 
-// The mean at one spread between specimens, and how well that spread explains the estimates.
+// The mean for one spread between specimens, and the likelihood of this spread.
 struct AtSpread {
   double weight = 0;          // Σ w, w = 1/(standard_error² + spread²)
   double mean = 0;            // Σ w y/Σ w
   double squares = 0;         // Σ w (y - mean)²
-  double log_likelihood = 0;  // restricted, but for a constant
+  double log_likelihood = 0;  // restricted, up to a constant
 };
 
 AtSpread at_spread(std::span<const Measured> tests, double spread) {
@@ -55,7 +55,8 @@ Population population_of(std::span<const Measured> tests) {
   const auto [least, most] = std::minmax_element(tests.begin(), tests.end(), by_value);
   const double range = most->value - least->value;
   const auto log_likelihood = [&](double spread) { return at_spread(tests, spread).log_likelihood; };
-  // The likelihood may have several maxima where errors differ. Beyond the range of the estimates it falls.
+  // With different errors the likelihood may have several maxima, all within the range of the
+  // estimates.
   constexpr int steps = 64;
   int best = 0;
   for (int i = 1; i <= steps; ++i)
@@ -76,8 +77,8 @@ Population population_of(std::span<const Measured> tests) {
   return {.tests = tests.size(),
           .typical = student_estimate(at.mean, standard_error, freedom),
           .spread = greatest.at,
-          .least_spread = first_where(greatest.at, 0, is_unlikely),
-          .most_spread = first_where(greatest.at, beyond, is_unlikely)};
+          .min_spread = first_where(greatest.at, 0, is_unlikely),
+          .max_spread = first_where(greatest.at, beyond, is_unlikely)};
 }
 
 }  // namespace flexslip

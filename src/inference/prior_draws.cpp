@@ -13,10 +13,10 @@ using Eigen::Index;
 
 namespace {
 
-// L, of which L L' is a covariance; none where rounding leaves it none.
+// The Cholesky factor of a covariance.
 template <int G>
 Square<G> root_of(Square<G> L, double roughness) {
-  for (int i = 0; i < G; ++i) L(i, i) += 1e-14 * roughness * roughness;  // rounding makes no variance negative
+  for (int i = 0; i < G; ++i) L(i, i) += 1e-14 * roughness * roughness;  // keeps variances positive despite rounding
   for (int k = 0; k < G; ++k) {
     double squares = 0;
     for (int j = 0; j < k; ++j) squares += L(k, j) * L(k, j);

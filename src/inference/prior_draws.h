@@ -1,4 +1,4 @@
-// A Gaussian process along the fibre (Observations) drawn from what is expected of it beforehand.
+// Samples of a Gaussian process (Observations) from its prior.
 #pragma once
 
 #include <cstdint>
@@ -20,17 +20,17 @@ class NormalSource {
   std::mt19937_64 generator_;
 };
 
-// The process with all that the observations would see of it, drawn from what is expected beforehand.
+// One sample of the process and of its observations.
 struct Drawn {
   Coefficients beta;
   std::vector<double> f;       // h'β + g at each observation
   std::vector<double> values;  // y
 };
 
-// As many of them as are asked for.
+// A source of such samples.
 class PriorDraws {
  public:
-  // Domain:     as require_domain. The observations outlive this.
+  // Domain:     as require_domain. The observations must outlive this object.
   PriorDraws(const Observations& observations, Kernel kernel, const Hyperparameters& at);
 
   Drawn operator()(NormalSource& normal) const;
@@ -39,8 +39,7 @@ class PriorDraws {
   const Observations& observations_;
   Kernel kernel_;
   Hyperparameters at_;
-  std::vector<double>
-      steps_;  // for each observation: how g goes on to it, and the root of the covariance that it gains
+  std::vector<double> steps_;  // for each observation: the transition of g, and the root of the added covariance
 };
 
 }  // namespace flexslip

@@ -35,7 +35,7 @@ ForwardRun::ForwardRun(const Passages& passages) : passages_(passages) {
   const double seen = *greatest - *least;
   const double from = std::max(*least - 0.05 * seen, 1.0005), to = std::min(*greatest + 0.1 * seen, 2.05);
   constexpr std::size_t count = 800;
-  // Evenly along the specimen.
+  // Evenly spaced along the specimen.
   const double begin = passages.along.at(from), end = passages.along.at(to);
   for (std::size_t i = 0; i < count; ++i)
     S_.push_back(passages.along.sliding_length_at(begin + (end - begin) * static_cast<double>(i) /
@@ -58,7 +58,7 @@ ForwardStates ForwardRun::states(std::span<const double> mu, double eta, std::sp
       G = G_next;
       G_next = stage(i + 1);
     }
-    // On the rise from i to i + 1: the stage has passed all before.
+    // On the rise from i to i + 1: the stage has passed all previous maxima.
     const double part = G_next > G ? std::clamp((W - G) / (G_next - G), 0.0, 1.0) : 1.0;
     states.S.push_back(S_[i] + part * (S_[i + 1] - S_[i]));
     states.mu.push_back(q[i] + part * (q[i + 1] - q[i]));
@@ -94,7 +94,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
     for (std::size_t wave = 0; wave < waves; ++wave)
       rate[wave] = 2 * std::numbers::pi *
                    elementary::exp(-(wave + 1 == waves ? f.log_wavelength : mode.theta.log_wavelength(wave)));
-    // cos and sin of evenly spaced places, by turning
+    // cos and sin of evenly spaced places, by rotation
     const double first = passages.place(run.lengths()[0]), step = passages.place(run.lengths()[1]) - first;
     std::array<elementary::SineAndCosine, max_waves> now{}, turn{};
     for (std::size_t wave = 0; wave < waves; ++wave) {
@@ -116,7 +116,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
   };
   const double scale =
       passages.options.forward_noise * std::max(elementary::exp(mode.theta.values[Theta::log_noise]), 0.005);
-  // Like squares where the run is close, like distances where it is on another tooth.
+  // Quadratic for small residuals, linear for readings on another tooth.
   const auto misfit = [&](const Guess& f) {
     const auto states = run.states(path(f), f.eta, mode.at.stage);
     double sum = 0;
@@ -155,7 +155,7 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
         best = f;
       }
     }
-  // Steps along each number in turn, shorter where none helps.
+  // Steps along each parameter, shorter if none improves.
   std::array<double, 6> step{0.04, 0.04, 0.01, 0.1 * elementary::exp(start.log_wavelength) / passages.range,
                              0.03, 0.03};
   for (int round = 0; round < 10; ++round) {
@@ -189,7 +189,8 @@ Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const
 std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages) {
   const double seen = friction.S.back() - friction.S.front();
   const double S_max = std::min(friction.S.back() + std::max(0.1 * seen, 0.01), longest_ladder);
-  // Fine enough for what was seen, unless nearly all that slid did so before.
+  // Fine enough for the observed length, unless nearly all sliding happened before the first
+  // reading.
   constexpr double min_share = 1e-4;
   const double step = std::max(seen / 1000, min_share * (S_max - rig.fibre.least_length()));
   const SlidingLadder ladder(S_max, step, rig.fibre);

@@ -1,7 +1,8 @@
-// A loading run forward over the readings of a record: the states that the fibre visits with a given friction along it.
+// The simulation of a loading with a given friction along the specimen, at the readings of a
+// record.
 //
-// Modes are found by linearising at states. Only states that the fibre visits are worth linearising at, and near a fold a reading tells almost
-// nothing of the place.
+// A mode is linearised at the states that the specimen visits in this simulation. Near a fold, a
+// reading alone barely determines the length.
 #pragma once
 
 #include <span>
@@ -16,14 +17,15 @@ struct ForwardStates {
   std::vector<double> force;         // [EI/L^2] in units of the nominal bending stiffness
 };
 
-// Friction on a ladder of lengths around the fibre seen.
+// Simulations with friction given at fixed lengths around the observed ones.
 class ForwardRun {
  public:
   explicit ForwardRun(const Passages& passages);
 
   std::span<const double> lengths() const { return S_; }  // [L]
-  // Domain:     a value of μ for each length; those outside [0, 2] count as the nearest bound. Stage positions [L] that hardly fall.
-  // Max error:  of S a hundredth of the distance of two lengths, away from folds.
+  // Domain:     one μ per length, clamped to [0, 2]; stage positions [L] that increase, apart from
+  //             noise.
+  // Max error:  a hundredth of the distance between two lengths in S, away from folds.
   ForwardStates states(std::span<const double> mu, double eta, std::span<const double> stage) const;
 
  private:
@@ -31,11 +33,12 @@ class ForwardRun {
   std::vector<double> S_;
 };
 
-// A mode with waves linearised where its mean and waves alone make the readings pass, their size, phase and level changed so that the run
-// comes closest to the record: a wave read off noisy states is too small, because its crests are folds.
+// A mode with waves, linearised at the simulation of its mean and waves whose size, phase and level
+// fit the record best. A wave fitted at noisy inverted states would be too small, because its
+// crests are folds.
 Mode fitted_forward(const FrictionProcess& process, const ForwardRun& run, const Mode& mode);
 
-// The force at stage positions, each beyond the last, that friction along the fibre gives.
+// The force at increasing stage positions for a friction along the specimen.
 // Domain:     table of at least two lengths.
 std::vector<double> forces_of(const FrictionTable& friction, const Rig& rig, std::span<const double> stages);
 

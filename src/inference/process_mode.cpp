@@ -22,9 +22,9 @@ namespace {
 using Eigen::Index;
 
 constexpr int of_friction_and_stiffness = 3;  // mean, drift, and ln EI
-static_assert(of_friction_and_stiffness + most_rig_errors + 2 * max_waves <= max_columns);
+static_assert(of_friction_and_stiffness + rig_error_capacity + 2 * max_waves <= max_columns);
 
-// Of the slack between a bound and friction, which is not negative.
+// The prior of the slack between a bound and friction, which is not negative.
 double sign_of(const SkippedPoint& site) { return site.held ? -1 : 1; }
 
 }  // namespace
@@ -32,7 +32,7 @@ double sign_of(const SkippedPoint& site) { return site.held ? -1 : 1; }
 FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passages)) {
   if (passages_.size() < min_readings) throw std::invalid_argument("too few readings tell of friction");
   const double range = passages_.range;
-  prior_ = {0.5 * 0.5, 0.2 * 0.2};  // of the mean and the drift
+  prior_ = {0.5 * 0.5, 0.2 * 0.2};  // of mean and trend
   Index next = 2;
   if (passages_.stiffness_error > 0) {
     columns_.stiffness = next++;
@@ -49,8 +49,8 @@ FrictionProcess::FrictionProcess(Passages passages) : passages_(std::move(passag
     advance.push_back(x_by_S * passages_.advance[i]);
     place_error.push_back(x_by_S * std::abs(slopes.S_force[i]) * passages_.noise);
   }
-  // Readings that hardly advance between a few long jumps tell of no shorter waves than as many spread evenly do; and noise, which moves the
-  // place of a reading as well, makes waves of its own that are shorter than its circle.
+  // Readings that cluster between a few long jumps resolve no shorter waves than evenly spaced
+  // ones. Noise of the places creates spurious waves shorter than its circle.
   const auto& o = options();
   min_wavelength_ =
       std::max({o.min_wave_advances * median_of(std::move(advance)), range / static_cast<double>(passages_.size()),
@@ -64,7 +64,7 @@ FrictionProcess FrictionProcess::with_pull(const Coefficients& pull) const {
   return pulled;
 }
 
-// The columns at a place, of waves the room for them.
+// The columns at a place, with space for waves.
 Coefficients FrictionProcess::columns_beside_waves(double place, std::size_t waves) const {
   Coefficients h = Coefficients::Zero(columns_.waves + 2 * static_cast<Index>(waves));
   h[columns_.mean] = 1;
@@ -85,8 +85,8 @@ Coefficients FrictionProcess::columns_at(double place, const Mode& mode) const {
 
 std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) const {
   std::vector<double> S, stage, near;
-  // Of a snap that overshoots the bound holds up to the nearest stable state, which is not known: by symmetry, friction that falls and rises alike,
-  // half of the way or farther.
+  // In an overshooting snap the bound holds up to the unknown nearest stable state: by symmetry,
+  // over at least half of the length.
   constexpr double bounded = 0.5;
   const double bounded_part = passages_.overshoots ? bounded : 1;
   for (const auto& site : mode.sites) {
@@ -106,18 +106,18 @@ std::vector<FrictionProcess::Node> FrictionProcess::nodes_of(const Mode& mode) c
   return nodes;
 }
 
-// What friction at a node is below, less what is expected of it.
+// The upper bound of friction at a node, minus the prior mean.
 double FrictionProcess::bound_at(const Node& node, const SkippedPoint& site, const Mode& mode) const {
   return node.level - mean_friction + by_errors_at(mode.at, reading_of(site), site.wave_slope);
 }
 
-// The friction that a reading shows larger by an error: where it moves places, waves move along; roughness, whose size and places nobody knows
-// beforehand, tells nothing.
+// The effect of an error on the friction of a reading. Shifted places shift waves too; the
+// roughness is unknown and carries no information.
 double FrictionProcess::by_error(const RigError& error, std::size_t reading, double wave_slope) const {
   return error.friction[reading] + wave_slope * error.place[reading];
 }
 
-// Likewise by the errors of EI and of the rig that a linearisation has taken off.
+// The same for the errors of EI and the rig that a linearisation corrects.
 double FrictionProcess::by_errors_at(const Linearisation& at, std::size_t reading, double wave_slope) const {
   double more = columns_.stiffness >= 0 ? by_error(passages_.stiffness, reading, wave_slope) * at.eta : 0;
   for (std::size_t r = 0; r < at.rig.size(); ++r)
@@ -204,7 +204,7 @@ Profile FrictionProcess::profile_of(const Mode& mode, std::span<const double> pl
   return profile;
 }
 
-// The bound less the slack, which the site says.
+// The bound minus the mean slack of the point.
 void FrictionProcess::say_sites(const Mode& mode, const std::vector<Node>& nodes, Observations& observations) const {
   std::size_t j = 0;
   for (std::size_t k = 0; k < observations.all.size(); ++k) {
@@ -265,7 +265,7 @@ FrictionProcess::Objective FrictionProcess::objective(const Mode& mode, Observat
   return result;
 }
 
-// One round of expectation propagation, all sites at once.
+// One round of expectation propagation over all points.
 void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, const Observations& observations,
                                    const std::vector<SmoothedObservation>& smoothed) const {
   std::size_t j = 0;
@@ -290,7 +290,8 @@ void FrictionProcess::update_sites(Mode& mode, const std::vector<Node>& nodes, c
   }
 }
 
-// What the evidence would gain by an EI and a rig away from those of the linearisation: no gain, since there it does not hold.
+// The gain of evidence by values of EI and the rig far from the linearisation, which is excluded
+// because the linearisation fails there.
 double FrictionProcess::by_moving_rig(const Mode& mode, const Chain& chain) const {
   if (!options().parts.rig_cost) return 0;
   const bool knows_stiffness = columns_.stiffness < 0;
@@ -313,7 +314,7 @@ void FrictionProcess::settle(Mode& mode) const {
   for (int round = 0; round < max_rounds; ++round) {
     const Chain chain(observations, mode.kernel, p);
     double evidence = chain.log_likelihood();
-    if (!std::isfinite(evidence)) evidence = -infinity;  // so far from any sliding that it leads nowhere
+    if (!std::isfinite(evidence)) evidence = -infinity;  // no sliding explains the readings
     if (!mode.sites.empty()) {
       const auto smoothed = chain.smoothed();
       std::size_t j = 0;
@@ -338,7 +339,7 @@ void FrictionProcess::settle(Mode& mode) const {
   }
 }
 
-// dμ/dS of the friction fitted, at each observation.
+// dμ/dS of the fitted friction at each observation.
 std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode, const Observations& observations,
                                                                const Chain& chain,
                                                                const std::vector<SmoothedObservation>& smoothed) const {
@@ -360,7 +361,7 @@ std::vector<FrictionProcess::Slope> FrictionProcess::slopes_of(const Mode& mode,
   return slopes;
 }
 
-// One Gauss-Newton step; returns how far the fitted lengths had to go, the greatest of them [L].
+// Takes one Gauss-Newton step and returns the maximum change of the fitted lengths [L].
 double FrictionProcess::pass(Mode& mode, double fraction) const {
   mode.sites = skipped_segments(passages_, mode.at, elementary::exp(mode.theta.values[Theta::log_noise]), mode.sites);
   const auto nodes = nodes_of(mode);
@@ -411,18 +412,18 @@ Mode FrictionProcess::start(Kernel kernel, const Theta& theta, const Linearisati
 
 void FrictionProcess::burst(Mode& mode, int steps, double fraction) const {
   for (int step = 0; step < steps; ++step) {
-    constexpr double settled = 2e-6;  // [L] far below what a reading resolves
+    constexpr double settled = 2e-6;  // [L] far below the resolution of a reading
     if (pass(mode, fraction) < settled) break;
   }
   settle(mode);
 }
 
-// [1] Of ln λ: a tenth of a period over the range.
+// [1] The longest step of ln λ, a tenth of a period over the range.
 double FrictionProcess::longest_step(double log_wavelength) const {
   return options().wave_step * elementary::exp(log_wavelength - elementary::log(passages_.range));
 }
 
-// Minus the inverse curvature of the log_posterior in θ, roughly.
+// The approximate inverse of minus the curvature of the log_posterior in θ.
 FrictionProcess::ThetaMatrix FrictionProcess::usual_spread(const Theta& theta) const {
   const auto n = static_cast<Index>(theta.size());
   ThetaMatrix spread = options().theta_spread * ThetaMatrix::Identity(n, n);
@@ -434,7 +435,7 @@ FrictionProcess::ThetaMatrix FrictionProcess::usual_spread(const Theta& theta) c
   return spread;
 }
 
-// Uphill in θ, within a box that moves along; no step is longer than 1, of ln λ than a tenth of a period over the range. The spread is learned.
+// Maximises over θ within a moving box (BFGS); steps are limited to 1, or longest_step for ln λ.
 void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) const {
   const auto n = static_cast<Index>(mode.theta.size());
   Box<ThetaVector> box{
@@ -443,8 +444,8 @@ void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) 
   for (Index i = 0; i < n; ++i) start[i] = mode.theta.values[static_cast<std::size_t>(i)];
   constexpr auto first_wave = static_cast<Index>(Theta::first_wave);
   for (Index i = 0; i < first_wave; ++i) {
-    box.low[i] = prior_of_theta_.least[static_cast<std::size_t>(i)];
-    box.high[i] = prior_of_theta_.greatest[static_cast<std::size_t>(i)];
+    box.low[i] = prior_of_theta_.min[static_cast<std::size_t>(i)];
+    box.high[i] = prior_of_theta_.max[static_cast<std::size_t>(i)];
   }
   for (Index i = first_wave; i < n; ++i) {
     box.longest_step[i] = longest_step(start[i]);
@@ -472,7 +473,7 @@ void FrictionProcess::maximise(Mode& mode, ThetaMatrix& spread, int iterations) 
 void FrictionProcess::polish(Mode& mode, const Schedule& schedule) const {
   settle(mode);
   double before = mode.log_posterior;
-  Mode best = mode;  // of states that have followed their hyperparameters: the log_posterior of others means nothing
+  Mode best = mode;  // only modes with settled states have a meaningful log_posterior
   ThetaMatrix spread = usual_spread(mode.theta);
   for (int round = 0; round < schedule.rounds; ++round) {
     maximise(mode, spread, static_cast<int>(options().theta_iterations));

@@ -31,7 +31,8 @@ double weight_of(const Component& component, const Component& best) {
   return elementary::exp(component.log_evidence - best.log_evidence);
 }
 
-// Standard normal points in pairs that mirror each other, evenly spread: a Kronecker sequence of the golden ratio of the dimension.
+// Standard normal points in mirrored pairs: a Kronecker sequence of the golden ratio of the
+// dimension.
 std::vector<VectorXd> normal_points(Index dimensions) {
   double golden = 1.5;  // golden^(dimensions + 1) = golden + 1
   for (int i = 0; i < 60; ++i)
@@ -51,7 +52,8 @@ std::vector<VectorXd> normal_points(Index dimensions) {
   return points;
 }
 
-// The mean of μ over a stretch of the fibre as a functional of a chain: its coefficients, and its covariance with g at each observation.
+// The mean of μ over a segment as a functional of a chain: its coefficients, and its covariance
+// with g at each observation.
 struct MeanFunctional {
   Coefficients a;
   std::vector<double> covariance;
@@ -76,7 +78,7 @@ MeanFunctional mean_over(double from, double to, const FrictionProcess& process,
       f.covariance.push_back(0);
       continue;
     }
-    // From the observation to either end; negative where it lies beyond.
+    // Distances from the observation to both ends; negative outside.
     const auto to_end = [&](double distance) {
       return std::copysign(matern::integrals_to(rate * std::abs(distance), mode.kernel).of_kernel, distance);
     };
@@ -113,7 +115,8 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
     process.prior_of_theta().bound(point.mode.theta);
     process.settle(point.mode);
     point.log_weight = point.mode.log_posterior - component.mode.log_posterior + 0.5 * squares;
-    // No point is much likelier than the mode: where gaps or EI ran away from it, nothing is known of that point. Nor does one far below tell.
+    // Skip points much more probable than the mode, at which the iteration diverged, and points far
+    // below it.
     constexpr double at_most = 12, at_least = -50;
     if (point.log_weight < at_most && point.log_weight > at_least) points.push_back(std::move(point));
   }
@@ -121,7 +124,7 @@ std::vector<Point> points_of(const FrictionProcess& process, const Component& co
   return points;
 }
 
-// ln of the weights, none more than four times the mean: the tails of few points are not to be trusted with more.
+// ln of the weights, each limited to four times the mean because the tails have few points.
 void temper(std::vector<Point>& points) {
   double greatest = -infinity, mean = 0;
   for (const auto& point : points) greatest = std::max(greatest, point.log_weight);
@@ -135,7 +138,7 @@ bool is_rough(const Component& component) { return component.mode.kernel != Kern
 
 class Posterior {
  public:
-  // What is rough is told by the second process, which knows of its pull.
+  // Rough explanations use the second process, which includes the pull.
   Posterior(const FrictionProcess& process, const FrictionProcess& of_roughness, std::span<const Component> components)
       : process_(process), o_(process.options()), of_roughness_(of_roughness), components_(components) {
     const auto& S = components.front().mode.at.S;
@@ -183,7 +186,8 @@ class Posterior {
     result_.log_evidence_of_wave = with->log_evidence - without->log_evidence + elementary::log(sum_with / sum_without);
   }
 
-  // What waves gain over friction as variable that no reading shares with another: more comes from an explanation without them that was missed.
+  // The limit of the gain by waves: their gain over friction that is independent at each reading. A
+  // larger gain means that an explanation without waves was missed.
   double carried_by_readings(const Mode& mode) const {
     const Observations observations = process_for(mode).observations_of(mode);
     const auto p = hyperparameters_of(mode.theta);
@@ -198,8 +202,7 @@ class Posterior {
     return gain;
   }
 
-  // ln p(readings, gaps) at the hyperparameters and the waves of a mode, integrated over all else: so a rough kernel holds what smooth friction explains,
-  // and more waves what fewer do.
+  // ln p(readings, gaps) at the hyperparameters and waves of a mode, integrated over all else.
   double log_likelihood_of(const Mode& mode) const {
     const double value = process_.evidence(mode) + mode.at.log_jacobian;
     const auto waves = 2 * static_cast<Index>(mode.theta.waves);
@@ -230,9 +233,9 @@ class Posterior {
       if (observations.all[k].is_reading()) result_.innovations.push_back(rest[static_cast<Index>(k)]);
   }
 
-  // Of the explanations that weigh anything, by their weight.
+  // Averaged over the relevant explanations by weight.
   void list_sensitivities() {
-    constexpr double worth_asking = 0.05;  // of the likeliest
+    constexpr double worth_asking = 0.05;  // of the most probable
     double total = 0;
     for (const auto& component : components_)
       if (const double weight = weight_of(component, components_.front()); weight >= worth_asking) total += weight;
@@ -241,22 +244,22 @@ class Posterior {
         add_sensitivities(component.mode, weight / total);
   }
 
-  // What is stated larger is taken off what is read, at the hyperparameters of a mode but for the wavelengths: a wave is as long on the specimen as
-  // all places say.
+  // A larger stated value is subtracted from the readings, at the hyperparameters of a mode except
+  // the wavelengths, which scale with the places.
   void add_sensitivities(const Mode& mode, double weight) {
     const Observations observations = process_for(mode).observations_of(mode);
     const auto f = mean_over(from_, to_, process_for(mode), mode, observations);
     const Coefficients beta = Chain(observations, mode.kernel, hyperparameters_of(mode.theta)).mean();
     const Index stiffness = process_.columns().stiffness;
     struct Told {
-      VectorXd whitened;     // what was read
-      VectorXd unexplained;  // of it
+      VectorXd whitened;     // the readings
+      VectorXd unexplained;  // their residuals
       double mean, log_stiffness;
     };
     const auto told_by = [&](std::vector<double> read) {
       Observations instead = observations;
       instead.values = std::move(read);
-      instead.pull = {};  // the same whatever is read
+      instead.pull = {};  // independent of the readings
       const Chain chain(instead, mode.kernel, hyperparameters_of(mode.theta));
       const auto white = chain.whitened_columns();
       return Told{.whitened = white.row(white.rows() - 1).transpose(),
@@ -265,10 +268,10 @@ class Posterior {
                   .mean = chain.functional(f.a, f.covariance, f.variance).mean,
                   .log_stiffness = stiffness >= 0 ? chain.mean()[stiffness] : 0};
     };
-    std::vector<Told> longer;  // by waves longer by the whole of it, each beside those before it
+    std::vector<Told> longer;  // per unit of ln λ of each wave, orthogonal to the previous ones
     const auto less_longer = [&](Told told) {
       for (const Told& wave : longer) {
-        constexpr double prior = 1;  // of ln of a wavelength: a wave of no height tells nothing of it
+        constexpr double prior = 1;  // of ln λ, for waves of zero amplitude
         const double times = wave.whitened.dot(told.unexplained) / (wave.whitened.dot(wave.unexplained) + prior);
         told.whitened -= times * wave.whitened;
         told.unexplained -= times * wave.unexplained;
@@ -306,14 +309,14 @@ class Posterior {
 
   static bool has_waves(const Component& component) { return component.mode.theta.waves > 0; }
 
-  // The likeliest of a kind; null: there is none.
+  // The most probable of a kind; null without any.
   template <class Kind>
   const Component* best_of(Kind kind) const {
     const auto best = std::find_if(components_.begin(), components_.end(), kind);
     return best == components_.end() ? nullptr : &*best;
   }
 
-  // What a component weighs among those of a kind; 0 where that is nothing.
+  // The weight of a component among its kind; 0 if negligible.
   template <class Kind>
   double weight_among(const Component& component, Kind kind) const {
     if (!kind(component)) return 0;
@@ -321,7 +324,8 @@ class Posterior {
     return weight > elementary::exp(-o_.weighs_nothing) ? weight : 0;
   }
 
-  // Waves are told by those that have them, roughness by those that are rough, however little these weigh among all.
+  // Waves are averaged over components with waves, roughness over rough components, regardless of
+  // their total weight.
   void add(const Component& component) {
     const double weight = weight_among(component, [](const Component&) { return true; });
     const double of_waves = weight_among(component, has_waves), of_roughness = weight_among(component, is_rough);
@@ -350,7 +354,7 @@ class Posterior {
       result_.log_stiffness.push_back(columns.stiffness >= 0 ? of_beta(columns.stiffness, 1, 0)
                                                              : NormalPart{weight * share, 0, 0});
     }
-    // Hyperparameters by the moments of the points: their logarithms are skewed about the mode.
+    // Moments of the points, because the logarithms are skewed about the mode.
     const auto of_theta = [&](std::size_t j, double part) {
       double total = 0, mean = 0, squares = 0;
       for (const auto& point : points) total += elementary::exp(point.log_weight);
@@ -368,7 +372,7 @@ class Posterior {
     result_.log_length.push_back(of_theta(3, of_roughness));
   }
 
-  // Drift and stiffness among the coefficients, each with what makes it the parameter.
+  // The columns of trend and stiffness, with the factors that give the parameters.
   struct ToldCoefficient {
     JointPart::Parameter parameter;
     Index at;
@@ -401,7 +405,7 @@ class Posterior {
     return part;
   }
 
-  // Other waves are other explanations, and no error of this one.
+  // Other wavelengths are separate explanations, not part of this one's error.
   bool is_likeliest(const Mode& mode, std::size_t wave) const {
     const Mode& best = best_of(has_waves)->mode;
     if (mode.theta.waves != best.theta.waves) return false;
@@ -409,13 +413,13 @@ class Posterior {
     return std::abs(mode.theta.log_wavelength(wave) - log_wavelength) <= same_wave(log_wavelength);
   }
 
-  // Half the distance at which the fibre seen tells two wavelengths apart.
+  // Half of the resolution of wavelengths over the observed length.
   double same_wave(double log_wavelength) const {
     return 0.5 * elementary::exp(log_wavelength) / process_.passages().range;
   }
 
-  // How far a wavelength differs between the modes that have the same wave, however much they weigh: linearised elsewhere, it moves by more
-  // than the curvature at one place knows.
+  // The spread of a wavelength between modes with the same wave, regardless of weight. It exceeds
+  // the curvature at one linearisation.
   double scatter_of(const Component& component, std::size_t wave) const {
     const double log_wavelength = component.mode.theta.log_wavelength(wave);
     if (!o_.parts.scatter) return 0;
@@ -437,7 +441,7 @@ class Posterior {
     constexpr int draws = 60;
     const Index first = process_.columns().waves;
     const auto waves = static_cast<Index>(mode.theta.waves);
-    // Mean, then cosine and sine of each wave, then what else is told.
+    // Mean, cosine and sine of each wave, then the other parameters.
     const auto told = told_by_coefficients();
     const Index of_waves = 1 + 2 * waves, all = of_waves + static_cast<Index>(told.size());
     MatrixXd covariance(all, all);
@@ -532,7 +536,7 @@ class Posterior {
     result_.profile = table_of(band.mean);
   }
 
-  // So many that a wave and a correlation length are drawn smoothly, and the run forward meets their folds.
+  // Enough points for smooth waves and for the folds of the simulation.
   std::size_t points_of_profile() const {
     double finest = process_.passages().range / 10;
     for (const auto& component : components_) {
@@ -556,7 +560,7 @@ class Posterior {
     return table;
   }
 
-  // A draw from beforehand, moved by what it would have to be moved by to see what was seen.
+  // A prior sample, shifted to agree with the observations (Matheron).
   void draw_profile(const PriorDraws& beforehand, const Profile& profile, const Chain& chain) {
     const Drawn drawn = beforehand(normal_);
     std::vector<double> rest = profile.observations.values;
@@ -579,7 +583,7 @@ class Posterior {
   const FrictionProcess& of_roughness_;
   std::span<const Component> components_;
   double from_, to_;
-  std::array<WavePosterior, max_waves> waves_{};  // of the likeliest explanation with waves
+  std::array<WavePosterior, max_waves> waves_{};  // of the most probable explanation with waves
   ProcessPosterior result_{};
   NormalSource normal_{20210829}, normal_beside_{20210830};
 };
@@ -587,7 +591,7 @@ class Posterior {
 }  // namespace
 
 ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Component> components) {
-  // Where the likeliest is smooth, the others hardly tell of a pull.
+  // If the most probable explanation is smooth, the pull is negligible.
   const SearchOptions& o = process.options();
   if (!o.parts.rig_score_correction || !is_rough(components.front()))
     return Posterior(process, process, components).result();
@@ -598,7 +602,8 @@ ProcessPosterior posterior_of(const FrictionProcess& process, std::span<const Co
     Mode moved = each.mode;
     pulled.settle(each.mode);
     pulled.burst(moved, o.settle);
-    // Where the bending stiffness runs away, or nothing is left that slid, the mode stays, and its means are moved to first order.
+    // If the bending stiffness diverges or nothing slides, keep the mode and shift its means to
+    // first order.
     const double away = std::abs(moved.at.eta - each.mode.at.eta);
     if (away <= o.pull_farthest * process.passages().stiffness_error &&
         moved.log_posterior > each.mode.log_posterior - o.ran_away && has_slid(moved.at))

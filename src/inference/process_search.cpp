@@ -21,7 +21,8 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-// The gain of a wave at many wavelengths, its amplitude integrated out, everything else as in a mode.
+// The gain of evidence by a wave at many wavelengths, with its amplitude integrated out and all
+// else as in a mode.
 std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mode& mode) {
   const Observations observations = process.observations_of(mode);
   const Chain chain(observations, mode.kernel, hyperparameters_of(mode.theta));
@@ -32,7 +33,7 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
   const double least = 1 / process.max_wavelength(), most = 1 / process.min_wavelength();
   const double step = 1 / (process.options().scan_steps * range);
   const std::size_t count = most > least ? static_cast<std::size_t>((most - least) / step) + 1 : 0;
-  // cos and sin of 2π f x for four f at once, then for the next four by turning.
+  // cos and sin of 2π f x for four f at once, then for the next four by rotation.
   constexpr std::size_t at_once = 4;
   std::vector<Chain::Eight> waves(n), whitened(n);
   std::vector<elementary::SineAndCosine> turn(n);
@@ -61,7 +62,8 @@ std::vector<ScannedWavelength> scan_of(const FrictionProcess& process, const Mod
       for (std::size_t l = 0; l < at_once; ++l) products[l] += w[l] * w[at_once + l];
     }
     for (std::size_t l = 0; l < at_once && i + l < count; ++l) {
-      // The columns of the mode take their part: with them β ~ N(mean, covariance) and the rest is orthogonal.
+      // Project out the columns of the mode: β ~ N(mean, covariance), and the remainder is
+      // orthogonal to them.
       Coefficients c(p), s(p);
       for (Index j = 0; j < p; ++j) {
         c[j] = with[static_cast<std::size_t>(j)][l];
@@ -97,7 +99,8 @@ std::vector<ScannedWavelength> peaks_of(const std::vector<ScannedWavelength>& sc
   return peaks;
 }
 
-// Minus the second difference of the log_posterior in a hyperparameter, over the step at which it falls by one or more on the average of both sides.
+// Minus the second difference of the log_posterior in a hyperparameter, with a step at which it
+// falls by one or more on average.
 double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Observations& observations,
                          std::size_t hyperparameter) {
   const auto at = [&](double step) {
@@ -115,7 +118,7 @@ double curvature_of_fall(const FrictionProcess& process, const Mode& mode, Obser
   return 2 / (last * last);
 }
 
-// ln p(readings, gaps), θ integrated out by the curvature of the log_posterior at the mode.
+// ln p(readings, gaps), with θ integrated out by Laplace's approximation.
 Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto& o = process.options();
   const auto n = static_cast<Index>(mode.theta.size());
@@ -124,7 +127,8 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   const auto free = [&](Index i) { return !(mode.kernel == Kernel::none && (i == 2 || i == 3)); };
   for (Index i = 0; i < n; ++i) {
     if (!free(i)) continue;
-    // The log_posterior may be flat at its top in ln λ, or dented, and steep beside it: what counts is where it has fallen by about one.
+    // In ln λ the log_posterior may have a flat or uneven top with steep sides; the width is where
+    // it has fallen by about one.
     const double curvature = i < 4 || !o.parts.fall_curvature
                                  ? 0
                                  : curvature_of_fall(process, mode, observations, static_cast<std::size_t>(i));
@@ -139,8 +143,8 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
     H(i, i) = std::max(H(i, i), 0.5 * curvature);
   }
   H = (0.5 * (H + H.transpose())).eval();
-  // In units of the deviations that each has by itself, since those of ln λ are far smaller.
-  constexpr double min_curvature = 0.3;  // priors tell a hyperparameter to 1.8 in its logarithm at least
+  // In units of the individual deviations, because the deviations of ln λ are much smaller.
+  constexpr double min_curvature = 0.3;  // the priors limit the logarithm of a hyperparameter to 1.8 or better
   const Eigen::VectorXd unit = H.diagonal().cwiseMax(min_curvature).cwiseSqrt().cwiseInverse();
   const auto [curvatures, vectors] = eigen_of(MatrixXd(unit.asDiagonal() * H * unit.asDiagonal()));
   const Eigen::VectorXd values = curvatures.cwiseMax(o.min_eigenvalue);
@@ -148,7 +152,7 @@ Component component_of(const FrictionProcess& process, const Mode& mode) {
   for (Index i = 0; i < n; ++i) log_evidence += elementary::log(unit[i]) - 0.5 * elementary::log(values[i]);
   const auto dimensions = static_cast<double>(n - (mode.kernel == Kernel::none ? 2 : 0));
   log_evidence += 0.5 * dimensions * elementary::log(2 * std::numbers::pi);
-  // Of waves, each ln λ is uniform, and which is called the first says nothing.
+  // Each ln λ has a uniform prior; the order of waves is arbitrary.
   for (std::size_t wave = 0; wave < mode.theta.waves; ++wave)
     log_evidence += elementary::log(static_cast<double>(wave + 1)) -
                     elementary::log(elementary::log(process.max_wavelength() / process.min_wavelength()));
@@ -204,7 +208,7 @@ class Search {
       if (kernel == Kernel::matern_9_2 && !o_.parts.smooth_kernel) continue;
       if (with_plain && kernel != plain.kernel)
         components.push_back(component_of(process_, without_wave(kernel, plain)));
-      // A wave that is out of the question with its kernel is not asked for with the others.
+      // A wave that is improbable with its kernel is not continued to the others.
       if (o_.parts.waves_of_kernels && wave && gain > o_.out_of_question && kernel != wave->kernel)
         components.push_back(component_of(process_, continued(*wave, kernel)));
     }
@@ -227,7 +231,7 @@ class Search {
   }
 
  private:
-  // A second wave, where it is claimed as well: it takes the place of the mode with one.
+  // A second wave, if it is detected, replaces the mode with one.
   void add_second_wave(Mode& wave, std::vector<Component>& components) const {
     auto two = with_one_more_wave(wave, scan_of(process_, wave));
     if (!two) return;
@@ -237,7 +241,7 @@ class Search {
     wave = std::move(*two);
   }
 
-  // What explains the record with a wave is where to look without: the likeliest waves given to roughness, in place of what that kernel found alone.
+  // Search without waves near the best mode with waves, whose waves become roughness.
   void add_without_waves(std::vector<Component>& components) const {
     const Mode& with = components.front().mode;
     if (with.theta.waves == 0) return;
@@ -251,7 +255,7 @@ class Search {
     }
   }
 
-  // Until it is linearised at what it says itself of the rig, too: merits of others say little.
+  // Linearise until consistent with its own estimate of the rig.
   void converge(Component& component) const {
     Mode mode = component.mode;
     process_.burst(mode, o_.settle);
@@ -272,8 +276,9 @@ class Search {
     return angles;
   }
 
-  // The likeliest waves to where their lengths and the errors of the rig are likeliest together, which no polish of one at a time gets to soon: a rig that
-  // is off stretches all waves alike. How far the lengths may be off is taken for that of all other modes with so many waves.
+  // Move the most probable waves to the joint optimum of their lengths and the errors of the rig,
+  // which stretch all waves alike. The resulting error of the lengths serves for all other modes
+  // with as many waves.
   void move_along_valley(std::vector<Component>& components) const {
     Component& component = components.front();
     const std::size_t waves = component.mode.theta.waves;
@@ -311,14 +316,14 @@ class Search {
     component.mode = std::move(moved);
   }
 
-  // matern_3_2, if it is asked for: it follows roughness best that is rougher or smoother.
+  // matern_3_2 if available: it approximates rougher and smoother processes best.
   Kernel first_kernel() const {
     const auto& kernels = asked_.kernels;
     const bool asked = std::find(kernels.begin(), kernels.end(), Kernel::matern_3_2) != kernels.end();
     return asked ? Kernel::matern_3_2 : kernels.front();
   }
 
-  // A mode settled, and moved by a burst where that is much better.
+  // A settled mode, after a burst if that is much better.
   Mode settled(Mode mode, const Schedule& schedule) const {
     process_.settle(mode);
     Mode moved = mode;
@@ -333,7 +338,8 @@ class Search {
     return mode;
   }
 
-  // From noise that hides all of it down to that seen: at once, steps of jerky friction run away.
+  // Decrease the noise from a level that hides everything to the observed one; otherwise steps of
+  // jerky friction diverge.
   Mode annealed(double eta) const {
     const ThetaPrior& prior = process_.prior_of_theta();
     Theta theta = prior.usual();
@@ -342,8 +348,8 @@ class Search {
     Mode mode = process_.start(Kernel::exponential, theta, rises_);
     mode.at.eta = eta;
     complete(mode.at, process_.passages());
-    const double first = prior.greatest[Theta::log_noise],
-                 last = std::max(elementary::log(process_.passages().noise), prior.least[Theta::log_noise]);
+    const double first = prior.max[Theta::log_noise],
+                 last = std::max(elementary::log(process_.passages().noise), prior.min[Theta::log_noise]);
     for (int step = 1; step <= o_.anneal.steps; ++step) {
       mode.theta.values[Theta::log_noise] = first + (last - first) * step / o_.anneal.steps;
       process_.burst(mode, 1, o_.anneal.fraction);
@@ -351,7 +357,8 @@ class Search {
     return mode;
   }
 
-  // The best without a wave: continued from that with another kernel, or of jerky friction from several bending stiffnesses.
+  // The best mode without a wave: continued from another kernel, or annealed from several bending
+  // stiffnesses.
   Mode without_wave(Kernel kernel, const Mode& plain) const {
     Mode best = continued(plain, kernel);
     if (kernel != Kernel::exponential || !o_.parts.anneal) return best;
@@ -366,7 +373,7 @@ class Search {
     return best;
   }
 
-  // A mode whose waves are given to roughness.
+  // A mode whose waves become roughness.
   Mode waves_as_roughness(Mode mode, Kernel kernel) const {
     double squares = 0;
     const Observations observations = process_.observations_of(mode);
@@ -400,7 +407,8 @@ class Search {
     return found;
   }
 
-  // Does the fibre seen tell a wavelength from those that are there? Two that differ by less than a period over it are one whose height varies.
+  // True if the observed length resolves a wavelength from the existing ones: they differ by at
+  // least a period over it.
   bool is_resolved(double wavelength, const Theta& theta, std::size_t waves) const {
     for (std::size_t wave = 0; wave < waves; ++wave)
       if (std::abs(1 / wavelength - elementary::exp(-theta.log_wavelength(wave))) * process_.passages().range < 1)
@@ -408,7 +416,7 @@ class Search {
     return true;
   }
 
-  // A mode with one more wave than `theta` has, quickly.
+  // A quick mode with one wave more than `theta`.
   Mode tried(const Mode& from, Theta theta, double log_wavelength) const {
     theta.values[Theta::log_roughness] = elementary::log(o_.smooth_roughness);
     theta.values[Theta::log_length] = elementary::log(process_.passages().range / o_.trial_length);
@@ -424,8 +432,8 @@ class Search {
     const Theta usual =
         process_.prior_of_theta().usual(std::span(plain.theta.values).subspan(Theta::first_wave, plain.theta.waves));
     const Mode raw = process_.start(plain.kernel, usual, rises_);
-    const std::size_t last = plain.theta.waves;  // the wave that is sought
-    std::vector<std::pair<Mode, double>> found;  // and the wavelength that it started from
+    const std::size_t last = plain.theta.waves;  // the new wave
+    std::vector<std::pair<Mode, double>> found;  // and the starting wavelength
     const auto rank = [&] {
       std::stable_sort(found.begin(), found.end(),
                        [](const auto& a, const auto& b) { return better(a.first, b.first); });
@@ -437,13 +445,14 @@ class Search {
     const std::vector<double> wavelengths = candidates(plain, raw, scan);
     double best = -infinity;
     for (const double wavelength : wavelengths) best = std::max(best, try_from(plain, wavelength));
-    // Where noise blurs the places of readings, their order along the fibre is in doubt, and with it where to begin: from the rises as well the first
-    // peak, and where any wave gains, all.
+    // If noise blurs the order of the readings, also start from the rises: the first peak, or all
+    // peaks if a wave gains.
     const bool blurred = is_blurred(plain);
     for (std::size_t i = 0; o_.parts.trials_from_rises && blurred && i < wavelengths.size(); ++i)
       if (i == 0 || best > plain.log_posterior) best = std::max(best, try_from(raw, wavelengths[i]));
     rank();
-    // The two best from their own simulated loadings, too. Where none comes up to what friction without it is worth, none nearby does.
+    // Also start the two best from their simulated loadings, unless none reaches the mode without a
+    // wave.
     const bool promising = !found.empty() && better(found.front().first, plain);
     const std::size_t trials = o_.parts.trials_forward && blurred && promising ? found.size() : 0;
     std::vector<double> done;
@@ -468,7 +477,7 @@ class Search {
     return std::nullopt;
   }
 
-  // Whether noise moves the place of a reading by as much as tells waves apart.
+  // True if the noise of places reaches the resolution of waves.
   bool is_blurred(const Mode& mode) const {
     std::vector<double> blur;
     const double noise = elementary::exp(mode.theta.values[Theta::log_noise]);
@@ -482,7 +491,7 @@ class Search {
     Mode other = mode;
     other.kernel = kernel;
     process_.polish(other, o_.follow);
-    // Friction without roughness has nothing that makes up for a wave that is too small.
+    // Without roughness, nothing compensates for a wave that is too small.
     if (o_.parts.smooth_forward && kernel == Kernel::none && mode.theta.waves > 0) {
       Mode forward = fitted_forward(process_, run_, other);
       process_.burst(forward, o_.smooth_forward);

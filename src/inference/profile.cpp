@@ -12,7 +12,8 @@
 namespace flexslip {
 namespace {
 
-// Friction at length S that puts the point on the load line of a stage position, w + F/k = stage; held within what the map knows.
+// The friction at length S on the load line of a stage position, w + F/k = stage, clamped to the
+// domain of the map.
 double friction_on_load_line(double S, double stage, const Rig& rig, double start) {
   const double c = 1 / rig.stiffness;
   double q = start;
@@ -20,14 +21,15 @@ double friction_on_load_line(double S, double stage, const Rig& rig, double star
     const auto [state, slopes] = rig.fibre.state_slopes(S, q);
     if (state.status != FibreStatus::ok) return q;
     const double next = held_friction(rig.fibre, q - (state.w + c * state.F - stage) / (slopes.w_q + c * slopes.F_q));
-    const bool done = std::abs(next - q) <= 1e-12 * (1 + q);  // far below what a measurement resolves
+    const bool done = std::abs(next - q) <= 1e-12 * (1 + q);  // far below the resolution of a measurement
     q = next;
     if (done) break;
   }
   return q;
 }
 
-// Of friction with respect to force and deflection, and of the length with respect to the force at fixed stage position.
+// Derivatives of friction in force and deflection, and of the length in the force at fixed stage
+// position.
 struct ToldSlopes {
   double q_F, q_w;  // [L^2/EI], [1/L]
   double S_force;   // [L^3/EI]
@@ -35,17 +37,17 @@ struct ToldSlopes {
 
 ProfilePoint point_of(std::size_t index, const FibreState& told, double F, const ToldSlopes& slopes, const Rig& rig,
                       const MeasurementErrors& errors) {
-  return {
-      .index = index,
-      .S = told.S,
-      .length = rig.fibre.length_between_contacts(told),
-      .imaged = rig.fibre.imaged_length(told),
-      .mu = told.q,
-      .from_force = errors.force * std::abs(slopes.q_F - slopes.q_w / rig.stiffness),  // an error of F is one of w, too
-      .from_bending_stiffness =
-          errors.bending_stiffness * std::abs(F * slopes.q_F),  // EI enters through the scaling of F
-      .from_contact = errors.contact * std::abs(slopes.q_w),
-      .S_force = slopes.S_force};
+  return {.index = index,
+          .S = told.S,
+          .length = rig.fibre.length_between_contacts(told),
+          .imaged = rig.fibre.imaged_length(told),
+          .mu = told.q,
+          .from_force =
+              errors.force * std::abs(slopes.q_F - slopes.q_w / rig.stiffness),  // an error of F is also an error of w
+          .from_bending_stiffness =
+              errors.bending_stiffness * std::abs(F * slopes.q_F),  // EI enters through the scaling of F
+          .from_contact = errors.contact * std::abs(slopes.q_w),
+          .S_force = slopes.S_force};
 }
 
 }  // namespace
@@ -106,7 +108,7 @@ double min_informative_deflection(const Fibre& fibre, double min_deflection) {
   return std::max(min_deflection, least_half_depths * fibre.supports().half_depth);
 }
 
-double greatest_curvature(const FrictionProfile& profile, const Fibre& fibre) {
+double max_curvature(const FrictionProfile& profile, const Fibre& fibre) {
   double greatest = not_a_number;
   for (const auto& point : profile.points)
     greatest = std::fmax(greatest, fibre.curvature_at_midspan(fibre.state(point.S, point.mu)));
@@ -123,7 +125,7 @@ FrictionTable replay_table(const ReducedRecord& record, const Rig& rig, const Fr
       lengths.push_back(point.S);
     }
   lengths = non_falling(lengths);
-  // Noise makes some lengths equal; the least distance is far below what a measurement resolves.
+  // Noise makes some lengths equal; the minimum distance is far below the resolution.
   constexpr double min_distance = 2e-6;
   for (std::size_t i = 1; i < lengths.size(); ++i) lengths[i] = std::max(lengths[i], lengths[i - 1] + min_distance);
 
@@ -173,7 +175,7 @@ ImagedLength compare_with_images(const FrictionProfile& profile, std::span<const
   const double offset = median_of(differences);
   for (double& difference : differences) difference = std::abs(difference - offset);
   compared.scatter = deviation_by_median * median_of(differences);
-  constexpr double of_a_median = 1.2533;  // its standard error over that of a mean
+  constexpr double of_a_median = 1.2533;  // standard error of a median / of a mean
   compared.offset =
       normal_estimate(offset, of_a_median * compared.scatter / std::sqrt(static_cast<double>(differences.size())));
   return compared;
@@ -241,7 +243,7 @@ std::vector<Slip> with_friction_from(const FrictionProfile& profile, std::span<c
 }
 
 SlipSummary summarise(std::span<const Slip> all, Nose nose) {
-  std::vector<Slip> slips;  // those that are told
+  std::vector<Slip> slips;  // the possible slips
   for (const auto& slip : all)
     if (slip.verdict == SlipVerdict::possible && std::isfinite(slip.S_before)) slips.push_back(slip);
   std::vector<double> spacings;

@@ -1,4 +1,4 @@
-// What a rig is found to be off by, taken off the readings.
+// The correction of readings for the estimated errors of the rig.
 #pragma once
 
 #include <vector>
@@ -7,21 +7,21 @@
 
 namespace flexslip {
 
-// By how much deflection and force of a reading would differ.
+// The change of one reading.
 struct Shift {
   double deflection;  // [L]
   double force;       // [EI/L^2]
-  double length =
-      0;  // [L] between the contacts, beyond what these two make it: rollers let them roll along the specimen
+  double length = 0;  // [L] additional change of the length between the contacts, on rollers
 };
 
-// What is to be added to what is read, over the stage: between the positions given by lines, before the first in proportion, beyond the last what
-// it is there.
+// The shift to add to readings as a function of the stage: linear between the given positions,
+// proportional to the stage before the first, and constant after the last.
 class RigCorrection {
  public:
-  RigCorrection() = default;  // of a rig that is as stated
+  RigCorrection() = default;  // no correction
 
-  // Domain:     stage [L] rising, a shift for each of its positions, the compliance [L^3/EI] of the load train.
+  // Domain:     stage [L] increasing, one shift per position; the compliance [L^3/EI] of the load
+  //             train.
   RigCorrection(std::vector<double> stage, std::vector<Shift> shift, double compliance);
 
   Shift at(double stage) const;

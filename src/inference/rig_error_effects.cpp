@@ -15,9 +15,9 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t places = 8;        // at which a slow deviation is known
-constexpr std::size_t deflections = 16;  // of a force that the supports change
-constexpr double length_of_slow = 0.5;   // of the greatest deflection
+constexpr std::size_t places = 8;        // nodes of a slow deviation
+constexpr std::size_t deflections = 16;  // at which effects of the supports are tabulated
+constexpr double length_of_slow = 0.5;   // [maximum deflection]
 
 double matern_5_2(double distance) {
   const double r = std::sqrt(5.0) * std::abs(distance) / length_of_slow;
@@ -28,7 +28,7 @@ using SlowMatrix = Eigen::Matrix<double, places, places>;
 
 double place_of(std::size_t j) { return static_cast<double>(j) / (places - 1); }
 
-// Values at the places are L z, z independent with variance 1.
+// The values at the nodes are L z, with z independent and of variance 1.
 SlowMatrix whitening_of_slow() {
   SlowMatrix K;
   for (std::size_t i = 0; i < places; ++i)
@@ -63,13 +63,13 @@ RigErrorEffects::RigErrorEffects(const FitProblem& problem, double friction)
 }
 
 RigErrorEffects::OfSupports RigErrorEffects::of_supports(const Supports& by, double friction) const {
-  constexpr double step = 0.002;  // [L] forces are nearly linear in either
+  constexpr double step = 0.002;  // [L] forces are nearly linear in both
   OfSupports change{{0}, {0}};
   for (std::size_t i = 1; i < deflections; ++i) {
     const double w = deepest_ * static_cast<double>(i) / (deflections - 1);
     const Supports more{supports_.radius + step * by.radius, supports_.half_depth + step * by.half_depth};
     const auto stated = state_on_supports(w, friction, supports_), changed = state_on_supports(w, friction, more);
-    const double rolled = more.radius * changed.theta0 - supports_.radius * stated.theta0;  // over each
+    const double rolled = more.radius * changed.theta0 - supports_.radius * stated.theta0;  // at each support
     const bool there = stated.status == FibreStatus::ok && changed.status == FibreStatus::ok;
     change.force.push_back(there ? (changed.F - stated.F) / step : change.force.back());
     change.length.push_back(there ? (changed.slid - stated.slid - 2 * rolled) / step : change.length.back());
@@ -107,7 +107,7 @@ std::vector<Shift> RigErrorEffects::deviations(double w, double F) const {
   static const SlowMatrix whitening = whitening_of_slow();
   std::vector<Shift> shifts;
   for (const StatedQuantity quantity : stated_quantities) {
-    if (quantity == StatedQuantity::bending_stiffness) continue;  // which the fit finds besides
+    if (quantity == StatedQuantity::bending_stiffness) continue;  // fitted separately
     const Shift one = by(quantity, w, F);
     const double by = deviations_[quantity];
     shifts.push_back({by * one.deflection, by * one.force, by * one.length});
@@ -118,7 +118,7 @@ std::vector<Shift> RigErrorEffects::deviations(double w, double F) const {
   const Eigen::Matrix<double, places, 1> slow = whitening * from_places;
   for (const double part : slow) {
     const double force = slow_force_ * part;
-    shifts.push_back({0, force});  // of the specimen more than of the cell: the load train knows the true force
+    shifts.push_back({0, force});  // mainly a deviation of the specimen, so the load train is unaffected
   }
   return shifts;
 }
@@ -179,7 +179,7 @@ FitProblem restated(FitProblem problem, StatedQuantity quantity, double more) {
       supports_with(more, 0);
       break;
   }
-  // The stage is what was read: the specimen bends by what the load train does not give way.
+  // The stage was measured: the deflection is the stage minus the compression of the load train.
   for (std::size_t i = 0; i < stage.size(); ++i) deflection[i] = stage[i] - force[i] / rig.stiffness;
   return problem;
 }

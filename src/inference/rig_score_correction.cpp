@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-// Readings of a rig that is as a mode has found it, with no error of it left.
+// The process with the readings corrected for the rig of a mode.
 Passages of_known_rig(const FrictionProcess& process, const Mode& mode) {
   Passages passages = process.passages();
   passages.stage = mode.at.stage;
@@ -40,7 +40,7 @@ Coefficients rig_score_correction(const FrictionProcess& process, const Mode& mo
     Mode beside = middle;
     beside.at.eta += eta;
     complete(beside.at, known.passages());
-    known.burst(beside, o.settle);  // its readings first, as they are at this bending stiffness
+    known.burst(beside, o.settle);  // first the states at this bending stiffness
     known.polish(beside, o.pull);
     return beside.log_posterior;
   };
@@ -54,16 +54,17 @@ Coefficients rig_score_correction(const FrictionProcess& process, const Mode& mo
   const Eigen::VectorXd unexplained =
       white.row(white.rows() - 1).transpose() - white.topRows(white.rows() - 1).transpose() * chain.mean();
   const Eigen::Map<const Eigen::VectorXd> column(whitened.data(), static_cast<Index>(whitened.size()));
-  if (!(column.squaredNorm() > 0)) return pull;  // it moves no reading
-  // Within what the readings resolve of it, were nothing else unknown.
+  if (!(column.squaredNorm() > 0)) return pull;  // no effect on any reading
+  // Within the resolution of the readings.
   const Eigen::VectorXd with_columns = white.topRows(white.rows() - 1) * column;
   const double information = column.squaredNorm() - with_columns.dot(chain.covariance() * with_columns);
   const double step = std::min(1 / std::sqrt(information), o.pull_most_step);
   const double above = merit_beside(step), below = merit_beside(-step), slope = (above - below) / (2 * step);
   if (!std::isfinite(slope)) return pull;
-  // Merits that do not lie on a parabola, or rise more steeply than a pull does, are those of several modes and tell no slope.
+  // If the values do not form a parabola, or rise too steeply, they belong to several modes and
+  // give no slope.
   const double off = above + below - 2 * middle.log_posterior + information * step * step;
-  const double most = o.pull_most / process.passages().stiffness_error;  // moves ln EI by three of its errors
+  const double most = o.pull_most / process.passages().stiffness_error;  // limits the change of ln EI to three errors
   const double more = slope - column.dot(unexplained), over = std::max(std::abs(more) / most, 1.0);
   const double besides = more / (over * over * over * over * (1 + off * off));
 

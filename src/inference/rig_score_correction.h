@@ -1,19 +1,23 @@
-// What readings tell of a rig that its columns do not say.
+// The information about errors of the rig that the linearised model misses.
 #pragma once
 
 #include "inference/process_mode.h"
 
 namespace flexslip {
 
-// The slope of ln p(readings, gaps) in the coefficients of the bending stiffness and of the rig, less what the columns say of it, for FrictionProcess::with_pull.
+// The gradient of ln p(readings, gaps) in the coefficients of the bending stiffness and the rig
+// that the columns miss, for FrictionProcess::with_pull.
 //
-// A rig that is off moves the size of roughness and its places, too. Columns are those of a smooth curve, since nobody knows that size beforehand; what
-// they leave out would tell nothing if readings were taken anywhere, but a fibre rests where friction is high and jumps over where it is low, the
-// farther the softer the rig. So the log_posterior itself is asked, at two bending stiffnesses beside that of the mode, the rig held as the mode has it and
-// all hyperparameters moved along; of other errors by how much the friction that they add looks like that of the bending stiffness.
+// An error of the rig also changes the size and the places of the roughness. The columns follow a
+// smooth curve, because the size of the roughness is unknown. But the specimen stops where friction
+// is high and skips where it is low, the farther the softer the rig, so the remainder is
+// informative. It is the difference of the log_posterior at two bending stiffnesses, with the rig
+// held and the hyperparameters optimised. Other errors count as far as their effect on friction
+// resembles that of the bending stiffness.
 //
-// Domain:     a mode that is settled; zero for one without roughness, and where the bending stiffness is exact.
-// Accuracy:   that of a difference of two merits that are not settled to the last digit; so much at most as moves ln EI by three of its errors.
+// Domain:     a settled mode. Zero without roughness, and for an exact bending stiffness.
+// Max error:  that of a difference of two approximately settled posteriors. Limited to a change of
+//             ln EI by three of its errors.
 // Cost:       two polishes, a twentieth of a fit.
 Coefficients rig_score_correction(const FrictionProcess& process, const Mode& mode);
 

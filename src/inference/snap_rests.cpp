@@ -8,9 +8,9 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t min_rise = 5;  // [readings] fewer tell no three numbers and their misfit
+constexpr std::size_t min_rise = 5;  // [readings] for three parameters and their misfit
 
-// Readings from the landing of a snap up to the next.
+// The readings from the end of one snap to the next.
 struct Rise {
   std::size_t first, beyond;
 };
@@ -26,7 +26,7 @@ std::vector<Rise> rises_after_snaps(const InvertedReadings& r, double jump_advan
   return rises;
 }
 
-// [L] The noise of a length in a rise, and at least what exact records are off by.
+// [L] The noise of a length in a rise, with a minimum for exact records.
 double noise_of(const InvertedReadings& r, const Rise& rise) {
   constexpr double least = 3e-5;
   double sum = 0;
@@ -34,7 +34,7 @@ double noise_of(const InvertedReadings& r, const Rise& rise) {
   return std::max(sum / static_cast<double>(rise.beyond - rise.first), least);
 }
 
-// Up to where S has grown by half of what it does in the rise: a fold comes later, where it grows without bound.
+// The reading at which S has grown by half of its growth in the rise, before the fold.
 Rise first_half(const InvertedReadings& r, const Rise& rise, double noise) {
   const double begin = r.S[rise.first];
   const double end = *std::max_element(r.S.begin() + static_cast<std::ptrdiff_t>(rise.first),
@@ -47,11 +47,12 @@ Rise first_half(const InvertedReadings& r, const Rise& rise, double noise) {
 }
 
 struct Bend {
-  double misfit;       // [L^2] squares of S about the line
-  std::size_t corner;  // the last reading before the line bends
+  double misfit;       // [L^2] sum of squares of S about the line
+  std::size_t corner;  // the last reading before the kink
 };
 
-// S over the stage as a line that bends upwards at a reading, before it at a share of its later slope, which is not negative.
+// Fits S against the stage by a line with an upward kink at a reading; before it, the slope is a
+// share of the later, non-negative slope.
 Bend best_bend(const InvertedReadings& r, const Rise& rise, double share) {
   const auto count = static_cast<double>(rise.beyond - rise.first);
   Bend best{infinity, rise.first};
@@ -83,9 +84,9 @@ double misfit_of_rest(const InvertedReadings& r, const Rise& rise) {
   return misfit;
 }
 
-// The reading at which a snap landed sticks in any case. One that comes before the next snap slides.
+// The reading at which a snap ended always sticks; the last reading before the next snap slides.
 StuckReadings stuck_in(const InvertedReadings& r, const Rise& rise, const Rise& half, const Bend& bend, double noise) {
-  constexpr double surely = 9;  // [noise variances] three errors of its slope: else it has not begun to slide
+  constexpr double surely = 9;  // [noise variances] three errors of the slope, otherwise it has not started to slide
   const bool slides = misfit_of_rest(r, half) - bend.misfit > surely * noise * noise;
   const std::size_t beyond = slides ? bend.corner + 1 : rise.beyond;
   const bool snaps_again = rise.beyond < r.S.size() && rise.beyond > rise.first + 1;
@@ -102,8 +103,8 @@ SnapRests rests_of_snaps(const InvertedReadings& readings, double jump_advances,
     const Bend sticks = best_bend(readings, half, 0);
     rests.stuck.push_back(stuck_in(readings, rise, half, sticks, noise));
     if (half.beyond - half.first < min_rise) continue;
-    constexpr double at_once = 0.5;  // of its later rate: what imaged specimens advance by and more
-    constexpr double most = 30;      // [1] what one rise may say: lines are no curves, whatever the noise
+    constexpr double at_once = 0.5;  // of its later rate; imaged specimens advance at least as fast
+    constexpr double most = 30;      // [1] limit for one rise, because lines are only approximations
     const double gain = (best_bend(readings, half, at_once).misfit - sticks.misfit) / (2 * noise * noise);
     rests.log_evidence += std::clamp(gain, -most, most);
   }

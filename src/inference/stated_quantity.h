@@ -1,4 +1,4 @@
-// What a case states of a specimen and its rig, and may be off: a map of these quantities to numbers or columns of them.
+// The uncertain quantities of a specimen and its rig, and maps from these quantities to values.
 #pragma once
 
 #include <array>
@@ -6,7 +6,8 @@
 
 namespace flexslip {
 
-// The preload is one of displacement and force that were set to zero when the specimen was bent already; it is taken as none.
+// The preload is the deflection at which displacement and force were set to zero; the fit assumes
+// none.
 enum class StatedQuantity {
   bending_stiffness,
   contact,
@@ -23,7 +24,7 @@ inline constexpr std::array stated_quantities{
     StatedQuantity::load_train,        StatedQuantity::span,          StatedQuantity::force_gain,
     StatedQuantity::thickness,         StatedQuantity::support_radius};
 
-// Changes of contact, preload, thickness and radius are in spans [L], those of all else in parts of its value [1].
+// True if changes of the quantity are in spans [L]; otherwise they are relative [1].
 constexpr bool changes_in_spans(StatedQuantity quantity) {
   return quantity == StatedQuantity::contact || quantity == StatedQuantity::preload ||
          quantity == StatedQuantity::thickness || quantity == StatedQuantity::support_radius;

@@ -25,8 +25,8 @@ ThetaPrior ThetaPrior::of(double range, double noise, const SearchOptions& optio
   const double log_noise = elementary::log(min_noise), log_range = elementary::log(range);
   return {.mean = {elementary::log(0.03), -1, elementary::log(0.03), elementary::log(range / 10)},
           .deviation = {1, 1.5, 1, 1.2},
-          .least = {log_noise, -6, elementary::log(0.001), log_range - 6},
-          .greatest = {std::max(elementary::log(0.5), log_noise + 1), 6, elementary::log(0.6), log_range + 1}};
+          .min = {log_noise, -6, elementary::log(0.001), log_range - 6},
+          .max = {std::max(elementary::log(0.5), log_noise + 1), 6, elementary::log(0.6), log_range + 1}};
 }
 
 Theta ThetaPrior::usual(std::span<const double> log_wavelengths) const {
@@ -37,8 +37,7 @@ Theta ThetaPrior::usual(std::span<const double> log_wavelengths) const {
 }
 
 void ThetaPrior::bound(Theta& theta) const {
-  for (std::size_t i = 0; i < Theta::first_wave; ++i)
-    theta.values[i] = std::clamp(theta.values[i], least[i], greatest[i]);
+  for (std::size_t i = 0; i < Theta::first_wave; ++i) theta.values[i] = std::clamp(theta.values[i], min[i], max[i]);
 }
 
 double ThetaPrior::log_density(Kernel kernel, const Theta& theta) const {

@@ -1,4 +1,4 @@
-// The hyperparameters of friction along a fibre as they are sought: on scales without ends, with what is expected of them beforehand.
+// The hyperparameters of friction on unbounded scales, and their prior.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace flexslip {
 inline constexpr std::size_t max_waves = 2;
 
 struct Theta {
-  // Of the values: ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
+  // The values: ln σ, logit ρ/0.95, ln σ_g, ln ℓ, then ln λ of each wave.
   enum Place : std::size_t { log_noise, logit_correlation, log_roughness, log_length, first_wave };
 
   std::array<double, first_wave + max_waves> values;
@@ -26,18 +26,20 @@ struct Theta {
 
 Hyperparameters hyperparameters_of(const Theta& theta);
 
-inline constexpr double max_correlation = 0.95;  // ρ, of the noise of one reading with the next
+inline constexpr double max_correlation = 0.95;  // of ρ, the correlation between the noise of consecutive readings
 
-// Of the first four: normal, within bounds.
+// The prior of the first four values: normal, within bounds.
 struct ThetaPrior {
-  std::array<double, Theta::first_wave> mean, deviation, least, greatest;
+  std::array<double, Theta::first_wave> mean, deviation, min, max;
 
-  // Of readings over a range [L] of lengths, whose noise [EI/L^2] of the force is about that.
+  // The prior for readings over a range [L] of lengths and an approximate noise [EI/L^2] of the
+  // force.
   static ThetaPrior of(double range, double noise, const SearchOptions& options = {});
 
   Theta usual(std::span<const double> log_wavelengths = {}) const;
   void bound(Theta& theta) const;
-  // Relative to its greatest; and the logarithm of that. Those of roughness count where there is a kernel.
+  // The density relative to its maximum, and the logarithm of this maximum. Roughness counts only
+  // with a kernel.
   double log_density(Kernel kernel, const Theta& theta) const;
   double log_scale(Kernel kernel) const;
   double slope(const Theta& theta, std::size_t i) const;  // of log_density

@@ -22,21 +22,23 @@ namespace flexslip {
 // The layout of the screen.
 struct ScreenStyle {
   std::size_t width = line_length;  // [characters]
-  bool colour = false;              // bold text, and a colour for the verdict, as escape sequences
+  bool colour = false;              // bold, and a colour for the verdict, for terminals
+  bool is_full = false;             // all rows and doubts with all their clauses
 };
 
-// The answer on one screen: the verdict with its numbers, the rows, at most three warnings with
-// their suggested actions, the checks, and one next step. At most 24 lines on a terminal of 100
-// characters or more (tests/outside/fit.py).
+// The answer in at most 12 lines on a terminal of 100 characters or more (tests/outside/fit.py):
+// the verdict with its meaning and evidence; rows, each shortened to one line; at most two doubts;
+// the next step; the checks.
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
-// The rows of an answer, followed by its warnings with their suggested actions.
+// All rows of an answer, then its doubts, each with its remedy.
 Rows rows_of(const Answer& answer);
 
-// The document of a test of any status, without the content of the rows. The test must outlive it.
+// The chapters of the full answer, without its rows.
+// Domain:     a test of any status, which must outlive the chapters.
 std::vector<Chapter> document_of(const FittedTest& test);
 
-// The screen and the document as text for a terminal.
+// The full answer for a terminal: all rows, then the chapters.
 std::string fit_text(const FittedTest& test);
 
 // The reason why a test has no answer, and what to check; "" if it has an answer.

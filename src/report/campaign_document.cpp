@@ -276,10 +276,10 @@ PrintedTable specimen_rows(const Campaign& campaign) {
                                                           : "ℓ",
                           fmt::format("{}", population.tests),
                           unit.empty() ? typical : fmt::format("{} {}", typical, typeset(unit)),
-                          population.least_spread > (line.by_factors ? 1 : 0)
+                          population.min_spread > (line.by_factors ? 1 : 0)
                               ? fmt::format("{}{} ({} to {})", sign, of_spread(population.spread),
-                                            of_spread(population.least_spread), of_spread(population.most_spread))
-                              : fmt::format("{}{} at most", sign, of_spread(population.most_spread))});
+                                            of_spread(population.min_spread), of_spread(population.max_spread))
+                              : fmt::format("{}{} at most", sign, of_spread(population.max_spread))});
   }
   return table;
 }

@@ -43,7 +43,46 @@ std::string with_remedy(const Finding& finding) {
   return finding.sentence + (finding.remedy.empty() ? "" : " " + finding.remedy);
 }
 
-// ---- The numbers of a chapter: a group of the answer, and its lists as tables
+constexpr std::size_t max_doubts = 2;
+constexpr std::ptrdiff_t max_lines = 12;
+constexpr std::size_t label_margin = 18;  // [characters] before the words of a row (document.cpp)
+
+bool fits(std::string_view words, std::size_t width) { return width_of(words) + label_margin <= width; }
+
+// The rows of the screen, each without the last clauses that do not fit on its line.
+Rows short_rows(const Answer& answer, std::size_t width) {
+  Rows rows;
+  for (AnswerRow row : answer.rows) {
+    for (std::size_t end = row.words.rfind("; "); !fits(row.words, width) && end != std::string::npos;
+         end = row.words.rfind("; "))
+      row.words.resize(end);
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+// Each doubt with as many of its words as fit on one line.
+Rows doubt_rows(const std::vector<Finding>& doubts, std::size_t count, std::size_t width) {
+  Rows rows;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::string words = with_remedy(doubts[i]);
+    if (!fits(words, width)) words = doubts[i].sentence;
+    if (!fits(words, width) && !doubts[i].short_form.empty()) words = capitalised(doubts[i].short_form) + ".";
+    rows.push_back({std::string(name_of(doubts[i].severity)), words});
+  }
+  return rows;
+}
+
+std::string footer_of(const Answer& answer, std::size_t more_doubts, bool is_full) {
+  std::vector<std::string> sentences;
+  if (more_doubts > 0) sentences.push_back(format_count(more_doubts, "more doubt.", "more doubts."));
+  if (std::string checks = checks_in_words(answer); !checks.empty()) sentences.push_back(std::move(checks));
+  sentences.emplace_back("± is one standard error.");
+  if (!is_full) sentences.emplace_back("More: --full");
+  return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+// ---- What is told of each chapter: the numbers of a group of the answer, and lists of it as tables
 
 PrintedTable numbers(T test, std::string_view group) { return group_table(fit_fields(), test, frame_of(test), group); }
 
@@ -62,7 +101,7 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
 std::string caution_of(T test, const Answer& answer) {
   if (is_refused(answer.findings))
     return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
-  return !test.judgement.tells_friction
+  return !test.judgement.determines_friction
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
 }
@@ -168,7 +207,7 @@ PrintedTable explanation_table(T test) {
 Chapter wave_chapter(T test) {
   Chapter chapter{
       "Does it repeat along the specimen?",
-      {!tells_variation(test.analysis.fit)
+      {!determines_variation(test.analysis.fit)
            ? std::string("Friction cannot be distinguished from zero, and so the record does not show how it "
                          "varies along the specimen: roughness and waves are left out.")
        : test.analysis.fit.waves.empty()
@@ -180,7 +219,7 @@ Chapter wave_chapter(T test) {
       chapter.blocks.end(),
       {
           explanation_table(test),
-          !tells_lengths(test.analysis.fit)
+          !determines_lengths(test.analysis.fit)
               ? std::string()
               : std::string(test.measurement.test.rig->nose == Nose::holds
                                 ? "The lengths hold for a nose that holds the middle of the specimen. Under "
@@ -266,26 +305,37 @@ Chapter provenance_chapter(T test) {
 }  // namespace
 
 Rows rows_of(const Answer& answer) {
-  Rows rows = answer.rows;
+  Rows rows = all_rows(answer);
   for (const Finding& doubt : doubts_of(answer))
     rows.push_back({std::string(name_of(doubt.severity)), with_remedy(doubt)});
   return rows;
 }
 
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
-  constexpr std::size_t max_doubts = 3;
   const std::string shown_name = printable(name);
-  const std::string begin = fmt::format("{}  {}   ", shown_name, word_of(answer.verdict.code));
-  const std::string title = wrapped(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")),
-                                    std::string(std::min<std::size_t>(width_of(begin), 12), ' '), begin, style.width);
-  Rows rows = rows_of(answer);
-  const std::size_t doubts = rows.size() - answer.rows.size(), left_out = doubts - std::min(doubts, max_doubts);
-  rows.resize(rows.size() - left_out);
-  const std::string checks = checks_in_words(answer), next = next_in_words(answer);
-  std::string last = checks + (checks.empty() || next.empty() ? "" : " ") + next;
-  if (left_out > 0) last = fmt::format("{}: --full. {}", format_count(left_out, "more doubt", "more doubts"), last);
-  return (style.colour ? coloured(title, shown_name, answer.verdict) : title) + "\n" +
-         in_text({{"", {rows, last}}}, style.width);
+  const std::string begin = fmt::format("{}: {}. ", shown_name, word_of(answer.verdict.code));
+  std::string title = wrapped(answer.verdict.meaning, "  ", begin, style.width);
+  if (style.colour) title = coloured(title, shown_name, answer.verdict);
+  const std::string& evidence = answer.verdict.evidence;
+  if (!evidence.empty()) title += wrapped(evidence, "  ", "  ", style.width);
+
+  const std::vector<Finding> doubts = doubts_of(answer);
+  const std::size_t shown_doubts = style.is_full ? doubts.size() : std::min(doubts.size(), max_doubts);
+  Rows end = style.is_full ? Rows{} : doubt_rows(doubts, shown_doubts, style.width);
+  if (!answer.next.empty()) end.push_back({"next", answer.next});
+  Rows rows = style.is_full ? rows_of(answer) : short_rows(answer, style.width);
+  const auto screen = [&] {
+    Rows all = rows;
+    all.insert(all.end(), end.begin(), end.end());
+    return title + "\n" +
+           in_text({{"", {all, footer_of(answer, doubts.size() - shown_doubts, style.is_full)}}}, style.width);
+  };
+  std::string text = screen();
+  while (!style.is_full && rows.size() > 1 && std::count(text.begin(), text.end(), '\n') > max_lines) {
+    rows.pop_back();
+    text = screen();
+  }
+  return text;
 }
 
 std::vector<Chapter> document_of(const FittedTest& test) {
@@ -301,7 +351,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   const bool trusted = !is_refused(answer.findings);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
           friction_chapter(test, answer),
-          trusted && test.judgement.tells_friction ? hangs_on_chapter(test) : Chapter{},
+          trusted && test.judgement.determines_friction ? hangs_on_chapter(test) : Chapter{},
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),
@@ -315,7 +365,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
 }
 
 std::string fit_text(const FittedTest& test) {
-  return fit_screen(test.name, answer_of(test)) + in_text(document_of(test));
+  return fit_screen(test.name, answer_of(test), {.is_full = true}) + in_text(document_of(test));
 }
 
 std::string why_no_answer(const FittedTest& test) {

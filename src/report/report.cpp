@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "case/case_file.h"
 #include "case/mechanics.h"
@@ -49,7 +48,7 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
       {"made", fmt::format("{}, by FlexSlip {}: flexslip fit {}", date_of_today(), test.provenance.version,
                            input.source.empty() ? "CASE.toml, the case below" : input.source)},
       {"model", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787"}};
-  return answer_in_html(fmt::format("{}", fmt::join(answer.verdict.parts, " · ")), &answer.verdict) +
+  return answer_in_html(fmt::format("{} {}", answer.verdict.meaning, answer.verdict.evidence), &answer.verdict) +
          in_html({{"", {rows}}}, {}) + fmt::format("<div class=\"source\">{}</div>\n", in_html({{"", {source}}}, {}));
 }
 

@@ -91,7 +91,7 @@ test("a case with its data, dropped together; alone it is asked for its data", {
   await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 2);
   await fitted(tab);
   const told = JSON.parse(native(["fit", "case.toml", "--json"], { "case.toml": readFileSync(join(folder, "case.toml")), "test.csv": readFileSync(join(folder, "test.csv")) }).out);
-  assert.match(await tab.locator("#answer h1").innerText(), /^CRACK: 8 drops; the specimen lost/);
+  assert.match(await tab.locator("#answer h1").innerText(), /^CRACK\. The specimen cracked or settled; its 8 force drops/);
   assert.equal(told.verdict.code, "crack");
   assert.deepEqual(tab.said, []);
   await tab.end();

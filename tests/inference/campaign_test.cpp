@@ -133,7 +133,7 @@ TEST_CASE(
   const auto population = population_of(clear_ones);
   CHECK(summaries[0].mu0->tests == 3);
   CHECK(summaries[0].mu0->typical.value == population.typical.value);
-  CHECK(summaries[0].mu0->most_spread == population.most_spread);
+  CHECK(summaries[0].mu0->max_spread == population.max_spread);
   CHECK(!summaries[2].mu0);  // one specimen
   CHECK(summaries[3].mu0->tests == 4);
   CHECK(!summaries[3].log_roughness);

@@ -146,10 +146,10 @@ TEST_CASE("table: features of a drop after which friction stays low, as after a 
     record.slide(S + 5e-4, 1.14, 0.4, 160);
     const DropFeatures features = record.features();
     CHECK(features.drops == 1);
-    for (const double none : {features.greatest_steepness, features.recovery_near, features.recovery_far,
+    for (const double none : {features.max_steepness, features.recovery_near, features.recovery_far,
                               features.stiffness_recovery, features.roughness})
       CHECK(std::abs(none) < 0.01);
-    CHECK(features.drawn_in == doctest::Approx(drawn_in / (1.14 - 1.0208)).epsilon(0.1));
+    CHECK(features.slid_in == doctest::Approx(drawn_in / (1.14 - 1.0208)).epsilon(0.1));
     CHECK(features.least_after_drop ==
           doctest::Approx(0.4 / std::hypot(0.03 * record.rows.force[81] / force_by_friction(S, 0.4), 0.05))
               .epsilon(0.02));
@@ -167,7 +167,7 @@ TEST_CASE("table: features of a drop after which the specimen sticks until frict
     const DropFeatures features = record.features();
     CHECK(features.drops == 2);
     for (const double whole :
-         {features.greatest_steepness, features.recovery_near, features.recovery_far, features.stiffness_recovery})
+         {features.max_steepness, features.recovery_near, features.recovery_far, features.stiffness_recovery})
       CHECK(whole == doctest::Approx(1).epsilon(0.06));
     CHECK(features.follows_drops < 0.3);  // two drops hardly move it from its prior of .5
     CHECK(features.needed_at_end > 0.65);
@@ -217,11 +217,11 @@ TEST_CASE("identity: slips give back what they take, and rises are steep; cracks
   CHECK(slips.drops > 10);
   CHECK(std::abs(slips.follows_drops) < 0.2);
   CHECK(slips.stiffness_recovery > 0.8);
-  CHECK(slips.greatest_steepness > 0.5);
+  CHECK(slips.max_steepness > 0.5);
   CHECK(slips.least_after_drop > 2);
   CHECK(cracks.drops == six_cracks.size());
   CHECK(std::abs(cracks.follows_drops - 1) < 0.3);
-  CHECK(cracks.greatest_steepness < 0.3);
+  CHECK(cracks.max_steepness < 0.3);
   CHECK(cracks.loss_needed == doctest::Approx(0.4).epsilon(0.08));
   CHECK(cracks.needed_at_end == doctest::Approx(0.5).epsilon(0.25));
   CHECK(slips.needed_at_end > 1.3);

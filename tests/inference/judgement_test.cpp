@@ -40,11 +40,11 @@ TestAnalysis reloaded(TestAnalysis analysis, double lost, double error, double n
 TEST_CASE("identity: a test that slips is told to slip, and one that cracks to have lost stiffness") {
   const auto slips = judge(slipping());
   CHECK(slips.conclusion == Conclusion::slips);
-  CHECK(slips.tells_friction);
+  CHECK(slips.determines_friction);
   const auto cracks = judge(
       analysed(simulated_record({.friction = Friction::constant(0.5), .stiffness = soft, .noise = 0.01}, six_cracks)));
   CHECK(cracks.conclusion == Conclusion::cracks);
-  CHECK_FALSE(cracks.tells_friction);
+  CHECK_FALSE(cracks.determines_friction);
   CHECK(cracks.if_lost.empty());
 }
 
@@ -62,7 +62,7 @@ TEST_CASE("identity: a reload tells slips, cracks and both, and friction whateve
     const auto& [slip, crack, each] = judgement.causes;
     CHECK(std::abs(slip + crack + each - 1) < 1e-12);
     CHECK(judgement.if_lost.empty());
-    CHECK(judgement.tells_friction);
+    CHECK(judgement.determines_friction);
   }
 }
 
@@ -71,7 +71,7 @@ TEST_CASE("identity: what an earlier loading lost counts beside the slips of the
   later.passes->is_followed = false;
   const auto both = judge(later);
   CHECK(both.conclusion == Conclusion::slips_and_damage);
-  CHECK(both.tells_friction);
+  CHECK(both.determines_friction);
   CHECK_FALSE(both.if_lost.empty());
   later.passes->loss = normal_estimate(0.04, 0.01);
   CHECK(judge(later).conclusion == Conclusion::slips);
@@ -140,7 +140,7 @@ TEST_CASE("limit: a test that no friction explains is judged by its drops, and t
   auto analysis = slipping();
   analysis.status = AnalysisStatus::not_explained;
   CHECK(judge(analysis).conclusion == Conclusion::slips);
-  CHECK_FALSE(judge(analysis).tells_friction);
+  CHECK_FALSE(judge(analysis).determines_friction);
 }
 
 }  // namespace flexslip

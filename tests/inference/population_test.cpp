@@ -72,8 +72,8 @@ TEST_CASE("oracle: the spread and its interval by the likelihood of contrasts on
     for (double each = 0; each < 6; each += step) {
       const double lacks = highest - of_contrasts(tests, each);
       CHECK(lacks > -1e-9);  // rounding of a dozen sums
-      if (each > found.least_spread + step && each < found.most_spread - step) CHECK(lacks < 2 * 1.92);
-      if (each < found.least_spread - step || each > found.most_spread + step) CHECK(lacks > 2 * 1.92);
+      if (each > found.min_spread + step && each < found.max_spread - step) CHECK(lacks < 2 * 1.92);
+      if (each < found.min_spread - step || each > found.max_spread + step) CHECK(lacks > 2 * 1.92);
     }
   }
 }
@@ -100,8 +100,8 @@ TEST_CASE("identity: with equal errors mean and spread are those of the sample, 
   // Estimates that agree by chance do not make the mean surer than their errors.
   const Population alike = population(0.4);
   CHECK(alike.spread == 0);
-  CHECK(alike.least_spread == 0);
-  CHECK(alike.most_spread > 0.1);
+  CHECK(alike.min_spread == 0);
+  CHECK(alike.max_spread > 0.1);
   CHECK(alike.typical.standard_error == doctest::Approx(0.4 / std::sqrt(n)).epsilon(1e-12));
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("oracle: intervals of 95 % cover mean and spread of simulated campaign
       }
       const Population found = population_of(measured);
       mean_covered += found.typical.low <= 0.5 && 0.5 <= found.typical.high;
-      spread_covered += found.least_spread <= spread && spread <= found.most_spread;
+      spread_covered += found.min_spread <= spread && spread <= found.max_spread;
     }
     CAPTURE(tests);
     CAPTURE(spread);

@@ -28,7 +28,7 @@ TEST_CASE("theta: bounds hold each value, and leave waves alone") {
     Theta theta = prior.usual();
     theta.values.fill(far);
     prior.bound(theta);
-    for (std::size_t i = 0; i < 4; ++i) CHECK(theta.values[i] == (far < 0 ? prior.least[i] : prior.greatest[i]));
+    for (std::size_t i = 0; i < 4; ++i) CHECK(theta.values[i] == (far < 0 ? prior.min[i] : prior.max[i]));
     CHECK(theta.values[Theta::first_wave] == far);
     CHECK(hyperparameters_of(theta).correlation < max_correlation);
     CHECK(hyperparameters_of(theta).noise >= 0.2 * 0.01 * (1 - 1e-14));

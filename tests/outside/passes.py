@@ -127,7 +127,7 @@ class Simulated(CyclicRecords):
     def test_text_and_report(self):
         case = self.record(self.readings())
         text = self.succeeds("fit", case, "--full", "--report", self.folder / "report")
-        for words in ("4 passes: friction", "\nLoading, unloading and loading again\n", "\nWhere the work of this loading went\n"):
+        for words in ("; friction sliding 0.", "\nLoading, unloading and loading again\n", "\nWhere the work of this loading went\n"):
             self.assertIn(words, text)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         self.assertIn("<h2>Loading, unloading and loading again</h2>", page)

@@ -45,6 +45,11 @@ def against(fit):
     return [finding["code"] for finding in fit["findings"] if finding["severity"] in ("refusal", "suspicion", "doubt")]
 
 
+def words_of(fit, label):
+    """The words of a row of an answer; empty if it has no such row."""
+    return next((row["words"] for row in fit["answer"] if row["label"] == label), "")
+
+
 def numbers(text, title):
     return [float(cell) for cell in table(text)[title]]
 

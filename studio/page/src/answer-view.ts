@@ -22,7 +22,7 @@ export function drawAnswer(studio: Studio): void {
   }
   const answer = answerOf(fit.answer, fit.text), passed = answer.checks.filter((c) => c.mark === "passed");
   fill(host, test?.refusal ? el("p", { class: "say" }, inPageWords(test.refusal, test), " Below stands the answer before that.") : null,
-    el("h1", {}, answer.verdict, el("span", {}, answer.rest && `: ${withBoxes(answer.rest)}`)),
+    el("h1", {}, answer.verdict, el("span", {}, answer.rest && `. ${withBoxes(answer.rest)}`)),
     el("div", { class: "numbers" }, ...answer.numbers.map((n) => el("div", {}, el("div", { class: "label" }, rich(n.label)), el("div", { class: "value" }, n.value, " ", el("em", {}, rich(n.rest))), el("span", { class: "condition", title: n.condition.replace(/[*_]/g, "") }, rich(n.condition))))),
     el("ul", { class: "checks", "aria-label": "Checks of the fit" }, 
       ...answer.checks.filter((c) => c.mark !== "passed").map((c) => el("li", { class: c.mark, tabindex: 0 }, glyph(c.mark), el("span", {}, rich(c.words)), el("div", { class: "reason" }, withBoxes(c.reason)))),

@@ -77,6 +77,6 @@ const checks = (fit: FitAnswer): CheckLine[] => fit.findings.flatMap((finding) =
 });
 
 export function answerOf(fit: FitAnswer, text: CaseText): Answer {
-  const [verdict, ...rest] = fit.verdict.sentence.split(": ");
-  return { verdict: verdict!, rest: rest.join(": "), next: fit.next, numbers: numbers(fit, text), checks: checks(fit) };
+  const [verdict, ...rest] = fit.verdict.sentence.split(". ");
+  return { verdict: verdict!, rest: rest.join(". "), next: fit.next, numbers: numbers(fit, text), checks: checks(fit) };
 }

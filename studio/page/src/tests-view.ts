@@ -72,7 +72,7 @@ export function openTests(studio: Studio): void {
     const { verdict, parameters: { mu0 }, judgement, slips, findings } = fit!.answer, told = tellsFriction(fit!.answer), work = numbersOf(fit!, "Friction in the work"), spacing = slips?.median_spacing;
     const mu = !told || !mu0 ? "" : mu0.bound ? `≤ ${fixed(mu0.interval95[1], 2)}` : estimate(mu0.value, mu0.standard_error, plainUnit, 3).join(" ");
     const doubts = findings.filter((each) => ["refusal", "suspicion", "doubt"].includes(each.severity)).map((each) => each.short_form || each.sentence);
-    const cells = [name, verdict.sentence.split(":")[0]!, judgement?.cracks_alone == null ? "" : `${fixed(100 * judgement.cracks_alone, 0)} %`, mu, told && spacing ? written(spacing, "length") : "", work];
+    const cells = [name, verdict.sentence.split(".")[0]!, judgement?.cracks_alone == null ? "" : `${fixed(100 * judgement.cracks_alone, 0)} %`, mu, told && spacing ? written(spacing, "length") : "", work];
     return el("tr", {}, ...cells.map((words, i) => el(i ? "td" : "th", i ? {} : { scope: "row" }, words)), el("td", { class: "words" }, doubts.join("; ")));
   };
   const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
