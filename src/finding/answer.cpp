@@ -279,7 +279,7 @@ std::string spacing_in_words(T test) {
     const std::string period = length(analysis.fit.waves.front().wavelength.value);
     clauses.push_back(period == spacing ? "friction varies with the same period"
                                         : fmt::format("friction varies with a period of {}", period));
-  } else if (has_spacing && analysis.fit.model == ProfileModel::roughness) {
+  } else if (analysis.fit.model == ProfileModel::roughness && !analysis.fit.mu0_is_bound) {
     clauses.emplace_back("no regular spacing");
   }
   return in_clauses(clauses);

@@ -82,7 +82,7 @@ std::string footer_of(const Answer& answer, std::size_t more_doubts, bool is_ful
   return fmt::format("{}", fmt::join(sentences, " "));
 }
 
-// ---- What is told of each chapter: the numbers of a group of the answer, and lists of it as tables
+// ---- The chapters: the numbers of a group of the answer, and lists of it as tables
 
 PrintedTable numbers(T test, std::string_view group) { return group_table(fit_fields(), test, frame_of(test), group); }
 
@@ -174,7 +174,7 @@ Chapter hangs_on_chapter(T test) {
         {.heading = "and its share of the work (points)", .field = "work_moves", .digits = 2, .factor = 100});
   PrintedTable table = listed(test, "sensitivities", columns);
   table.folding = Folding::never;
-  return {"What the answer hangs on",
+  return {"Sensitivity",
           {std::string("Were a quantity stated larger by what it may be off, the mean friction would be told larger by "
                        "so much, to first order. The error of friction allows for all of them but for supports and a "
                        "thickness that are taken for none."),
