@@ -67,7 +67,7 @@ class Records(unittest.TestCase):
         self.assertEqual(self.usual.name, "arrays")
         for name in "SS14", "SS14 run 2.1":
             fit = flexslip.fit(frame, name=name, **SPECIMEN)
-            self.assertEqual((fit.name, fit.summary().split("  ")[0], pickle.loads(pickle.dumps(fit.case)).replace(span="1278 um")), (name, name, fit.case))
+            self.assertEqual((fit.name, fit.summary().split(":")[0], pickle.loads(pickle.dumps(fit.case)).replace(span="1278 um")), (name, name, fit.case))
             self.assertEqual(fit, self.usual)
             self.assertEqual(flexslip.fit(fit.case).name, name)
         with self.assertRaisesRegex(flexslip.InputError, "^SS15: expected at least 30 rows"):
