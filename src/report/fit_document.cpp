@@ -163,7 +163,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
 
 // ---- Sensitivity
 
-Chapter hangs_on_chapter(T test) {
+Chapter sensitivity_chapter(T test) {
   if (sensitivities_of(test).empty()) return {};
   std::vector<Shown> columns{{.heading = "Quantity", .field = "title"},
                              {.heading = "Stated", .field = "stated"},
@@ -351,7 +351,7 @@ std::vector<Chapter> document_of(const FittedTest& test) {
   const bool trusted = !is_refused(answer.findings);
   return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
           friction_chapter(test, answer),
-          trusted && test.judgement.determines_friction ? hangs_on_chapter(test) : Chapter{},
+          trusted && test.judgement.determines_friction ? sensitivity_chapter(test) : Chapter{},
           trusted ? wave_chapter(test) : Chapter{},
           checks_chapter(test, answer),
           drops_chapter(test, answer),
