@@ -19,16 +19,9 @@ namespace {
 int covers(const Estimate& e, double truth) { return e.low <= truth && truth <= e.high; }
 
 int run(int count, char** arguments) {
-  if (count != 4) {
-    std::fprintf(stderr, "usage: coverage KIND FIRST COUNT\n");
-    return 2;
-  }
-  const std::string kind = arguments[1];
-  if (std::find(kinds_of_tests.begin(), kinds_of_tests.end(), kind) == kinds_of_tests.end()) {
-    std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
-    return 2;
-  }
-  const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
+  const auto asked = tests_asked(count, arguments);
+  if (!asked) return 2;
+  const auto& [kind, first, tests] = *asked;
   std::printf(
       "kind,test,mean,mean_covered,mean_estimate,mean_error,stiffness_covered,stiffness_z,roughness_covered,length_"
       "covered,noise_covered,"

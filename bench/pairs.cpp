@@ -31,16 +31,9 @@ FitProblem moved(FitProblem problem, const Truth& truth, Random& random) {
 }
 
 int run(int count, char** arguments) {
-  if (count != 4) {
-    std::fprintf(stderr, "usage: pairs KIND FIRST COUNT\n");
-    return 2;
-  }
-  const std::string kind = arguments[1];
-  if (std::find(kinds_of_tests.begin(), kinds_of_tests.end(), kind) == kinds_of_tests.end()) {
-    std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
-    return 2;
-  }
-  const int first = std::atoi(arguments[2]), tests = std::atoi(arguments[3]);
+  const auto asked = tests_asked(count, arguments);
+  if (!asked) return 2;
+  const auto& [kind, first, tests] = *asked;
   int fitted = 0, agree = 0, covered = 0;
   double ms = 0;
   std::printf("kind,test,k,mean,covered,mu0,error,mu0_again,error_again,apart,claims,ms\n");

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -134,6 +137,26 @@ inline std::vector<double> smooth_bumps(double rms, double length, Random& rando
 inline constexpr std::array kinds_of_tests{
     "independent", "correlated", "exponential", "squared_exponential", "roughness", "two_waves", "constant", "soft",
     "quiet",       "measured",   "smooth",      "overshoot",           "stick_slip"};
+
+// The tests [first, first + count) of a kind.
+struct TestsAsked {
+  std::string kind;
+  int first, tests;
+};
+
+// The command line PROGRAM KIND FIRST COUNT; empty, after a message, if it is wrong.
+inline std::optional<TestsAsked> tests_asked(int count, char** arguments) {
+  if (count != 4) {
+    std::fprintf(stderr, "usage: %s KIND FIRST COUNT\n", arguments[0]);
+    return std::nullopt;
+  }
+  const std::string kind = arguments[1];
+  if (std::find(kinds_of_tests.begin(), kinds_of_tests.end(), kind) == kinds_of_tests.end()) {
+    std::fprintf(stderr, "%s is no kind of test\n", kind.c_str());
+    return std::nullopt;
+  }
+  return TestsAsked{kind, std::atoi(arguments[2]), std::atoi(arguments[3])};
+}
 
 // Domain:     a kind among kinds_of_tests.
 inline Truth truth_of(const std::string& kind, Random& random) {
