@@ -122,7 +122,6 @@ constexpr std::array thresholds{
     Threshold{"last_fall", &SearchOptions::last_fall},
     Threshold{"min_eigenvalue", &SearchOptions::min_eigenvalue},
     Threshold{"valley_step", &SearchOptions::valley_step},
-    Threshold{"widest_valley", &SearchOptions::widest_valley},
     Threshold{"forward_noise", &SearchOptions::forward_noise},
     Threshold{"weighs_nothing", &SearchOptions::weighs_nothing},
     Threshold{"pull_farthest", &SearchOptions::pull_farthest},

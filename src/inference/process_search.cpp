@@ -276,41 +276,75 @@ class Search {
     return angles;
   }
 
+  // Waves of a mode stretched along the valley that they share with the errors of the rig.
+  struct Stretched {
+    double by;                             // [ln λ] of all waves
+    Mode mode;                             // optimised for these lengths
+    std::array<double, max_waves> turned;  // [rad] of each wave, on the way from the top
+  };
+
+  // The valley from its top in steps that double, down to one in the log posterior or to
+  // `last_fall` in ln λ. A step whose optimisation runs away is halved.
+  std::vector<Stretched> walk_valley(const Mode& top, double first) const {
+    constexpr double too_short = 1.0 / 32;  // [first]
+    std::vector<Stretched> steps{{.by = 0, .mode = top, .turned = {}}};
+    for (double step = first;
+         std::abs(steps.back().by) < o_.last_fall && std::abs(step) > too_short * std::abs(first);) {
+      const Stretched& last = steps.back();
+      if (last.mode.log_posterior <= top.log_posterior - 1) break;
+      Stretched next{.by = last.by + step, .mode = last.mode, .turned = last.turned};
+      stretch(next.mode, step);
+      if (!(next.mode.log_posterior > top.log_posterior - o_.ran_away)) {
+        step /= 2;
+        continue;
+      }
+      step *= 2;
+      const auto before = angles_of(last.mode), after = angles_of(next.mode);
+      for (std::size_t wave = 0; wave < top.theta.waves; ++wave)
+        next.turned[wave] += elementary::wrapped_angle(after[wave] - before[wave]);
+      steps.push_back(std::move(next));
+    }
+    return steps;
+  }
+
+  void stretch(Mode& mode, double by) const {
+    for (std::size_t wave = 0; wave < mode.theta.waves; ++wave) mode.theta.values[Theta::first_wave + wave] += by;
+    process_.burst(mode, o_.settle);
+  }
+
   // Move the most probable waves to the joint optimum of their lengths and the errors of the rig,
   // which stretch all waves alike. The resulting error of the lengths serves for all other modes
-  // with as many waves.
+  // with as many waves. Mean and error are those of the parabola through the top and both ends of
+  // the valley.
   void move_along_valley(std::vector<Component>& components) const {
     Component& component = components.front();
     const std::size_t waves = component.mode.theta.waves;
     if (waves == 0) return;
-    const auto stretched = [&](double by) {
-      Mode mode = component.mode;
-      for (std::size_t wave = 0; wave < waves; ++wave) mode.theta.values[Theta::first_wave + wave] += by;
-      process_.burst(mode, o_.settle);
-      return mode;
-    };
     const auto begin = component.wavelength_deviation.begin(), end = begin + static_cast<std::ptrdiff_t>(waves);
-    const double linearised = *std::min_element(begin, end), step = o_.valley_step * linearised,
-                 top = component.mode.log_posterior;
-    const Mode longer = stretched(step), shorter = stretched(-step);
-    const double curvature = (2 * top - longer.log_posterior - shorter.log_posterior) / (step * step);
-    if (!std::isfinite(curvature)) return;
-    const auto angles = angles_of(component.mode), of_longer = angles_of(longer), of_shorter = angles_of(shorter);
+    const double first = o_.valley_step * *std::min_element(begin, end), top = component.mode.log_posterior;
+    const std::vector<Stretched> longer = walk_valley(component.mode, first),
+                                 shorter = walk_valley(component.mode, -first);
+    const double up = longer.back().by, down = -shorter.back().by;
+    if (!(up > 0 && down > 0)) return;
+    const double rise = (top - shorter.back().mode.log_posterior) / down,
+                 fall = (top - longer.back().mode.log_posterior) / up;
+    const double curvature = 2 * (rise + fall) / (up + down);
+    if (!(curvature > 0)) return;
     std::array<double, max_waves> turn{};
     for (std::size_t wave = 0; wave < waves; ++wave)
-      turn[wave] = (elementary::wrapped_angle(of_longer[wave] - angles[wave]) +
-                    elementary::wrapped_angle(angles[wave] - of_shorter[wave])) /
-                   (2 * step);
-    const double told = std::max(curvature, 1 / (o_.widest_valley * o_.widest_valley * linearised * linearised));
+      turn[wave] = (longer.back().turned[wave] - shorter.back().turned[wave]) / (up + down);
     for (Component& each : components) {
       if (each.mode.theta.waves != waves || !o_.parts.valley_width) continue;
       each.turn = turn;
       for (std::size_t wave = 0; wave < waves; ++wave)
-        each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(told));
+        each.wavelength_deviation[wave] = std::max(each.wavelength_deviation[wave], 1 / std::sqrt(curvature));
     }
     if (!o_.parts.valley_move) return;
-    Mode moved =
-        stretched(std::clamp((longer.log_posterior - shorter.log_posterior) / (2 * step * told), -2 * step, 2 * step));
+    const double goal = std::clamp((rise - 0.5 * curvature * down) / curvature, -down, up);
+    const Stretched& nearest = *std::ranges::min_element(
+        goal > 0 ? longer : shorter, {}, [&](const Stretched& each) { return std::abs(each.by - goal); });
+    Mode moved = nearest.mode;
+    stretch(moved, goal - nearest.by);
     if (!(moved.log_posterior > top)) return;
     component.log_evidence += moved.log_posterior - top;
     component.mode = std::move(moved);

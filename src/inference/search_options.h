@@ -112,8 +112,7 @@ struct SearchOptions {
   double difference_step = 0.02;  // of hyperparameters, for the curvature of the posterior
   double last_fall = 0.1;         // [1] of ln λ, last step in the search for its error
   double min_eigenvalue = 0.003;  // limits the common stretching of two waves to twenty errors
-  double valley_step = 2;         // [errors of ln λ] to both sides of the valley
-  double widest_valley = 5;       // [errors of ln λ] limit of the parabola
+  double valley_step = 2;         // [errors of ln λ] first step to either side of the valley
 
   // Simulated loadings of a mode.
   double forward_noise = 3;  // [σ] larger residuals count linearly: they belong to another tooth

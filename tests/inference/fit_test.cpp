@@ -204,6 +204,28 @@ TEST_CASE("rig: where friction repeats, places tell of the rig, and so do the se
   }
 }
 
+TEST_CASE("truth: on a soft rig, the interval of a wavelength contains it") {
+  constexpr double wavelength = 13.0 / 1278, k = 30, noise = 0.015;
+  constexpr int tests = 8;
+  double squares = 0;
+  for (int test = 1; test <= tests; ++test) {
+    CAPTURE(test);
+    const Friction friction = Friction::sinusoid(0.6, 0.3, wavelength, 0.8 * test);
+    const auto fit = fit_friction(
+        {.record = simulated_record(
+             {.friction = friction, .stiffness = k, .noise = noise, .seed = static_cast<std::uint64_t>(test)}),
+         .rig = {k},
+         .errors = {.force = noise, .bending_stiffness = 0.03, .contact = 0}});
+    REQUIRE(fit.wave_claimed);
+    const Estimate& length = fit.waves[0].wavelength;
+    CHECK(length.low <= wavelength);
+    CHECK(wavelength <= length.high);
+    const double z = (length.value - wavelength) / length.standard_error;
+    squares += z * z;
+  }
+  CHECK(squares < 20.1);  // chi squared of eight, exceeded by one in a hundred
+}
+
 TEST_CASE("identity: the less a rig is known, the less is known of friction") {
   const SimulatedTruth truth{.friction = Friction::sinusoid(0.5, 0.3, 14.0 / 1278, 1.0), .noise = 0.02};
   const FitProblem exact = problem_of(truth);
