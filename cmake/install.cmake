@@ -1,21 +1,21 @@
 # cmake --install build/release --prefix DIR
 #
-# Three components: program (with its man page, completions, documentation and examples), development (what find_package(FlexSlip) finds),
-# and python, if it is built.
+# Three components: program (with its man page, completions and examples), development (what
+# find_package(FlexSlip) finds), and python, if it is built.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(FLEXSLIP_ZSH_FOLDER site-functions CACHE STRING "Where zsh looks below share/zsh: vendor-completions for a package of Debian")
 
 install(TARGETS flexslip COMPONENT program)
-install(TARGETS flexslip_core
-  EXPORT FlexSlipTargets
-  ARCHIVE COMPONENT development
-  FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flexslip COMPONENT development)
-
-# The man page is the target `man`; completions are those found in the build folder.
-option(FLEXSLIP_MAN_PACKED "Install the man page as flexslip.1.gz, which tools/build-package makes")
-install(FILES ${PROJECT_BINARY_DIR}/flexslip.1$<$<BOOL:${FLEXSLIP_MAN_PACKED}>:.gz> DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
+function(flexslip_name_if_missing file target)
+  install(CODE "if(NOT EXISTS ${PROJECT_BINARY_DIR}/${file})
+    message(WARNING \"Not installed: ${file}, which is not built. Build the target ${target} first.\")
+  endif()" COMPONENT program)
+endfunction()
+flexslip_name_if_missing(flexslip.1 man)
+flexslip_name_if_missing(completions/flexslip.bash completions)
+install(FILES ${PROJECT_BINARY_DIR}/flexslip.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/completions/flexslip.bash RENAME flexslip
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/completions/_flexslip
@@ -23,15 +23,21 @@ install(FILES ${PROJECT_BINARY_DIR}/completions/_flexslip
 install(FILES ${PROJECT_BINARY_DIR}/completions/flexslip.fish
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program OPTIONAL)
 
-# The page of the studio, where tools/build-studio has built it, and the site of the documentation (tools/build-site).
 install(FILES ${PROJECT_SOURCE_DIR}/build/studio/flexslip-studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip COMPONENT program OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip/examples COMPONENT program)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
-install(DIRECTORY ${PROJECT_BINARY_DIR}/site/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip/html COMPONENT program OPTIONAL)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/licences/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program OPTIONAL)
 
-# For others: find_package(FlexSlip) and link FlexSlip::core.
-set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FlexSlip)
-install(EXPORT FlexSlipTargets NAMESPACE FlexSlip:: DESTINATION ${config_dir} COMPONENT development)
-install(FILES ${PROJECT_SOURCE_DIR}/cmake/FlexSlipConfig.cmake DESTINATION ${config_dir} COMPONENT development)
-write_basic_package_version_file(${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake COMPATIBILITY SameMinorVersion)
-install(FILES ${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake DESTINATION ${config_dir} COMPONENT development)
+# For others: find_package(FlexSlip) and link FlexSlip::core, which needs the libraries of the distribution.
+if(NOT FLEXSLIP_SOURCES)
+  install(TARGETS flexslip_core
+    EXPORT FlexSlipTargets
+    ARCHIVE COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flexslip COMPONENT development)
+  set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FlexSlip)
+  install(EXPORT FlexSlipTargets NAMESPACE FlexSlip:: DESTINATION ${config_dir} COMPONENT development)
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/FlexSlipConfig.cmake DESTINATION ${config_dir} COMPONENT development)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  install(FILES ${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake DESTINATION ${config_dir} COMPONENT development)
+endif()

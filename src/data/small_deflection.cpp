@@ -345,14 +345,14 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   const auto low = force_at(record, greatest + 1, result.origin + from);
   result.chord_in_toe = *low > stiffness * (result.origin + from - linear->origin) + surely * noise_of(record) &&
                         of_part.value - clearly * error > (1 + result.toe_excess_explained) * of_chord.value;
-  if (result.chord_in_toe) result.chord.reset();
   return result;
 }
 
 std::optional<Estimate> standard_modulus(const SmallDeflection& numbers) {
   if (numbers.status != SmallDeflectionStatus::ok || !numbers.modulus) return std::nullopt;
-  const auto& [stiffness, modulus] = numbers.chord ? std::pair(numbers.chord->stiffness, numbers.chord->modulus)
-                                                   : std::pair(numbers.stiffness, *numbers.modulus);
+  const auto& [stiffness, modulus] = numbers.chord && !numbers.chord_in_toe
+                                         ? std::pair(numbers.chord->stiffness, numbers.chord->modulus)
+                                         : std::pair(numbers.stiffness, *numbers.modulus);
   return normal_estimate(modulus, modulus * (stiffness.standard_error / stiffness.value));
 }
 

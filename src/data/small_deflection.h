@@ -140,8 +140,7 @@ struct SmallDeflection {
   LoadPoint greatest;                       // at the maximum force
   LoadPoint end;                            // at the last point; at break, if a failure was removed
   std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
-  // Empty if span or section is unknown, the record does not cover both strains, or the chord is in
-  // the toe.
+  // Empty if span or section is unknown, or the record does not cover both strains.
   std::optional<Chord> chord;
   // the curve stiffens between the two strains by more than the specimen explains
   bool chord_in_toe;
@@ -166,8 +165,8 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options = {});
 
-// [Pa] The modulus to report: from the chord, or else from the linear region. Empty unless the
-// status is ok and the section is known.
+// [Pa] The modulus to report: from the chord, or from the linear region if there is no chord or the
+// chord lies in the toe. Empty unless the status is ok and the section is known.
 std::optional<Estimate> standard_modulus(const SmallDeflection& numbers);
 
 }  // namespace flexslip
