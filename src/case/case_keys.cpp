@@ -117,20 +117,17 @@ constexpr std::array keys{
                      "bending stiffness EI, instead of section and modulus", ", in the same three ways as a modulus")),
     plain(at<&SpecimenInput::material>, "material", Holds::text, R"("glass")", "material of the specimen",
           ", used with `support_material` to compare friction with the literature"),
-    at_most(
-        1, "write it as \"2 %\" or 0.02",
-        share(
-            at<&SpecimenInput::strain_at_break>, "strain_at_break", Range::positive, R"("2 %")",
-            "bending strain at the surface at which the specimen breaks; needs a section",
-            ". [`design` and `sweep`](planning-a-test.md) end there; `simulate` and `fit` say whether the record goes "
-            "beyond it")),
+    at_most(1, "write it as \"2 %\" or 0.02",
+            share(at<&SpecimenInput::strain_at_break>, "strain_at_break", Range::positive, R"("2 %")",
+                  "bending strain at the surface at which the specimen breaks; needs a section",
+                  ". `design` and `sweep` end there; `simulate` and `fit` report a record that goes beyond it")),
     quantity(at<&SpecimenInput::strength>, "strength", kind::pressure, Range::positive, R"("600 MPa")", "",
              "bending stress at the surface at which the specimen breaks, instead of strain_at_break"),
     in(at<&SpecimenInput::cracks>,
        {"cracks", Holds::tables, nullptr, Range::any, 0, "", R"([{ deflection = "160 um", loss = "3 %" }])",
         R"([{ deflection = 0.12, loss = "3 %" }])", "deflections at which the specimen cracks, for simulate",
-        " (`design` and `sweep` refuse it, other commands ignore it). When a deflection is first reached, the bending "
-        "stiffness falls at once and for good by the stated share of what is left ([theory.md](theory.md#cracks))"}),
+        " only. At each deflection the bending stiffness falls by a share of what is left "
+        "([theory](theory.md#cracks))"}),
     quantity(at<&CrackInput::deflection>, "deflection", kind::length, Range::positive, R"("160 um")", "0.12",
              "deflection at which the crack opens"),
     share(at<&CrackInput::loss>, "loss", Range::positive, R"("3 %")",
@@ -145,19 +142,15 @@ constexpr std::array keys{
         "control")),
     quantity(at<&RigInput::support_stiffness>, "support_stiffness", kind::stiffness, Range::positive_or_infinite,
              R"("5 kN/mm")", "2000", "vertical stiffness of each of the two supports, if they yield",
-             ". Load train and supports in series then stand between the stage and the deflection, and a snap happens "
-             "on both. The deflection is always that of the midpoint below the ends of the specimen"),
+             ". They are then in series with the load train. The deflection is measured from the ends of the specimen"),
     flagged(word(at<&RigInput::supports>, "supports", "edges|rollers", R"("edges")",
                  "what the specimen lies on: knife edges, or rollers with a radius; edges are assumed unless given")),
     flagged(estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")",
-                     "0.08", "radius of the rollers that serve as supports; knife edges unless given",
-                     ". Friction along the specimen is looked up where its axis touches the roller")),
-    without(
-        "loose", "loose rollers were a feature of earlier versions: write \"fixed\" or \"pinned\"",
-        word(
-            at<&RigInput::rollers>, "rollers", "fixed|pinned", R"("pinned")",
-            "how the rollers move: not at all, or on pins; fixed unless given",
-            R"(. `"pinned"` rollers turn on pins, and friction is at most that of the pins, the same everywhere ([theory](theory.md#rollers-and-thickness)))")),
+                     "0.08", "radius of the rollers that serve as supports; knife edges unless given")),
+    without("loose", "loose rollers were a feature of earlier versions: write \"fixed\" or \"pinned\"",
+            word(at<&RigInput::rollers>, "rollers", "fixed|pinned", R"("pinned")",
+                 "how the rollers move: not at all, or on pins; fixed unless given",
+                 ". The friction of the pins limits that of the specimen ([theory](theory.md#rollers-and-thickness))")),
     quantity(at<&RigInput::pin_radius>, "pin_radius", kind::length, Range::positive, R"("1 mm")", "0.02",
              "radius of the pins on which the rollers turn"),
     quantity(at<&RigInput::pin_friction>, "pin_friction", kind::number, Range::non_negative, "0.1", "0.1",
@@ -165,19 +158,19 @@ constexpr std::array keys{
     word(
         at<&RigInput::friction_at>, "friction_at", "surface|axis", R"("axis")",
         "whether friction acts at the surface or at the axis of the specimen; surface unless given",
-        R"(. `"surface"`: the specimen has the thickness of its section and its axis lies half of it above the supports; friction cannot be read off below a deflection of twice the thickness. `"axis"`: the paper's model, a specimen without thickness)"),
+        R"(. `"surface"`: the specimen has the thickness of its section; friction cannot be determined below a deflection of twice the thickness. `"axis"`: the paper's model, without thickness)"),
     quantity(at<&RigInput::nose_radius>, "nose_radius", kind::length, Range::positive, R"("5 mm")", "0.08",
              "radius of the loading nose; sharp unless given",
-             ". It has no effect until the specimen is bent more sharply than nose and half depth allow; simulate, "
-             "design and fit say where that happens, and go on computing with a sharp nose"),
+             ". All results are for a sharp nose; simulate, design and fit report from where on the specimen wraps "
+             "around it"),
     word(
         at<&RigInput::nose>, "nose", "holds|free", R"("free")",
         "whether the loading nose holds the middle of the specimen; it does unless given",
-        R"(. A nose whose friction is at least half of the difference between the sides' holds it, and two sides that differ act by their mean. `"free"`: a nose without friction, or one that turns; the weaker side slides, and `fit` reports lengths along the specimen twice as long ([theory](theory.md#two-supports)))"),
+        R"(. If it does, two unlike supports act by their mean. `"free"`: a nose without friction, or one that turns; the weaker side slides, and lengths along the specimen are twice as long ([theory](theory.md#two-supports)))"),
     word(
         at<&RigInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
         "where a snap comes to rest: nearest stable state, or beyond",
-        R"(. Unless given, simulate takes the nearest, and fit what the record shows ([theory](theory.md#where-a-snap-comes-to-rest)). `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it carries the specimen on until friction has consumed it, as on a rig that is hardly damped; the specimen then sticks until the force has risen again)"),
+        R"(. Unless given, simulate takes the nearest, and fit what the record shows. `"overshoot"`: kinetic energy carries the specimen on until friction has dissipated it, as on a rig with little damping ([theory](theory.md#where-a-snap-comes-to-rest)))"),
     plain(at<&RigInput::support_material>, "support_material", Holds::text, R"("steel")", "material of the supports",
           "; friction is compared with the literature only if both materials are stated"),
     // friction
@@ -241,8 +234,7 @@ constexpr std::array keys{
     at_most(1, "it is the share that is left",
             quantity(at<&FrictionInput::wear>, "wear", kind::number, Range::positive, "0.9", "0.9",
                      "share of friction that is left after each turn of the stage; 1 unless given",
-                     ", which is no wear. Only for simulate: after p turns of the `program` friction is wear^p of that "
-                     "stated, everywhere along the specimen ([theory.md](theory.md#wear))")),
+                     ". Only for simulate ([theory](theory.md#wear))")),
     plain(of_friction, "other", Holds::section, "", "friction of the other support, if it differs",
           ", in a section `[friction.other]` with a model and its keys"),
     // stage
@@ -260,13 +252,13 @@ constexpr std::array keys{
     title(at<&StageInput::stage>, "stage", kind::length, R"("stage [um]")", R"("w_s")",
           "title of the column of stage positions in that file"),
     title(at<&StageInput::time>, "time", kind::time, R"("t [s]")", R"("t")", "title of the column of time in that file",
-          ", to check that no row is earlier than the one before. The model has no speed"),
+          ", to check the order of the rows"),
     word(at<&StageInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file of stage positions"),
     word(at<&StageInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
          "where a simulated snap comes to rest: as on the rig unless given", "; see `[rig] snaps`"),
     // record
     plain(at<&RecordInput::file>, "file", Holds::file, R"("ss14.csv")", "file with the measured record",
-          ": a table of text, an export of a testing machine, or a workbook (.xlsx), read as `flexslip read` reads it"),
+          ": [any file](reading-exports.md) that `flexslip read` reads"),
     flagged(plain(at<&RecordInput::sheet>, "sheet", Holds::name_or_number, R"("Specimen 1")",
                   "sheet of a workbook (.xlsx), by name or number; the first with a table of numbers unless given")),
     flagged(title(at<&RecordInput::stage>, "stage", kind::length, R"("w_s_m [m]")", R"("w_s")",
@@ -276,12 +268,10 @@ constexpr std::array keys{
     flagged(title(at<&RecordInput::force>, "force", kind::force, R"("F_N [N]")", R"("F")",
                   "title of the column of force; in an export its name or number, if it is not found")),
     title(at<&RecordInput::length>, "length", kind::length, R"("S-L [um]")", R"("S-1")",
-          "title of the column of the imaged length pulled in (both supports)",
-          " (S − L), if there is one: compared with what the force says, point by point"),
-    flagged(word(
-        at<&RecordInput::displacement>, "displacement", "crosshead|deflection", R"("crosshead")",
-        "what an export's displacement measures: the crosshead or the midpoint",
-        R"(. `"crosshead"` is corrected for the load train; `"deflection"` is that of the specimen's midpoint. Needed if the file does not say it)")),
+          "title of the column of the imaged length pulled in (both supports)", " (S − L), to compare with the result"),
+    flagged(word(at<&RecordInput::displacement>, "displacement", "crosshead|deflection", R"("crosshead")",
+                 "what an export's displacement measures: the crosshead or the midpoint",
+                 R"(. `"crosshead"` is corrected for the load train. Needed if the file does not say it)")),
     flagged(plain(at<&RecordInput::displacement_column>, "displacement_column", Holds::text, R"("Extension")",
                   "column of displacement in an export, by name or number, if it is not found")),
     flagged(plain(at<&RecordInput::specimen>, "specimen", Holds::whole_number, "2",

@@ -1,5 +1,5 @@
 // Every key of a case file, described once: a row says what it holds and which member of a Test that is. The reader, the writer, refusals, flags, --set,
-// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and the tables of docs/case-file-keys.md are made of the rows.
+// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and docs/case-file-keys.md are made of the rows.
 #pragma once
 
 #include <span>

@@ -131,10 +131,10 @@ std::string document() {
   out << "## Errors\n\nErrors of deflections are at most " << worst_of("w") << ", and errors of forces at most "
       << worst_of("F / condition") << R"( times the condition number, over the whole branch.
 
-The reference has 40 digits (`tests/fibre/reference`). The working group has S from 1.001 to 1.6 and q from −1 to 2. Errors are relative, in units of 2⁻⁵² = 2.2e-16, rounded up to one digit. Two scales differ:
+The reference has 40 digits. The working group has S from 1.001 to 1.6 and q from −1 to 2. Errors are relative, in units of 2⁻⁵² = 2.2e-16, rounded up to one digit. Two scales differ:
 
-- F vanishes at the end of the branch. Its error, and the errors of its slopes, are divided by the condition number 1 + |(S − 1) F_S/F| + |q F_q/F|. Rounding of S − 1 and q alone can cause an error of this size.
-- The error of a slope X_S is relative to the larger of |X_S| and |X|/(S − 1). The error of X_q is relative to the larger of |X_q| and |X|/(1 + |q|).
+- Errors of F and its slopes are divided by the condition number 1 + |(S − 1) F_S/F| + |q F_q/F|, the effect of rounding S − 1 and q.
+- The error of a slope X_S is relative to the larger of |X_S| and |X|/(S − 1), the error of X_q to the larger of |X_q| and |X|/(1 + |q|).
 
 )";
   write_tables(out, states, {"w", "Pn", "theta0", "U", "F / condition", "w_S", "w_q", "F_S", "F_q"});
@@ -157,8 +157,8 @@ The reference has 40 digits (`tests/fibre/reference`). The working group has S f
   }
   out << ". The error of cn is absolute, because cn vanishes at K.\n\n";
   const auto digits = [](double error) { return number("%.0f", std::max(0.0, std::floor(-std::log10(error * unit)))); };
-  out << "**Why not the AGM?** The closed forms from an arithmetic–geometric ladder lose digits of S − 1, which is a "
-         "small difference. Digits that remain at given S − 1, for m = 3/4:";
+  out << "**Why not the AGM?** The closed forms from an arithmetic–geometric ladder lose digits of S − 1. Digits that "
+         "remain at given S − 1, for m = 3/4:";
   separator = " ";
   double program = 0;
   for (const auto& [excess, agm, integrals] : digits_of_S()) {
