@@ -14,6 +14,7 @@
 
 #include "cli/commands.h"
 #include "cli/output.h"
+#include "cli/version.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
 
@@ -85,7 +86,7 @@ int run(int argc, char** argv) {
       "What a sawtooth in a three-point bending test means: friction at the supports, read off the force curve");
   app.name("flexslip");
   app.set_help_flag("--help", "Print all options and exit");
-  app.set_version_flag("--version", "flexslip " FLEXSLIP_VERSION);
+  app.set_version_flag("--version", version_in_words());
   app.require_subcommand(1);
   app.get_formatter()->label("SUBCOMMAND", "COMMAND");
   app.get_formatter()->column_width(28);

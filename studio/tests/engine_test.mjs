@@ -122,7 +122,6 @@ test("faults are the program's own sentences and codes; what a page cannot do, i
   await same(t, ["fit", "nothing.toml"], {});
   await same(t, ["simulate", "case.toml"], { "case.toml": text("[rig]\nspan = 3\n") });
   await same(t, ["flt"], {});
-  await same(t, ["--version"], {});
   const sweep = await inPage(["sweep", "sweep.toml"], { "sweep.toml": new Uint8Array(readFileSync(join(root, "examples/sweep.toml"))) });
   assert.equal(sweep.code, 2);
   assert.match(sweep.err, /run the same command with the program flexslip, outside the studio/);

@@ -13,7 +13,7 @@ from program import PROGRAM, SOURCE, WAVY, InFolder
 
 EXAMPLE = SOURCE / "examples/simulated"
 # What the command needs of the page, whatever else is in it.
-VERSION = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout.split()[-1]
+VERSION = subprocess.run([PROGRAM, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
 PAGE = f'<!DOCTYPE html>\n<title>The studio</title>\n<script type="application/json" id="given" data-version="{VERSION}">[]</script>\n<p>&amp; more</p>\n'
 NAME = "flexslip-studio.html"
 
