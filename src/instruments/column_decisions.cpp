@@ -132,6 +132,30 @@ Export with_columns(Export file, const std::map<ColumnRole, std::string>& column
   return file;
 }
 
+// A unit decides a role that no title has: the only column in a unit of force is the force, unless its title names another quantity.
+Export with_roles_by_units(Export file) {
+  for (ExportedSpecimen& specimen : file.specimens)
+    for (const ColumnRole role : {ColumnRole::time, ColumnRole::displacement, ColumnRole::force}) {
+      const auto has_role = [&](const ExportColumn& column) {
+        return column.role == role || (role == ColumnRole::displacement && is_displacement(column.role));
+      };
+      if (std::any_of(specimen.columns.begin(), specimen.columns.end(), has_role)) continue;
+      std::vector<ExportColumn*> candidates;
+      for (ExportColumn& column : specimen.columns)
+        if (column.role == ColumnRole::other && column.words.empty() && !names_other_quantity(column.name) &&
+            is_of_kind(machine_unit(column.unit), words_for(role)))
+          candidates.push_back(&column);
+      if (candidates.size() != 1) continue;
+      candidates.front()->role = role;
+      std::string note = fmt::format("column {} is the {}: no other column has the unit of {}", in_quotes(candidates.front()->name),
+                                     words_for(role).name, words_for(role).kind->name);
+      if (std::find(file.notes.begin(), file.notes.end(), note) != file.notes.end()) continue;
+      file.row_notes.push_back(note);
+      file.notes.push_back(std::move(note));
+    }
+  return file;
+}
+
 Export with_displacement(Export file, ColumnRole role) {
   if (role != ColumnRole::crosshead && role != ColumnRole::deflection)
     throw InputError({.field = "--displacement", .expected = "crosshead or deflection", .found = "neither"});
@@ -185,9 +209,10 @@ bool is_rounded_to(std::span<const double> coarse, std::span<const double> fine,
 Export with_finest(Export file) {
   constexpr double finer = 1.5, least_steps = 10;
   for (ExportedSpecimen& specimen : file.specimens)
-    for (ExportColumn& coarse : specimen.columns)
+    for (ExportColumn& coarse : specimen.columns) {
+      if (coarse.role != ColumnRole::crosshead) continue;
       for (ExportColumn& fine : specimen.columns) {
-        const bool may_be = coarse.role == ColumnRole::crosshead && coarse.number != fine.number &&
+        const bool may_be = coarse.number != fine.number &&
                             (fine.role == ColumnRole::crosshead || fine.role == ColumnRole::displacement);
         if (!may_be || coarse.unit != fine.unit) continue;
         const double step = step_of(coarse);
@@ -205,6 +230,7 @@ Export with_finest(Export file) {
           file.notes.push_back(std::move(note));
         break;
       }
+    }
   return file;
 }
 
@@ -273,7 +299,7 @@ struct VoltageFinding {
 };
 
 // The column in volts that may be the force of the test: the words of none say otherwise. The file must not be evaluated
-// without a decision if there is no force beside it, or if it follows the force (a second load cell), or if the force is
+// without a decision if it is the only voltage and there is no force beside it, or if it follows the force (a second load cell), or if the force is
 // noise and the voltage is not. nullopt if the voltages are something else.
 std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
   const ExportColumn* force = nullptr;
@@ -281,7 +307,11 @@ std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
     if (column->role == ColumnRole::force && !volts_in(column->unit)) force = column;
   for (const ExportColumn* column : columns) {
     if (!volts_in(column->unit)) continue;
-    if (force == nullptr) return VoltageFinding{column, nullptr, not_a_number, false};
+    if (force == nullptr) {  // which of several is the force, is asked
+      const auto in_volts = [](const ExportColumn* each) { return volts_in(each->unit).has_value(); };
+      if (std::count_if(columns.begin(), columns.end(), in_volts) > 1) return std::nullopt;
+      return VoltageFinding{column, nullptr, not_a_number, false};
+    }
     const double r = correlation(force->values, column->values);
     const bool is_noise = step_ratio(force->values) > noise && step_ratio(column->values) < noise;
     if (std::abs(r) >= follows || is_noise) return VoltageFinding{column, force, r, is_noise};
@@ -544,6 +574,7 @@ Export decided(Export file, const ExportOptions& options, std::size_t header_lin
       options.displacement || std::any_of(options.columns.begin(), options.columns.end(),
                                           [](const auto& asked) { return is_displacement(asked.first); });
   file = with_columns(std::move(file), options.columns);
+  file = with_roles_by_units(std::move(file));
   file = with_one_time(std::move(file));
   if (!asks_displacement) file = with_finest(std::move(file));
   require_no_voltage_for_force(file, options, header_line);

@@ -65,12 +65,16 @@ UsualRow usual_row(const Sheet& sheet) {
     throw InputError({.expected = "rows of numbers",
                       .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
                       .remedy = "export the raw data of the test as CSV"});
+  constexpr std::size_t max_columns = 16384;  // of a sheet of Excel
+  if (usual.cells > max_columns)
+    throw InputError({.remedy = "write each reading on a line of its own",
+                      .problem = fmt::format("a row has {} cells, and a table at most {}", usual.cells, max_columns)});
   return usual;
 }
 
 // Numbers in most of the columns, or in some and nothing in the others.
 bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
-  if (sheet.is_comment(line)) return false;
+  if (sheet.is_comment(line) || sheet.is_blank(line)) return false;
   std::size_t numbers = 0;
   std::size_t words = 0;
   for (std::size_t i = 0; i < usual.pattern.size(); ++i) {
@@ -86,8 +90,9 @@ bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
 
 bool fits(Cells cells, const UsualRow& usual) {
   if (cells.size() < usual.pattern.size()) return false;
+  // A remark behind the last column is no cell of the row.
   for (std::size_t i = usual.cells; i < cells.size(); ++i)
-    if (!cells[i].empty()) return false;
+    if (has_number(cells[i])) return false;
   return true;
 }
 
@@ -144,8 +149,9 @@ bool labels_titles(std::string_view cell) {
 }
 
 bool labels_units(std::string_view cell) {
-  static constexpr std::array<std::string_view, 11> words{
-      "unit", "units", "einheit", "einheiten", "unité", "unités", "unidad", "unidades", "unità", "birim", "単位"};
+  static constexpr std::array<std::string_view, 12> words{"unit",   "units",    "y_unit_label", "einheit",
+                                                          "einheiten", "unité", "unités",       "unidad",
+                                                          "unidades",  "unità", "birim",        "単位"};
   return is_one_of(words, cell);
 }
 
@@ -484,6 +490,14 @@ void without_preambles(std::vector<TableBlock>& blocks) {
   }
 }
 
+// Units far above the titles, on a line that begins with a word for units.
+void add_labelled_units(const Sheet& sheet, TableBlock& block, const UsualRow& usual) {
+  for (const std::size_t line : block.remarks)
+    if (const CellWords cells = header_words(sheet, line, usual).cells;
+        block.units.empty() && !cells.empty() && labels_units(cells.front()) && is_unit_line(cells))
+      block.units = units_above(cells, 0, usual);
+}
+
 // A number before the marks are known: those of a column are wrong by one factor, if at all.
 double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
   const std::string_view number = number_cell(sheet.at(line, column)).number;
@@ -587,6 +601,7 @@ Layout layout_of(const Sheet& sheet) {
   if (layout.blocks.empty())
     throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
   without_preambles(layout.blocks);
+  for (TableBlock& block : layout.blocks) add_labelled_units(sheet, block, usual);
   TableBlock& last = layout.blocks.back();
   // Rows at the end that say of what is no number in them that it is missing, or that a sensor was at its end.
   std::size_t silent = 0;

@@ -218,7 +218,7 @@ const std::vector<ExpectedExport> made{
      '.',
      40,
      1,
-     {{"column_1", "s", other, 0, t39}, {"column_2", "N", other, 0, f39}}},
+     {{"column_1", "s", ColumnRole::time, 0, t39}, {"column_2", "N", force, 0, f39}}},
     {"force_gauge_columns.csv",
      "table",
      Encoding::utf8,
@@ -226,7 +226,7 @@ const std::vector<ExpectedExport> made{
      '.',
      40,
      1,
-     {{"column_1", "N", other, 0, f39}, {"column_3", "", other, 0, d39}, {"column_4", "", other, 0, 39}}},
+     {{"column_1", "N", force, 0, f39}, {"column_3", "", other, 0, d39}, {"column_4", "", other, 0, 39}}},
     {"texture_analyser.txt",
      "table",
      Encoding::utf8,
@@ -629,4 +629,30 @@ TEST_CASE("export: the flags that repeat the decisions make the same of the file
     CHECK(again.specimens.front().repeat_with == file.specimens.front().repeat_with);
     CHECK(canonical(again) == canonical(file));
   }
+}
+
+TEST_CASE("export: a unit decides a role that no title has, unless two columns have it or the title names another quantity") {
+  const auto roles_of = [](const std::string& titles) {
+    std::string text = titles + "\n";
+    for (int i = 0; i < 20; ++i) text += fmt::format("{0},{1},{2}\n", i, 2 * i, 3 * i);
+    std::vector<ColumnRole> roles;
+    for (const ExportColumn& column : export_in(text, "test.csv").specimens.front().columns) roles.push_back(column.role);
+    return roles;
+  };
+  using enum ColumnRole;
+  CHECK(roles_of("Alfa [s],Beta [mm],Gamma [N]") == std::vector{time, displacement, force});
+  CHECK(roles_of("Alfa [s],Beta [N],Gamma [N]") == std::vector{time, other, other});
+  CHECK(roles_of("Alfa [mm],Preload [N],Gamma [N]") == std::vector{displacement, other, force});
+  CHECK(roles_of("Alfa [mm],Preload [N],Gamma [mm]") == std::vector{other, other, other});
+}
+
+TEST_CASE("export: a remark behind the last column is no cell, and units may stand far above the titles") {
+  std::string text = "LabVIEW Measurement\nY_Unit_Label\tVolts\tVolts\nX0\t0.0\t0.0\nX_Value\tDev2/ai0\tDev2/ai1\tComment\n";
+  for (int i = 0; i < 20; ++i) text += fmt::format("\t{}\t{}{}\n", 0.1 * i, 0.2 * i, i == 7 ? "\tForce Coeff: 50.0" : "");
+  const Export file = export_in(text, "test.lvm");
+  const ExportedSpecimen& specimen = file.specimens.front();
+  CHECK(specimen.lines.size() == 20);
+  REQUIRE(specimen.columns.size() == 2);
+  CHECK(specimen.columns[0].name == "Dev2/ai0");
+  CHECK(specimen.columns[1].unit == "Volts");
 }
