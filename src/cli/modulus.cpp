@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "answers/standard_fields.h"
+#include "case/fitted.h"
 #include "case/studies.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -16,6 +17,7 @@ struct ModulusRequest {
   TestRequest test;
   std::vector<std::string> window;
   std::vector<std::string> friction;
+  bool full = false;
   Output output;
 };
 
@@ -25,9 +27,13 @@ void run_modulus(const ModulusRequest& request) {
   const ModulusStudy study =
       with_test(request.test, [&](const Test& input) { return study_modulus(input, window, friction); });
   const StandardTest test = standard_test(study);
+  const Test& input = study.measurement.test;
+  const std::string name = name_of_test(input.source.empty() ? study.measurement.file : input.source);
   write_words(
       request.output, [&] { return modulus_fields()(test, frame_of(test)); },
-      [&] { return in_text(document_of(test)); });
+      [&] {
+        return request.full ? modulus_text(name, test) : modulus_screen(name, test, screen_style(request.output));
+      });
   if (study.numbers.status != SmallDeflectionStatus::ok)
     throw CalculationFailed(fmt::format("{}: {}", study.measurement.file, small_deflection_in_words(test).front()));
 }
@@ -47,6 +53,7 @@ void add_modulus_command(CLI::App& app) {
       "Friction at the supports, or its least and its greatest, whose part in modulus, strength and work is told; "
       "without it, that of the case, or 0.1 to 0.5")
       ->expected(1, 2);
+  command.add_flag("--full", request.full, "Print every number and remark, not only what fits on one screen");
   add_output_options(command, request.output);
   command.footer(
       "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume "

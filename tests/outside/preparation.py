@@ -574,8 +574,10 @@ class Bar(InFolder):
             self.assertAlmostEqual(numbers["deflection"], w, delta=0.03e-3)
             self.assertAlmostEqual(numbers["strain"], 6 * w * 4e-3 / 64e-3**2, delta=2e-4)
             self.assertAlmostEqual(numbers["stress"], 3 * force * 64e-3 / (2 * 10e-3 * 4e-3**2), delta=0.01 * numbers["stress"])
-        text = self.succeeds("modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection")
-        for name in ("greatest force", "flexural strength σ_fM", "flexural strain at the greatest force", "force at break", "flexural stress at break σ_fB", "flexural strain at break"):
+        call = ["modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection"]
+        self.assertRegex(self.succeeds(*call), r"\n  maximum .*\(strength\)\n  break  .* MPa, strain ")
+        text = self.succeeds(*call, "--full")
+        for name in ("maximum force", "flexural strength σ_fM", "flexural strain at the maximum force", "force at break", "flexural stress at break σ_fB", "flexural strain at break"):
             self.assertIn(name, text)
         whole = self.modulus(rows[:300], *BAR, "--displacement", "deflection", which=1)
         self.assertIsNone(whole["at_break"])
@@ -588,7 +590,9 @@ class Bar(InFolder):
         self.assertTrue(found["chord_in_toe"])
         self.assertIsNone(found["chord"])
         self.assertAlmostEqual(found["modulus"]["value"] / MODULUS, 1, delta=0.01)
-        text = " ".join(self.succeeds("modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection").split())
+        call = ["modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection"]
+        self.assertRegex(self.succeeds(*call), r"flexural modulus .* \(steepest linear part, .*\n  No chord of ISO 178: it lies in the toe")
+        text = " ".join(self.succeeds(*call, "--full").split())
         self.assertIn("lies in the toe", text)
         self.assertNotIn("Use the chord", text)
 

@@ -62,7 +62,8 @@ TEST_CASE(
   CHECK(!holds(all_words(answer), "Slips or cracks"));
   answer.reload = reload_study(input, {});
   const std::string words = all_words(answer);
-  CHECK(holds(words, "A second loading will tell slips from cracks: load to the stage position 560 µm, unload to "));
+  CHECK(holds(words,
+              "A second loading will distinguish slips from cracks: load to the stage position 560 µm, unload to "));
   CHECK(holds(words,
               std::to_string(answer.reload->of_travel().drops) + " drops; if they were cracks only, they would cost "));
   CHECK(holds(words, "99 of 100 tests with cracks only"));
