@@ -42,7 +42,7 @@ struct ReadRequest {
 
 bool writes_table(const ReadRequest& request) { return !request.output.json && !request.output.path.empty(); }
 
-// The specimen that is told of, counted from 0.
+// The specimen of the summary, counted from 0.
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
@@ -84,7 +84,8 @@ std::string format_in_words(const Export& file) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-// "--displacement crosshead, or --displacement deflection" for the answer "--displacement crosshead|deflection".
+// The flags of an answer with alternatives, "--displacement crosshead|deflection", in words:
+// "--displacement crosshead, or --displacement deflection".
 std::string alternatives(const std::string& answer) {
   const std::size_t bar = answer.find('|'), space = answer.rfind(' ', bar);
   if (bar == std::string::npos || space == std::string::npos) return answer;
@@ -102,8 +103,8 @@ bool is_about(const OpenQuestion& question, const ExportColumn& column) {
   return question.words.find(in_quotes(column.name)) != std::string::npos;
 }
 
-// The columns with their numbers, units and roles. An open question stands beside the first column that it
-// names, with its flags below it; the other questions follow.
+// The columns with their numbers, units and roles. An open question follows the first column that
+// it names, with its flags on the next line; the other questions come last.
 std::string columns_in_words(const ExportedSpecimen& specimen) {
   std::size_t name_width = 0, unit_width = 0;
   for (const ExportColumn& column : specimen.columns) {

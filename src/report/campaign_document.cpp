@@ -155,7 +155,8 @@ std::string conditions_in_words(const Campaign& campaign) {
 
 std::string friction_in_words(const Campaign& campaign) {
   const CategorySpread* over = spread_of_all(campaign);
-  if (!over) return "";
+  const auto answered = [](const CampaignTest& test) { return is_answered(test); };
+  if (!over || count_of(campaign, answered) == 0) return "";
   const Spread& mu0 = over->mu0;
   const std::size_t limits = over->mu0_limit.count;
   const std::string limits_in_words =
@@ -349,7 +350,7 @@ Rows column_rows(const Campaign& campaign) {
       {"Friction",
        "mean μ₀ over the sliding length; σ is its variation, ℓ the correlation length; ± is one standard error, "
        "ranges in parentheses are 95 % intervals"},
-      {"A, λ", "amplitude and wavelength of the most probable wave of friction; brackets: not detected"},
+      {"A, λ", "amplitude and wavelength of the wave with the highest probability; brackets: not detected"},
       {"Work (%)", "friction share of the work; empty if the friction is not determined, or only an upper limit"},
       {"E_f, σ_f",
        "modulus of the chord, or else of the linear region, and stress at the maximum force, by the bending "
@@ -430,7 +431,8 @@ Rows shown_failures(const Campaign& campaign, std::size_t width) {
   return rows;
 }
 
-// The rows of the tests, as many as there are free lines; if some are missing, tests with doubts come first.
+// Adds the rows of the tests, as many as there are free lines. If some are missing, tests with doubts
+// come first.
 void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& style) {
   constexpr std::size_t lines_of_head = 2;
   PrintedTable tests = test_rows(campaign, with_error);

@@ -203,8 +203,7 @@ struct Remark {
   std::string warning{};  // the same on one line of the screen; empty if it is no warning
 };
 
-// The relative difference of the modulus of the linear region from the modulus of the chord, if it exceeds
-// their errors.
+// The relative difference between the moduli of linear region and chord, if it exceeds their errors.
 std::optional<double> difference_from_chord(const SmallDeflection& numbers) {
   constexpr double clearly = 2;  // [standard errors]
   if (!numbers.chord || !numbers.modulus) return std::nullopt;
@@ -213,7 +212,7 @@ std::optional<double> difference_from_chord(const SmallDeflection& numbers) {
   return std::abs(difference) > clearly * error ? std::optional(difference) : std::nullopt;
 }
 
-// True if friction and large deflection do not explain why the linear region is steeper than the chord.
+// True if the linear region is steeper than friction and large deflection explain.
 bool has_hidden_toe(const SmallDeflection& numbers) {
   const auto difference = difference_from_chord(numbers);
   return difference && *difference > std::max(numbers.toe_excess_explained, 0.0);

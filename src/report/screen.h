@@ -24,7 +24,7 @@ inline constexpr std::size_t max_screen_lines = 12;
 
 struct Screen {
   std::string title;     // whole lines
-  Rows rows;             // the most important first
+  Rows rows;             // in order of importance
   Rows doubts{};         // after the rows
   Rows next{};           // after the doubts
   PrintedTable table{};  // after an empty line

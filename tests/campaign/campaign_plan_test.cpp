@@ -94,10 +94,10 @@ TEST_CASE("table: the same record under another case is another test, and a note
   REQUIRE(plan.tests.size() == 2);
   REQUIRE(plan.notes.size() == 4);
   CHECK(plan.tests[1].name == "three");
-  CHECK(has(plan.notes[0], "'two' is left out"));
-  CHECK(has(plan.notes[1], "'three' has the record of 'one'"));
+  CHECK(has(plan.notes[0], "'two' is omitted: its record is identical"));
+  CHECK(has(plan.notes[1], "'three' has the same record as 'one'"));
   CHECK(has(plan.notes[1], "counts as another specimen"));
-  CHECK(has(plan.notes[2], "'four' is left out, as it has the record of 'three'"));
+  CHECK(has(plan.notes[2], "'four' is omitted: its record is identical to the record of 'three'"));
 }
 
 TEST_CASE("table: units in titles of a table as in those of a record") {
