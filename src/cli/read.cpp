@@ -12,6 +12,7 @@
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "finding/printed.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
@@ -147,7 +148,7 @@ std::string same_call(const ReadRequest& request, const ExportedSpecimen& specim
 }
 
 std::string rows_in_words(const ExportedSpecimen& specimen) {
-  return fmt::format("{} rows{}", specimen.lines.size(),
+  return fmt::format("{}{}", format_count(specimen.lines.size(), "row", "rows"),
                      specimen.name.empty() ? "" : " of " + in_quotes(printable(specimen.name)));
 }
 
@@ -156,11 +157,9 @@ std::string summary_of(const ReadRequest& request, const Export& file, std::size
   const ExportedSpecimen& specimen = file.specimens[chosen];
   const bool are_listed = request.specimen == 0 && file.specimens.size() > 1;
   std::string text =
-      wrapped(fmt::format("{}, {}. {}", file.format,
-                          are_listed ? fmt::format("{} specimens", file.specimens.size()) : rows_in_words(specimen),
-                          questions_in_words(specimen.asks.size())),
-              "  ", file.origin.source + ": ") +
-      "\n";
+      fmt::format("{}: {}, {}. {}\n\n", file.origin.source, file.format,
+                  are_listed ? fmt::format("{} specimens", file.specimens.size()) : rows_in_words(specimen),
+                  questions_in_words(specimen.asks.size()));
   if (are_listed) {
     for (std::size_t i = 0; i < file.specimens.size(); ++i)
       text += fmt::format("  specimen {}: {}, lines {} to {}\n", i + 1, rows_in_words(file.specimens[i]),

@@ -61,18 +61,17 @@ void add_reached(Rows& rows, const Test& test, const LoadPoint& at, std::string_
   if (at.strain) rows.push_back({fmt::format("flexural strain {}", where), percent_to_two_digits(*at.strain)});
 }
 
-// ISO 178 gives the modulus with three significant digits. The error has as many decimals, or one
-// significant digit if it is smaller.
+// "29.5 ± 1.2 GPa": three significant digits, as ISO 178 requires. "17.6 GPa ± 0.02 %" if the error
+// is smaller than the last digit.
 std::string modulus_in_words(double value, double relative_error, const Kind& kind) {
   const std::string_view unit = best_unit(value, kind);
   const double shown = unit.empty() ? value : from_si(value, parse_unit(unit));
   const double error = relative_error * shown;
   if (!(shown > 0) || !(error > 0) || !std::isfinite(shown + error)) return three_digits(value, kind);
-  const auto place_of = [](double number) { return static_cast<int>(std::floor(std::log10(number))); };
-  const int decimals = std::max(0, 2 - place_of(shown));
-  const bool is_small = error < 0.5 * std::pow(10, -decimals);
-  const std::string words =
-      fmt::format("{:.{}f} ± {:.{}f}", shown, decimals, error, is_small ? -place_of(error) : decimals);
+  const int decimals = std::max(0, 2 - static_cast<int>(std::floor(std::log10(shown))));
+  if (error < 0.5 * std::pow(10, -decimals))
+    return fmt::format("{} ± {:.1g} %", three_digits(value, kind), 100 * relative_error);
+  const std::string words = fmt::format("{:.{}f} ± {:.{}f}", shown, decimals, error, decimals);
   return unit.empty() ? words : fmt::format("{} {}", words, typeset(unit));
 }
 
@@ -102,7 +101,9 @@ Rows number_rows(const StandardTest& test) {
     rows.push_back({numbers.chord ? "flexural modulus E_f, linear region" : "flexural modulus E_f = F L³/(48 I δ)",
                     modulus_in_words(*numbers.modulus, relative, as(kind::pressure))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
-    rows.push_back({"E_f without the effect of the supports", three_digits(modulus->value, as(kind::pressure))});
+    rows.push_back(
+        {fmt::format("E_f of the {} without the effect of the supports", numbers.chord ? "chord" : "linear region"),
+         three_digits(modulus->value, as(kind::pressure))});
   add_reached(rows, measurement.test, numbers.greatest, "maximum force", stress_label(test), "at the maximum force");
   if (is_broken(test))
     add_reached(rows, measurement.test, numbers.end, "force at break", "flexural stress at break σ_fB", "at break");
@@ -254,8 +255,7 @@ Remark shear_remark(const StandardTest& test, double share) {
           "appears too small.",
           slenderness, slenderness < required ? ", less than the 16 that ISO 178 requires" : "",
           percent_to_two_digits(share)),
-      fmt::format("Shear adds {} to the deflection (span {:.3g} times the thickness): modulus too small.",
-                  percent_to_two_digits(share), slenderness)};
+      fmt::format("Shear adds {} to the deflection, so the modulus appears too small.", percent_to_two_digits(share))};
 }
 
 // Remarks that have no condition on the curve: assumptions and dimensions.
@@ -274,7 +274,9 @@ std::vector<Remark> remarks_on_inputs(const StandardTest& test) {
     const std::string words =
         fmt::format("Almost no material is stiffer than {}: check the units of force, displacement, span and section.",
                     three_digits(high_material_modulus, kind_in(test.measurement.test, kind::pressure)));
-    list.push_back({words, words});
+    list.push_back(
+        {words, fmt::format("Almost no material is stiffer than {}: check units, span and section.",
+                            three_digits(high_material_modulus, kind_in(test.measurement.test, kind::pressure)))});
   }
   if (supports_count(test))
     list.push_back(
@@ -294,7 +296,7 @@ std::vector<Remark> remarks_on_curve(const StandardTest& test) {
         {fmt::format("The linear region would meet zero force before the record begins, so deflection and strain count "
                      "from its beginning{}.",
                      beginning_in_words(test)),
-         "The record begins above zero force: deflection and strain count from its first row."});
+         "The record begins above zero force: deflection counts from its first row."});
   if (const std::string why = why_no_chord(test); !why.empty()) list.push_back({why});
   if (numbers.chord_in_toe)
     list.push_back({fmt::format(
