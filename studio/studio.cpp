@@ -31,7 +31,7 @@ constexpr std::array boxes{Box{&kind::length, Range::positive},   Box{&kind::sti
 const Box& box_of(std::string_view name) {
   const auto* const box =
       std::find_if(boxes.begin(), boxes.end(), [&](const Box& each) { return each.kind->name == name; });
-  if (box == boxes.end()) throw std::invalid_argument("no box holds " + std::string(name));
+  if (box == boxes.end()) throw std::invalid_argument("no input has the kind " + std::string(name));
   return *box;
 }
 
@@ -54,8 +54,8 @@ Friction friction_of(const RigInput& rig, const Scales& scales, const Fibre& fib
   for (double& S : table.S) S = scales.reduced_length(S);
   Friction friction = Friction::table(std::move(table));
   if (friction.max_up_to(S_max) > fibre.max_friction())
-    throw std::invalid_argument("friction of up to " + std::to_string(friction.max_up_to(S_max)) + ", where at most " +
-                                std::to_string(fibre.max_friction()) + " is computed");
+    throw std::invalid_argument("friction reaches " + std::to_string(friction.max_up_to(S_max)) + "; the limit is " +
+                                std::to_string(fibre.max_friction()));
   return friction;
 }
 
@@ -110,7 +110,7 @@ std::vector<Point> half_axis(const FibreState& state, double half_depth, double 
 
 Loading simulate(const RigInput& input, std::span<const double> programme, std::optional<double> step, int points) {
   constexpr int fewest = 2;
-  if (programme.empty()) throw std::invalid_argument("a programme of the stage without positions");
+  if (programme.empty()) throw std::invalid_argument("the programme of the stage has no positions");
   const Scales scales = scales_of(input);
   const double farthest = scales.reduced_length(*std::max_element(programme.begin(), programme.end()));
   const double S_max = longest_at_stage(farthest);
@@ -142,7 +142,7 @@ Loading simulate(const RigInput& input, std::span<const double> programme, std::
 
 Loading sketch(const RigInput& input, double farthest, int steps) {
   constexpr double lengths = 1500;  // about 40 per period of friction
-  if (!(farthest > 0) || steps < 2) throw std::invalid_argument("a sketch of no stage positions");
+  if (!(farthest > 0) || steps < 2) throw std::invalid_argument("the sketch has no stage positions");
   const Scales scales = scales_of(input);
   const double end = scales.reduced_length(farthest);
   const double S_max = std::min(longest_at_stage(end), longest_ladder);
@@ -155,7 +155,7 @@ Loading sketch(const RigInput& input, double farthest, int steps) {
   const StateArrays curve = ladder.curve(mu);
   const double compliance = 1 / scales.reduced_stiffness(input.stiffness);
   if (!(curve.w.back() + compliance * curve.F.back() >= end))
-    throw std::invalid_argument("the fibre does not get so far");
+    throw std::invalid_argument("the specimen does not reach this stage position");
 
   std::vector<double> stages;
   for (int i = 0; i <= steps; ++i) stages.push_back(end * i / steps);
@@ -189,11 +189,12 @@ Loading equilibrium(const RigInput& rig, double longest, int points) {
 }
 
 Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond) {
-  if (points < 2) throw std::invalid_argument("a shape of fewer than two points");
+  if (points < 2) throw std::invalid_argument("the shape has fewer than two points");
   const Scales scales = scales_of(rig);
   const Fibre fibre = fibre_on(rig, scales);
   const FibreState state = fibre.state(1 + scales.reduced_length(drawn), friction);
-  if (state.status != FibreStatus::ok) throw std::invalid_argument("there is no such state of the fibre");
+  if (state.status != FibreStatus::ok)
+    throw std::invalid_argument("the specimen has no equilibrium at this length and friction");
   const Supports& supports = fibre.supports();
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   // the axis turns about the support at this distance

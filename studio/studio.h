@@ -1,6 +1,6 @@
 // The calculations of the page as the pointer moves. Inputs are numbers in SI, results columns of
-// numbers in SI. Pure: no files, no JavaScript. The results equal those of `flexslip simulate` and
-// `flexslip equilibrium` bit for bit (tests/studio/studio_test.cpp).
+// numbers in SI. Pure: no files, no JavaScript. `flexslip simulate` and `flexslip
+// equilibrium` give the same results bit for bit (tests/studio/studio_test.cpp).
 #pragma once
 
 #include <cstdint>

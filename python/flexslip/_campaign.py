@@ -29,7 +29,7 @@ class Campaign(CampaignFields):
     success : bool
         Could a test be evaluated?
     message : str
-        The answer in a few sentences; of tests that could not be evaluated the first cause, and how many are alike.
+        The first lines of the answer; the first cause of the tests that could not be evaluated, and how many are alike.
     """
 
     _title = "Campaign"
@@ -77,8 +77,10 @@ class Campaign(CampaignFields):
 
     @property
     def message(self) -> str:
-        """The answer in a few sentences; of tests that could not be evaluated the first cause, and how many are alike."""
-        answer = self.summary().split("\n\n")[0].strip()
+        """The first lines of the answer; the first cause of the tests that could not be evaluated, and how many are alike."""
+        verdicts, _, rest = self.summary().partition("\n\n")
+        rows = rest.split("\n\n")[0] if rest.startswith("  ") else ""
+        answer = f"{verdicts}\n\n{rows}".strip()
         if not len(self.failures):
             return answer
         first = self.failures[0]
@@ -91,9 +93,8 @@ class Campaign(CampaignFields):
     def _repr_html_(self) -> str:
         import html
 
-        answer = [f"<p><b>{html.escape(line)}</b></p>" for line in self.message.split("\n")]
         notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
-        return "".join(answer + notes) + str(self._table()._repr_html_())
+        return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes]) + str(self._table()._repr_html_())
 
 
 def _cause(failure: Any) -> str:
@@ -238,10 +239,10 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
             raise TypeError(f"path: expected a folder, a table or a DataFrame, found {type(path).__name__}; "
                             "pass pandas.DataFrame({\"file\": [...]}), with a row a test")
         found = computed(path)
-        return Campaign(found.told(), found)
+        return Campaign(found.answer(), found)
     with _table_of_tests(path, folder) as (table, in_words):
         try:
             found = computed(table)
         except InputError as error:
             raise in_words_of_frame(error, table) from None
-        return Campaign(in_words(found.told()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})
+        return Campaign(in_words(found.answer()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})

@@ -204,7 +204,7 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, decide: b
         text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
         with in_words_of(case) as given:
             answer = _flexslip.design_with_reload(given, text, count) if decide else _flexslip.design(given)
-        return Design(answer.told(), case, answer)
+        return Design(answer.answer(), case, answer)
     if decide:
         raise wrong("decide", "one planned test", "a range of them, over", "leave out one of the two, or set a value of the range")
     if not isinstance(over, Mapping) or not over:
@@ -212,4 +212,4 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, decide: b
     texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
     with in_words_of(case) as given:
         found = _flexslip.design_map(given, texts, count)
-    return DesignMap(found.told(), case, found.entries(), found)
+    return DesignMap(found.answer(), case, found.entries(), found)

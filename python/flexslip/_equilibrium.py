@@ -124,7 +124,7 @@ def equilibrium(file: Any = None, *, points: int | None = None, longest: Any = N
     count = 0 if points is None else whole("points", points, 2, _flexslip.most_equilibria)
     with in_words_of(case) as given:
         study = _flexslip.equilibrium(given, False, count, 2, _longest(longest, case))
-    return Equilibrium(study.told(), case, study)
+    return Equilibrium(study.answer(), case, study)
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
@@ -157,4 +157,4 @@ def equilibrium_region(file: Any = None, *, points: int | None = None, levels: i
     count = 0 if points is None else whole("points", points, 2, _flexslip.most_equilibria)
     with in_words_of(case) as given:
         study = _flexslip.equilibrium(given, True, count, whole("levels", levels, 2, _flexslip.most_levels), _longest(longest, case))
-    return EquilibriumRegion(study.told(), case, study)
+    return EquilibriumRegion(study.answer(), case, study)

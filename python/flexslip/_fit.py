@@ -314,4 +314,4 @@ def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: 
     limit = _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit)
     with in_words_of(case) as given:
         test = _flexslip.fit(given, model or "", alarms, limit)
-    return Fit(test.told(), case, test)
+    return Fit(test.answer(), case, test)

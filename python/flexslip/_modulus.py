@@ -98,4 +98,4 @@ def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None,
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         found = _flexslip.modulus(given, _window(window), _friction(friction_range))
-    return Modulus(found["told"], case, tuple(found["words"]))
+    return Modulus(found["answer"], case, tuple(found["words"]))

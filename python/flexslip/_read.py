@@ -130,4 +130,4 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
             in_si[role] = export.in_si(chosen, role)
         except ValueError as error:
             in_si[role] = error
-    return Export(export.told(chosen), export.columns(chosen), in_si)
+    return Export(export.answer(chosen), export.columns(chosen), in_si)

@@ -154,7 +154,7 @@ def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: in
     text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
     with in_words_of(case) as given:
         test = _flexslip.simulate(given, number, text, int(seed))
-    return Simulation(test.told(bool(energies)), case, test)
+    return Simulation(test.answer(bool(energies)), case, test)
 
 
 @with_keywords("specimen", "rig", "record")
@@ -184,4 +184,4 @@ def friction_profile(file: Any = None, *arrays: Any, set: Mapping[str, Any] | No
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         answer = _flexslip.friction_profile(given)
-    return Profile(answer["told"], case, tuple(answer["remarks"]), answer["why_no_answer"])
+    return Profile(answer["answer"], case, tuple(answer["remarks"]), answer["why_no_answer"])

@@ -67,7 +67,7 @@ py::list figures_of_campaign(const Campaign& campaign) {
 
 void add_campaigns(py::module_& module) {
   py::class_<Campaign, std::shared_ptr<Campaign>>(module, "Campaign")
-      .def("told",
+      .def("answer",
            [](const Campaign& campaign) { return plain(campaign_json(campaign), campaign_fields().descriptions()); })
       .def("test_table", [](const Campaign& campaign) { return plain(test_table(campaign)); })
       .def("figures", figures_of_campaign)

@@ -53,11 +53,11 @@ py::list one_figure(const Type& figure) {
 
 void add_designs(py::module_& module) {
   py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
-      .def("told", design_answer)
+      .def("answer", design_answer)
       .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
       .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
-      .def("told", map_answer)
+      .def("answer", map_answer)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
       .def("figures", [](const Map& map) { return one_figure(design_map_figure(map.input, map.axes, map.points)); });
   module.def("design", [](const Test& input) {

@@ -38,7 +38,7 @@ py::dict study_answer(const EquilibriumStudy& study) {
 
 void add_equilibria(py::module_& module) {
   py::class_<EquilibriumStudy, std::shared_ptr<EquilibriumStudy>>(module, "EquilibriumStudy")
-      .def("told", study_answer)
+      .def("answer", study_answer)
       .def("figures", [](const EquilibriumStudy& study) {
         py::list out;
         out.append(plain(equilibrium_figure(study)));

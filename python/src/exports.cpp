@@ -48,7 +48,7 @@ py::array_t<double> role_in_si(const Export& file, std::size_t chosen, const std
 void add_exports(py::module_& module) {
   py::class_<Export, std::shared_ptr<Export>>(module, "Export")
       .def_property_readonly("specimens", [](const Export& file) { return file.specimens.size(); })
-      .def("told",
+      .def("answer",
            [](const Export& file, std::size_t chosen) {
              return plain(export_fields()({file, chosen}, {}), export_fields().descriptions());
            })

@@ -63,7 +63,7 @@ std::shared_ptr<FittedTest> fit(const Test& input, const std::string& model, dou
 void add_fits(py::module_& module) {
   const AnalysisChoice usual;
   py::class_<FittedTest, std::shared_ptr<FittedTest>>(module, "FittedTest")
-      .def("told", fit_answer)
+      .def("answer", fit_answer)
       .def("curves", curves)
       .def("draws", [](Fitted test) { return plain(draw_table(test)); })
       .def("figures", figures_of_fit)

@@ -63,7 +63,7 @@ py::list figures_of_simulation(const Simulated& simulated) {
 py::dict profile(const Test& input) {
   const InvertedTest test = interruptible([&](const std::atomic<bool>&) { return invert_test(input); });
   const Fields<InvertedTest> fields = inverted_test_fields();
-  return py::dict(py::arg("told") = plain(fields(test, frame_of(test)), fields.descriptions()),
+  return py::dict(py::arg("answer") = plain(fields(test, frame_of(test)), fields.descriptions()),
                   py::arg("remarks") = test.remarks, py::arg("why_no_answer") = test.why_no_answer);
 }
 
@@ -71,7 +71,7 @@ py::dict profile(const Test& input) {
 
 void add_simulations(py::module_& module) {
   py::class_<Simulated, std::shared_ptr<Simulated>>(module, "SimulatedTest")
-      .def("told", simulation_answer)
+      .def("answer", simulation_answer)
       .def("figures", figures_of_simulation)
       .def_property_readonly("remarks", [](const Simulated& simulated) { return simulated.test.remarks; })
       .def_property_readonly("why_it_ends", [](const Simulated& simulated) { return simulated.test.why_it_ends; });

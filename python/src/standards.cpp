@@ -20,7 +20,7 @@ py::dict modulus(const Test& input, const std::vector<std::string>& window, cons
   const ModulusStudy study = interruptible(
       [&](const std::atomic<bool>&) { return study_modulus(input, window_of(window), friction_range_of(friction)); });
   const StandardTest test = standard_test(study);
-  return py::dict(py::arg("told") = plain(modulus_fields()(test, frame_of(test)), modulus_fields().descriptions()),
+  return py::dict(py::arg("answer") = plain(modulus_fields()(test, frame_of(test)), modulus_fields().descriptions()),
                   py::arg("words") = small_deflection_in_words(test));
 }
 

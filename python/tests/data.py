@@ -196,7 +196,7 @@ class Campaigns(unittest.TestCase):
     def test_outside_a_campaign_without_an_answer_says_the_first_cause(self):
         table = pandas.DataFrame({"file": ["examples/simulated/test.csv"] * 3, "span": ["1 mm", "2 N", "3 N"]}, index=["a", "b", "c"])
         for frame, success, told in ((table, True, r"^3 tests: (.|\n)*\nb: column 'span': expected a length, found a force '2 N'.* \(alike in 2 tests\)$"),
-                                     (table.assign(span=["1 N"] * 3, until=[1, 2, 3]), False, r"^No answer: none of the 3 tests could be evaluated.\na: column 'span'.*'1 N'.*\(alike in 3 tests\)$")):
+                                     (table.assign(span=["1 N"] * 3, until=[1, 2, 3]), False, r"^3 tests: 3 NO ANSWER\.\na: column 'span'.*'1 N'.*\(alike in 3 tests\)$")):
             campaign = flexslip.campaign(frame, "examples/simulated/case.toml")
             self.assertEqual(campaign.success, success)
             self.assertRegex(campaign.message, told)
@@ -212,7 +212,7 @@ class Campaigns(unittest.TestCase):
             table = pandas.DataFrame({"name": list("abcd"), "file": ["examples/simulated/test.csv"] * 3 + [copy], "diameter": 34.8e-6})
             campaign = flexslip.campaign(table, "examples/simulated/case.toml")
             self.assertEqual(list(campaign.to_frame().index), ["a"])
-            self.assertEqual(list(campaign.notes), [f"'{name}' is left out, as it has the record of 'a', to the byte" for name in "bcd"])
+            self.assertEqual(list(campaign.notes), [f"'{name}' is omitted: its record is identical to the record of 'a'" for name in "bcd"])
             self.assertIn(campaign.notes[2], repr(campaign))
             table.loc[1:, "diameter"] += 1e-7
             self.assertEqual(list(flexslip.campaign(table, "examples/simulated/case.toml").to_frame().index), ["a", "b"])

@@ -98,7 +98,7 @@ class Json(unittest.TestCase):
         self.same(flexslip.modulus(case("simulated"), window=(0.1, "40 %")), "modulus", case("simulated"), "--window", "0.1", "40 %")
         other = flexslip.modulus(case("simulated"), window=(0.999, 1))
         self.assertFalse(other.success)
-        self.assertIn("no straight", other.message)
+        self.assertIn("does not rise linearly", other.message)
 
     def test_outside_sweep_has_the_numbers_of_the_programs_table(self):
         import pandas

@@ -353,12 +353,12 @@ CampaignPlan plan_of_data(const std::string& folder, const toml::table& common,
     plan.tests.push_back(std::move(test));
   }
   if (!results.empty())
-    plan.notes.push_back(fmt::format("left out, as they are results of flexslip: {}", names_of(results)));
+    plan.notes.push_back(fmt::format("omitted, because they are results of flexslip: {}", names_of(results)));
   if (!copies.empty())
-    plan.notes.push_back(
-        fmt::format("left out, as they hold the rows of another file with columns besides: {}; a table "
-                    "with a column file names what is to be read",
-                    names_of(copies)));
+    plan.notes.push_back(fmt::format(
+        "omitted, because they repeat another file with more columns: {}; to read them, list the files in a table "
+        "with the column 'file'",
+        names_of(copies)));
   return plan;
 }
 
@@ -410,15 +410,15 @@ void count_same_records_once(CampaignPlan& plan) {
     const auto again = std::find_if(
         same, all.end(), [&](KeptRecord& other) { return is_of_kept(other) && stated_of(other) == stated_of(kept); });
     if (again != all.end()) {
-      plan.notes.push_back(fmt::format("{} is left out, as it has the record of {}, to the byte", in_quotes(test.name),
-                                       in_quotes(again->test->name)));
+      plan.notes.push_back(fmt::format("{} is omitted: its record is identical to the record of {}",
+                                       in_quotes(test.name), in_quotes(again->test->name)));
       tests.pop_back();
       continue;
     }
     if (same != all.end())
       plan.notes.push_back(
-          fmt::format("{} has the record of {}, to the byte, and counts as another specimen, as its "
-                      "case states something else",
+          fmt::format("{} has the same record as {}; it counts as another specimen, because its case "
+                      "differs",
                       in_quotes(test.name), in_quotes(same->test->name)));
     all.push_back(std::move(kept));
   }
@@ -431,10 +431,10 @@ void note_missing_sections(CampaignPlan& plan) {
     if (const auto* input = std::get_if<Test>(&test.input); input != nullptr && !section_of(*input))
       names.push_back(test.name);
   if (!names.empty())
-    plan.notes.push_back(
-        fmt::format("no section is stated of {}: unless the record's file states it, the specimen counts as thin, and "
-                    "there is no strain, stress or modulus; add diameter, or width and height",
-                    names.size() == plan.tests.size() ? "any specimen" : listed(names)));
+    plan.notes.push_back(fmt::format(
+        "no section is stated for {}: unless the file of the record states it, the specimen counts as thin, and "
+        "there is no strain, stress or modulus; add diameter, or width and height",
+        names.size() == plan.tests.size() ? "any specimen" : listed(names)));
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct CampaignRequest {
   std::string report;
   bool figures = true;
   bool test_reports = false;
+  bool full = false;
   unsigned jobs = 1;
   AnalysisChoice flags;
   Output output;
@@ -54,13 +55,16 @@ void run_campaign_command(const CampaignRequest& request) {
   if (run.found > 0)
     note(request.output, fmt::format("{} of {} tests were computed by an earlier run", run.found, plan.tests.size()));
   write_words(
-      request.output, [&] { return campaign_json(run.campaign); }, [&] { return campaign_text(run.campaign); });
+      request.output, [&] { return campaign_json(run.campaign); },
+      [&] {
+        return request.full ? campaign_text(run.campaign) : campaign_screen(run.campaign, screen_style(request.output));
+      });
   if (!request.report.empty())
     note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !is_answered(test); });
   if (without_answer > 0)
-    throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; the reasons are listed", request.path,
+    throw CalculationFailed(fmt::format("{}: {} of {} tests gave no answer; --full lists the reasons", request.path,
                                         without_answer, plan.tests.size()));
 }
 
@@ -80,6 +84,7 @@ void add_campaign_command(CLI::App& app) {
                     announce_campaign_report);
   command.add_flag("!--no-figures", request.figures, "Write only the tables, without report.html and figures");
   command.add_flag("--test-reports", request.test_reports, "Also write the report of each test, with its figures");
+  command.add_flag("--full", request.full, "Print all tests and tables, not only what fits on one screen");
   add_threads_option(command, "-j,--jobs NUMBER", request.jobs, "Number of tests computed at the same time");
   add_analysis_options(command, request.flags);
   add_output_options(command, request.output);

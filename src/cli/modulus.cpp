@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "answers/standard_fields.h"
+#include "case/fitted.h"
 #include "case/studies.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -16,6 +17,7 @@ struct ModulusRequest {
   TestRequest test;
   std::vector<std::string> window;
   std::vector<std::string> friction;
+  bool full = false;
   Output output;
 };
 
@@ -25,9 +27,13 @@ void run_modulus(const ModulusRequest& request) {
   const ModulusStudy study =
       with_test(request.test, [&](const Test& input) { return study_modulus(input, window, friction); });
   const StandardTest test = standard_test(study);
+  const Test& input = study.measurement.test;
+  const std::string name = name_of_test(input.source.empty() ? study.measurement.file : input.source);
   write_words(
       request.output, [&] { return modulus_fields()(test, frame_of(test)); },
-      [&] { return in_text(document_of(test)); });
+      [&] {
+        return request.full ? modulus_text(name, test) : modulus_screen(name, test, screen_style(request.output));
+      });
   if (study.numbers.status != SmallDeflectionStatus::ok)
     throw CalculationFailed(fmt::format("{}: {}", study.measurement.file, small_deflection_in_words(test).front()));
 }
@@ -39,22 +45,23 @@ void add_modulus_command(CLI::App& app) {
       add_command(app, "modulus", "Stiffness and flexural modulus as defined by the bending standards", run_modulus);
   add_test(command, request.test);
   add_option(command, "--window SHARE", request.window,
-             "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
-             "without it, the steepest stretch that the noise allows, of a quarter or more")
+             "Linear region of the curve, in shares of the maximum force at deflections below a tenth of the span. "
+             "Default: the steepest region that the noise allows, of a quarter or more")
       ->expected(2);
   add_option(
       command, "--friction NUMBER", request.friction,
-      "Friction at the supports, or its least and its greatest, whose part in modulus, strength and work is told; "
-      "without it, that of the case, or 0.1 to 0.5")
+      "Friction at the supports, or its minimum and maximum, whose effect on modulus, stress and work is reported. "
+      "Default: the friction of the case, or 0.1 to 0.5")
       ->expected(1, 2);
+  command.add_flag("--full", request.full, "Print every number and remark, not only what fits on one screen");
   add_output_options(command, request.output);
   command.footer(
-      "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume "
-      "small\n"
-      "deflections, no friction and no shear. A modulus needs a span and a section; without a span there is only a\n"
-      "stiffness. Crosshead displacement is corrected for the stiffness of the load train. Modulus and stress have\n"
-      "three significant digits, as ISO 178 asks; --json has all. The exit code is 1 if the record has no straight\n"
-      "rising part, or cannot tell a modulus.\n\n"
+      "Gives numbers to compare with other laboratories, also for specimens too thick for fit. The numbers assume\n"
+      "small deflections, no friction and no shear. A modulus needs a span and a section; without a span there is "
+      "only\n"
+      "a stiffness. Crosshead displacement is corrected for the stiffness of the load train. Modulus and stress have\n"
+      "three significant digits, as ISO 178 requires; --json has all. The exit code is 1 if the force has no linear\n"
+      "rise, or if the modulus cannot be determined.\n\n"
       "Examples:\n"
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"

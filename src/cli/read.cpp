@@ -1,17 +1,23 @@
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstddef>
 #include <iostream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "cli/commands.h"
 #include "cli/options.h"
+#include "finding/printed.h"
 #include "instruments/export.h"
 #include "instruments/export_fields.h"
 #include "io/input_error.h"
+#include "io/text.h"
+#include "report/document.h"
 
 namespace flexslip {
 namespace {
@@ -31,12 +37,13 @@ struct ReadRequest {
   std::string file;
   std::size_t specimen = 0;  // from 1; 0 where it is not said
   ReadingWords words;
+  bool full = false;
   Output output{.path = ""};  // none: no table is written
 };
 
 bool writes_table(const ReadRequest& request) { return !request.output.json && !request.output.path.empty(); }
 
-// The specimen that is told of, counted from 0.
+// The specimen of the summary, counted from 0.
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
@@ -53,47 +60,119 @@ std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   return request.specimen == 0 ? 0 : request.specimen - 1;
 }
 
-std::string_view words_for(char mark) {
+// "commas": the marks between cells, or between thousands.
+std::string_view marks_in_words(char mark) {
   constexpr std::string_view marks("\0\t .,;", 6);
-  constexpr std::array words{"none", "tab", "space", "point", "comma", "semicolon", "apostrophe"};
+  constexpr std::array words{"none", "tabs", "spaces", "points", "commas", "semicolons", "apostrophes"};
   return words[std::min(marks.find(mark), marks.size())];
 }
 
-// What was understood, what is open, and how to read it the same way again.
+// "UTF-8 with byte order mark, commas between cells, decimal point"
+std::string format_in_words(const Export& file) {
+  const SheetOrigin& origin = file.origin;
+  std::vector<std::string> parts;
+  if (origin.sheet) parts.push_back(fmt::format("sheet {} of a workbook", in_quotes(*origin.sheet)));
+  if (origin.has_delimiters) {
+    std::string encoding(name_of(origin.encoding));
+    std::transform(encoding.begin(), encoding.end(), encoding.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    parts.push_back(encoding + (origin.byte_order_mark ? " with byte order mark" : ""));
+    parts.push_back(fmt::format("{} between cells", marks_in_words(origin.separator)));
+  }
+  if (file.has_marks) parts.push_back(file.marks.decimal == ',' ? "decimal comma" : "decimal point");
+  if (file.has_marks && file.marks.thousands != '\0')
+    parts.push_back(fmt::format("{} between thousands", marks_in_words(file.marks.thousands)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// The flags of an answer with alternatives, "--displacement crosshead|deflection", in words:
+// "--displacement crosshead, or --displacement deflection".
+std::string alternatives(const std::string& answer) {
+  const std::size_t bar = answer.find('|'), space = answer.rfind(' ', bar);
+  if (bar == std::string::npos || space == std::string::npos) return answer;
+  return fmt::format("{}, or {}{}", answer.substr(0, bar), answer.substr(0, space + 1), answer.substr(bar + 1));
+}
+
+std::string questions_in_words(std::size_t count) {
+  return count == 0   ? "No question is open."
+         : count == 1 ? "One question is open."
+                      : fmt::format("{} questions are open.", count);
+}
+
+// True if the question is about this column.
+bool is_about(const OpenQuestion& question, const ExportColumn& column) {
+  return question.words.find(in_quotes(column.name)) != std::string::npos;
+}
+
+// The columns with their numbers, units and roles. An open question follows the first column that
+// it names, with its flags on the next line; the other questions come last.
+std::string columns_in_words(const ExportedSpecimen& specimen) {
+  std::size_t name_width = 0, unit_width = 0;
+  for (const ExportColumn& column : specimen.columns) {
+    name_width = std::max(name_width, width_of(printable(column.name)));
+    unit_width = std::max(unit_width, width_of(printable(column.unit)));
+  }
+  const auto padded = [](const std::string& text, std::size_t width) {
+    return text + std::string(width - std::min(width, width_of(text)), ' ');
+  };
+  const std::size_t number_width = std::to_string(specimen.columns.back().number).size();
+  const std::string indent(number_width + name_width + unit_width + 8, ' ');
+  std::vector<OpenQuestion> open = specimen.asks;
+  std::string text;
+  for (const ExportColumn& column : specimen.columns) {
+    const std::string begin =
+        fmt::format("  {:>{}}  {}  {}  ", column.number, number_width, padded(printable(column.name), name_width),
+                    padded(printable(column.unit), unit_width));
+    const std::string role(column.words.empty() ? words_for(column.role).name : "words");
+    const auto question =
+        std::find_if(open.begin(), open.end(), [&](const OpenQuestion& each) { return is_about(each, column); });
+    if (question == open.end()) {
+      text += begin + role + "\n";
+      continue;
+    }
+    text += wrapped(fmt::format("{}: {}", role, printable(question->words)), indent, begin) +
+            wrapped(alternatives(question->with_read), indent, indent);
+    open.erase(question);
+  }
+  for (const OpenQuestion& question : open)
+    text += wrapped(capitalised(printable(question.words)), "  ", "  ") +
+            wrapped(alternatives(question.with_read), "    ", "    ");
+  return text;
+}
+
+// The call that makes the same decisions again.
+std::string same_call(const ReadRequest& request, const ExportedSpecimen& specimen) {
+  const bool has_spaces = request.file.find(' ') != std::string::npos;
+  return fmt::format("flexslip read {0}{1}{0} {2}{3}", has_spaces ? "\"" : "", request.file, specimen.repeat_with,
+                     request.specimen > 0 ? fmt::format(" --specimen {}", request.specimen) : "");
+}
+
+std::string rows_in_words(const ExportedSpecimen& specimen) {
+  return fmt::format("{}{}", format_count(specimen.lines.size(), "row", "rows"),
+                     specimen.name.empty() ? "" : " of " + in_quotes(printable(specimen.name)));
+}
+
+// What the file contains, what is open, and how it was read.
 std::string summary_of(const ReadRequest& request, const Export& file, std::size_t chosen) {
   const ExportedSpecimen& specimen = file.specimens[chosen];
-  std::string text;
-  const auto say = [&](const std::string& line) { text += line + "\n"; };
-  std::string as = file.origin.sheet ? fmt::format("the sheet {} of a workbook", in_quotes(*file.origin.sheet)) : "";
-  if (file.origin.has_delimiters)
-    as += fmt::format("{}{}{}, separated by {}", as.empty() ? "" : ", ", name_of(file.origin.encoding),
-                      file.origin.byte_order_mark ? " with byte order mark" : "", words_for(file.origin.separator));
-  if (file.has_marks)
-    as += fmt::format(", decimal mark: {}, thousands mark: {}", words_for(file.marks.decimal),
-                      words_for(file.marks.thousands));
-  say(fmt::format("{}: {}; {}", file.origin.source, file.format, as));
-  if (request.specimen == 0 && file.specimens.size() > 1) {
-    say(fmt::format("{} specimens:", file.specimens.size()));
-    for (std::size_t i = 0; i < file.specimens.size(); ++i) {
-      const ExportedSpecimen& each = file.specimens[i];
-      say(fmt::format("  {}: {} rows, lines {} to {}{}", i + 1, each.lines.size(), each.lines.front(),
-                      each.lines.back(), each.name.empty() ? "" : ", " + in_quotes(each.name)));
-    }
-    say("columns of the first:");
-  } else {
-    say(fmt::format("{} rows, lines {} to {}{}", specimen.lines.size(), specimen.lines.front(), specimen.lines.back(),
-                    specimen.name.empty() ? "" : ", of " + in_quotes(specimen.name)));
+  const bool are_listed = request.specimen == 0 && file.specimens.size() > 1;
+  std::string text =
+      fmt::format("{}: {}, {}. {}\n\n", file.origin.source, file.format,
+                  are_listed ? fmt::format("{} specimens", file.specimens.size()) : rows_in_words(specimen),
+                  questions_in_words(specimen.asks.size()));
+  if (are_listed) {
+    for (std::size_t i = 0; i < file.specimens.size(); ++i)
+      text += fmt::format("  specimen {}: {}, lines {} to {}\n", i + 1, rows_in_words(file.specimens[i]),
+                          file.specimens[i].lines.front(), file.specimens[i].lines.back());
+    text += "\nColumns of specimen 1:\n";
   }
-  for (const ExportColumn& column : specimen.columns)
-    say(fmt::format("column {}: {} in {}: {}", column.number, in_quotes(column.name),
-                    column.unit.empty() ? "no unit" : column.unit,
-                    column.words.empty() ? words_for(column.role).name : "words"));
-  for (const std::string& remark : file.notes) say(remark);
-  for (const OpenQuestion& question : specimen.asks) say("open question: " + question.words + " " + question.with_read);
-  const bool has_spaces = request.file.find(' ') != std::string::npos;
-  say(fmt::format("to read it the same way again: flexslip read {0}{1}{0} {2}{3}", has_spaces ? "\"" : "", request.file,
-                  specimen.repeat_with, request.specimen > 0 ? fmt::format(" --specimen {}", request.specimen) : ""));
-  return text;
+  text += columns_in_words(specimen);
+  for (const std::string& remark : file.notes) text += wrapped(remark + ".", "  ", "Note: ");
+  const std::string how = capitalised(
+      fmt::format("{}, lines {} to {}.", format_in_words(file), specimen.lines.front(), specimen.lines.back()));
+  const std::string again =
+      "To read it the same way again: " + (request.full ? same_call(request, specimen) : "--full");
+  return text + how + (width_of(how) + width_of(again) < line_length ? " " : "\n") + again + "\n";
 }
 
 // The summary goes to the screen: to standard output, unless the table goes there.
@@ -127,6 +206,7 @@ void add_read_command(CLI::App& app) {
   add_reading_flags(command, request.words, flags_of_exports, group);
   command.get_option("--displacement")->check(CLI::IsMember({"crosshead", "deflection"}));
   command.get_option("--calibration")->excludes("--force-unit");
+  command.add_flag("--full", request.full, "Also print the call that reads the file the same way again");
   add_output_flags(command, request.output, "Write JSON instead of the summary");
   add_output_file(command, "-o,--output", request.output.path,
                   "Write the readings as CSV to this file; - is standard output");

@@ -413,6 +413,12 @@ Found not_explained(T test) {
 
 // ---- Doubts about an answer
 
+// "a third", after two loadings.
+std::string next_ordinal(std::size_t loadings) {
+  constexpr std::array words{"a second", "a third", "a fourth", "a fifth"};
+  return loadings >= 1 && loadings <= words.size() ? words[loadings - 1] : "one more";
+}
+
 // Unloading and loading again distinguishes slips from cracks, if the specimen still exists.
 std::string reload_remedy(T test) {
   const std::string force = unloading_force(test);
@@ -423,8 +429,9 @@ std::string reload_remedy(T test) {
     return fmt::format("Unload and reload the next specimen after every few drops: this one lost {} of its stiffness.",
                        loss_in_words(*test.analysis.passes));
   const auto& [loading, of] = test.measurement.loading;
-  return fmt::format("Unload{} and load again, to measure the loss{}.", how_far,
-                     of > 1 ? fmt::format(" in loading {}", loading) : " of stiffness");
+  if (of == 1) return fmt::format("Unload{} and load again, to measure the loss of stiffness.", how_far);
+  return fmt::format("Load {} time{}, to measure the loss in loading {}.", next_ordinal(of),
+                     force.empty() ? "" : fmt::format(", from {} or less", force), loading);
 }
 
 Found cracks(T test) {

@@ -14,17 +14,11 @@
 #include "design/design_answer.h"
 #include "finding/finding.h"
 #include "report/document.h"
+#include "report/screen.h"
 
 namespace flexslip {
 
 // ---- A fitted test
-
-// The layout of the screen.
-struct ScreenStyle {
-  std::size_t width = line_length;  // [characters]
-  bool colour = false;              // bold, and a colour for the verdict, for terminals
-  bool is_full = false;             // all rows and doubts with all their clauses
-};
 
 // The answer in at most 12 lines on a terminal of 100 characters or more (tests/outside/fit.py):
 // the verdict with its meaning and evidence; rows, each shortened to one line; at most two doubts;
@@ -54,8 +48,12 @@ inline constexpr std::size_t listed_explanations = 8;
 
 // ---- The numbers of the bending standards
 
-// The document of `modulus`.
-std::vector<Chapter> document_of(const StandardTest& test);
+// The answer of `modulus` in at most 12 lines on a terminal of 100 characters or more: the modulus
+// to quote, the rows, and at most three warnings.
+std::string modulus_screen(const std::string& name, const StandardTest& test, const ScreenStyle& style = {});
+
+// The full answer for a terminal: the screen, the definitions, all remarks, and the preparation.
+std::string modulus_text(const std::string& name, const StandardTest& test);
 
 // The chapter with these numbers in the document of a fit, compared with the fit.
 Chapter small_deflection_chapter(const FittedTest& test);
@@ -65,8 +63,15 @@ std::vector<std::string> small_deflection_in_words(const StandardTest& test);
 
 // ---- A campaign
 
-// A summary: the number of tests, verdicts, friction, share of the work, suspect and failed tests.
+// The first line: "4 tests: 3 SLIP, 1 CRACK."; "No tests.".
 std::string campaign_in_short(const Campaign& campaign);
+
+// The rows: friction with its conditions, work, causes of the drops, suspect tests.
+Rows rows_of(const Campaign& campaign);
+
+// The answer in at most 12 lines on a terminal of 100 characters or more: the counts of the
+// verdicts; the rows; at most two tests without an answer; as many tests as there is room for.
+std::string campaign_screen(const Campaign& campaign, const ScreenStyle& style = {});
 
 // Prints an estimate as "0.519 (0.40 to 0.64)" or "0.519 ± 0.060", divided by `factor`.
 using WriteEstimate = std::string(const Estimate& estimate, double factor);
@@ -78,7 +83,7 @@ WriteEstimate with_interval, with_error;
 std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
                                  const std::vector<std::string>& links = {});
 
-// The document as text for a terminal.
+// The full answer for a terminal: all rows, then the chapters.
 std::string campaign_text(const Campaign& campaign);
 
 // The friction that the literature gives for the materials, if all tests state the same ones.

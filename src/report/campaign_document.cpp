@@ -77,20 +77,11 @@ std::string of_friction(const CategorySpread& category) {
   return mean.empty() ? limits : fmt::format("{} of {}; {}", mean, category.mu0.count, limits);
 }
 
-// ---- The answer
+// ---- The answer: the verdicts on one line, then a row for each number
 
 template <class Predicate>
-std::string enumerated(const Campaign& campaign, Predicate belongs, std::string_view is, std::string_view are) {
-  constexpr std::size_t max_names = 8;
-  std::vector<std::string> names;
-  for (const auto& test : campaign.tests)
-    if (belongs(test)) names.push_back(printable(test.name));
-  if (names.empty()) return "";
-  const std::size_t shown = std::min(names.size(), max_names);
-  std::string out = names.front();
-  for (std::size_t i = 1; i < shown; ++i) out += (i + 1 == names.size() ? " and " : ", ") + names[i];
-  if (shown < names.size()) out += fmt::format(" and {} more", names.size() - shown);
-  return fmt::format("{} {}", out, names.size() == 1 ? is : are);
+std::size_t count_of(const Campaign& campaign, Predicate belongs) {
+  return static_cast<std::size_t>(std::count_if(campaign.tests.begin(), campaign.tests.end(), belongs));
 }
 
 // True if the test is missing from the table.
@@ -100,52 +91,32 @@ bool is_excluded(const CampaignTest& test) {
   return test.summary && test.summary->suspect && std::isfinite(test.summary->mu0.value);
 }
 
-// "21 slip, 9 undecided, 0 crack, 8 without drops"; other verdicts only if they occur. A test that
-// failed has no verdict.
-std::string verdicts_in_words(const Campaign& campaign) {
-  const auto count = [&](VerdictCode code) {
-    return std::count_if(campaign.tests.begin(), campaign.tests.end(),
-                         [&](const CampaignTest& test) { return !is_failure(test) && test.verdict == word_of(code); });
-  };
-  std::string words =
-      fmt::format("{} slip, {} undecided, {} crack, {} without drops", count(VerdictCode::slip),
-                  count(VerdictCode::undecided), count(VerdictCode::crack), count(VerdictCode::no_drops));
-  if (const auto both = count(VerdictCode::slip_and_damage); both > 0)
-    words += fmt::format(", {} slip and damage", both);
-  if (const auto settled = count(VerdictCode::settled); settled > 0) words += fmt::format(", {} settled", settled);
-  if (const auto wrong = count(VerdictCode::check_input); wrong > 0)
-    words += fmt::format(", {} to check the input of", wrong);
-  if (const auto none = count(VerdictCode::no_answer); none > 0) words += fmt::format(", {} without an answer", none);
-  return words;
+// "SS8, SS32 and SS36", of at most eight.
+std::string excluded_tests(const Campaign& campaign) {
+  constexpr std::size_t max_names = 8;
+  std::vector<std::string> names;
+  for (const auto& test : campaign.tests)
+    if (is_excluded(test)) names.push_back(printable(test.name));
+  if (names.size() > max_names) {
+    const std::size_t more = names.size() - max_names;
+    names.resize(max_names);
+    names.push_back(fmt::format("{} more", more));
+  }
+  return in_words(names, "and");
 }
 
-// The causes of the drops of all specimens; empty if fewer than two tests have probabilities.
-std::string causes_in_words(const Campaign& campaign) {
-  const CauseShares& shares = campaign.causes;
-  if (shares.tests < 2) return "";
-  const auto range = [](const CauseShares::Share& share) {
-    return fmt::format("{:.0f} to {}", 100 * share.low, format_percent(share.high));
-  };
-  return fmt::format(" Of the specimens {} only slipped, {} only cracked, {} did both (95 %, by {}).",
-                     range(shares.slips), range(shares.cracks), range(shares.both),
-                     format_count(shares.tests, "test", "tests"));
-}
-
-// The friction share of the work.
-std::string work_in_words(const Campaign& campaign) {
-  std::vector<double> shares;
-  for (const CampaignTest& test : campaign.tests)
-    if (test.summary && !test.summary->suspect && std::isfinite(test.summary->friction_share))
-      shares.push_back(test.summary->friction_share);
-  if (shares.empty()) return "";
-  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
-  const Estimate& mean = campaign.friction_share;
-  const std::string low = fmt::format("{:.0f} %", 100 * *least), high = fmt::format("{:.0f} %", 100 * *most);
-  return fmt::format("; {} of the work went into friction{}{}", format_percent(mean.value),
-                     std::isfinite(mean.standard_error)
-                         ? fmt::format(" ({:.0f} to {}, 95 %)", 100 * mean.low, format_percent(mean.high))
-                         : "",
-                     low == high ? "" : fmt::format(", {:.0f} to {} between specimens", 100 * *least, high));
+// "4 tests: 3 SLIP, 1 CRACK."
+std::string verdicts_in_words(const Campaign& campaign, const ScreenStyle& style) {
+  std::vector<std::string> counts;
+  for (int i = 0; i <= static_cast<int>(VerdictCode::no_answer); ++i) {
+    const auto code = static_cast<VerdictCode>(i);
+    const std::size_t count =
+        count_of(campaign, [&](const CampaignTest& test) { return test.verdict == word_of(code); });
+    if (count > 0) counts.push_back(fmt::format("{} {}", count, verdict_word(code, style)));
+  }
+  return counts.empty()
+             ? "No tests."
+             : fmt::format("{}: {}.", format_count(campaign.tests.size(), "test", "tests"), fmt::join(counts, ", "));
 }
 
 // The spread over the tests that are not suspect, or over all if all are suspect; null without
@@ -157,37 +128,86 @@ const CategorySpread* spread_of_all(const Campaign& campaign) {
   return all->without_suspects.tests > 0 ? &all->without_suspects : &all->with_suspects;
 }
 
+// The conditions under which the mean friction holds.
+std::string conditions_in_words(const Campaign& campaign) {
+  const bool are_all_suspect = spread_of_all(campaign) == &campaign.categories.back().with_suspects;
+  const auto counts = [&](const CampaignTest& test) {
+    return test.summary && std::isfinite(test.summary->mu0.value) && (are_all_suspect || !test.summary->suspect);
+  };
+  // Cracks make drops, and cracks too small to detect make the force uneven.
+  const std::size_t may_have_lost = count_of(campaign, [&](const CampaignTest& test) {
+    return counts(test) && !test.summary->loss && (test.summary->drops > 0 || test.summary->measured.log_roughness);
+  });
+  const std::size_t undecided = count_of(campaign, [&](const CampaignTest& test) {
+    return counts(test) && test.summary->drops > 0 && test.verdict == word_of(VerdictCode::undecided);
+  });
+  const std::size_t on_assumed_edges =
+      count_of(campaign, [&](const CampaignTest& test) { return counts(test) && test.summary->on_assumed_edges; });
+  std::vector<std::string> conditions;
+  if (are_all_suspect) conditions.emplace_back("all tests are suspect");
+  if (may_have_lost > 0) conditions.emplace_back("with no stiffness lost");
+  if (undecided > 0)
+    conditions.push_back(
+        fmt::format("counting {} as slips", format_count(undecided, "undecided test", "undecided tests")));
+  if (on_assumed_edges > 0) conditions.emplace_back("on knife edges (not stated)");
+  return fmt::format("{}", fmt::join(conditions, ", "));
+}
+
 std::string friction_in_words(const Campaign& campaign) {
   const CategorySpread* over = spread_of_all(campaign);
-  if (!over) return "";
+  const auto answered = [](const CampaignTest& test) { return is_answered(test); };
+  if (!over || count_of(campaign, answered) == 0) return "";
   const Spread& mu0 = over->mu0;
-  const std::string limits =
-      over->mu0_limit.count == 0
-          ? ""
-          : fmt::format("{} only that it is {}", format_count(over->mu0_limit.count, "test tells", "tests tell"),
-                        at_most(over->mu0_limit));
-  if (mu0.count == 0)
-    return limits.empty() ? " No test tells friction." : fmt::format(" No test tells friction from zero; {}.", limits);
-  const bool has_undecided = std::any_of(campaign.tests.begin(), campaign.tests.end(), [](const CampaignTest& test) {
-    return test.verdict == word_of(VerdictCode::undecided);
-  });
-  const bool has_unstated_supports =
-      std::any_of(campaign.tests.begin(), campaign.tests.end(),
-                  [](const CampaignTest& test) { return test.summary && test.summary->on_assumed_edges; });
-  std::vector<std::string> conditions;
-  if (has_unstated_supports) conditions.emplace_back("the supports are knife edges");
-  if (has_undecided) conditions.emplace_back("the drops of those undecided are slips");
-  constexpr double worth_saying = 0.005;
-  const std::string shared =
-      mu0.count > 1 && campaign.shared_error > worth_saying
-          ? fmt::format("; errors of the rig, which its tests share, move it by ± {:.2f}", campaign.shared_error)
-          : "";
-  return fmt::format(" Friction {:.2f}{}{}{}{}{}{}.", mu0.mean,
-                     mu0.count == 1 ? ""
-                                    : fmt::format(" averaged over {} specimens, {:.2f} to {:.2f} between them",
-                                                  mu0.count, mu0.min, mu0.max),
-                     shared, conditions.empty() ? "" : ", if ", in_words(conditions, "and"),
-                     limits.empty() ? "" : "; " + limits, work_in_words(campaign));
+  const std::size_t limits = over->mu0_limit.count;
+  const std::string limits_in_words =
+      limits == 0 ? ""
+                  : fmt::format("{} (95 %) in {}", at_most(over->mu0_limit), format_count(limits, "test", "tests"));
+  const std::string conditions = conditions_in_words(campaign);
+  const std::string condition = conditions.empty() ? "" : ", " + conditions;  // never cut off on a screen
+  if (mu0.count == 0) return limits == 0 ? "none: no test determines friction" : limits_in_words + condition;
+  std::string words = mu0.count == 1 ? fmt::format("{:.2f}, of one specimen{}", mu0.mean, condition)
+                                     : fmt::format("mean {:.2f} of {} specimens, from {:.2f} to {:.2f}{}", mu0.mean,
+                                                   mu0.count, mu0.min, mu0.max, condition);
+  if (limits > 0) words += "; " + limits_in_words;
+  constexpr double noticeable = 0.005;
+  if (mu0.count > 1 && campaign.shared_error > noticeable)
+    words += fmt::format("; ± {:.2f} by errors of the rig that all tests share", campaign.shared_error);
+  return words;
+}
+
+// The friction share of the work.
+std::string work_in_words(const Campaign& campaign) {
+  std::vector<double> shares;
+  for (const CampaignTest& test : campaign.tests)
+    if (test.summary && !test.summary->suspect && std::isfinite(test.summary->friction_share))
+      shares.push_back(test.summary->friction_share);
+  if (shares.empty()) return "";
+  const auto [least, most] = std::minmax_element(shares.begin(), shares.end());
+  const Estimate& mean = campaign.friction_share;
+  const std::string low = fmt::format("{:.0f}", 100 * *least), high = fmt::format("{:.0f}", 100 * *most);
+  return fmt::format("{}friction took {} of the work{}; this is not toughness", shares.size() > 1 ? "on average " : "",
+                     std::isfinite(mean.standard_error)
+                         ? fmt::format("{:.0f} ± {:.0f} %", 100 * mean.value, 100 * mean.standard_error)
+                         : format_percent(mean.value),
+                     low == high ? "" : fmt::format(" ({} to {} %)", low, high));
+}
+
+// The causes of the drops of all specimens; empty if fewer than two tests have probabilities.
+std::string causes_in_words(const Campaign& campaign) {
+  const CauseShares& shares = campaign.causes;
+  if (shares.tests < 2) return "";
+  const auto range = [](const CauseShares::Share& share) {
+    return fmt::format("{:.0f}–{}", 100 * share.low, format_percent(share.high));
+  };
+  return fmt::format("only slips in {} of specimens, only cracks in {}, both in {} (95 %); from {} tests",
+                     range(shares.slips), range(shares.cracks), range(shares.both), shares.tests);
+}
+
+std::string exclusion_in_words(const Campaign& campaign) {
+  const std::string names = excluded_tests(campaign);
+  const CategorySpread* over = spread_of_all(campaign);
+  const bool are_all_suspect = over && over == &campaign.categories.back().with_suspects;
+  return names.empty() || are_all_suspect ? "" : names + ", not in the means";
 }
 
 // "0.8 to 3.9, 0.6 to 2.7".
@@ -215,8 +235,8 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
-    const bool tells = std::isfinite(summary.mu0.value);
-    const bool is_rough = summary.model == ProfileModel::roughness && tells;
+    const bool has_friction = std::isfinite(summary.mu0.value);
+    const bool is_rough = summary.model == ProfileModel::roughness && has_friction;
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
       if (!estimate) return std::string();
       return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
@@ -226,7 +246,7 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
     const double share = summary.friction_share;
     table.rows.push_back(
         {test.name, test.verdict, std::string(name_of(summary.category)),
-         !tells                 ? ""
+         !has_friction          ? ""
          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
                                 : written(summary.mu0, 1),
          format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
@@ -322,24 +342,24 @@ std::string literature_in_words(const Campaign& campaign) {
 
 // The meaning of the columns, for the tables that exist.
 Rows column_rows(const Campaign& campaign) {
-  return {{"Sawtooth",
-           "none: fewer than three drops of the force, or drops that add up to less than 3\u00a0% of the greatest "
-           "force; clear: 15\u00a0% or more; nominal: between"},
-          {"Friction",
-           "μ₀, averaged over the length that slid; σ is its roughness, ℓ the correlation length; ± are standard "
-           "errors, ranges in parentheses 95 % intervals"},
-          {"A, λ", "of the likeliest wave of friction; brackets mark a wave that is only indicative"},
-          {"Work (%)",
-           "share of the work that went into friction; a test that tells no friction, or only a limit, has none"},
-          {"E_f, σ_f",
-           "modulus of the chord, or else of the straight part, and stress at the greatest force, as the bending "
-           "standards have them; and by how much friction at the supports makes each greater, of 0.1 to 0.5 where the "
-           "case states none"},
-          {"Typical", specimen_rows(campaign).rows.empty()
-                          ? ""
-                          : "mean of μ₀ over specimens, and σ and ℓ of the middle specimen, with 95 % intervals; "
-                            "specimens differ by the standard deviation of μ₀, and by a factor up or down in σ and ℓ; "
-                            "the error of each record is taken off, and suspects are left out"}};
+  return {
+      {"Sawtooth",
+       "none: fewer than three force drops, or drops that sum to less than 3\u00a0% of the maximum force; clear: "
+       "15\u00a0% "
+       "or more; nominal: between"},
+      {"Friction",
+       "mean μ₀ over the sliding length; σ is its variation, ℓ the correlation length; ± is one standard error, "
+       "ranges in parentheses are 95 % intervals"},
+      {"A, λ", "amplitude and wavelength of the wave with the highest probability; brackets: not detected"},
+      {"Work (%)", "friction share of the work; empty if the friction is not determined, or only an upper limit"},
+      {"E_f, σ_f",
+       "modulus of the chord, or else of the linear region, and stress at the maximum force, by the bending "
+       "standards; and how much friction at the supports increases each (0.1 to 0.5 if the case states none)"},
+      {"Typical", specimen_rows(campaign).rows.empty()
+                      ? ""
+                      : "mean μ₀ of the specimens, and median σ and ℓ, with 95 % intervals; specimens differ by the "
+                        "standard deviation of μ₀, and by a factor in σ and ℓ, without the errors of the "
+                        "records; suspects are left out"}};
 }
 
 }  // namespace
@@ -364,20 +384,13 @@ std::optional<LiteratureFriction> literature_of(const Campaign& campaign) {
   return all ? friction_in_literature(*all) : std::nullopt;
 }
 
-std::string campaign_in_short(const Campaign& campaign) {
-  if (campaign.tests.empty()) return "No tests.";
-  if (std::all_of(campaign.tests.begin(), campaign.tests.end(), is_failure))
-    return fmt::format("No answer: {}.",
-                       campaign.tests.size() == 1
-                           ? "the test could not be evaluated"
-                           : fmt::format("none of the {} tests could be evaluated", campaign.tests.size()));
-  std::string answer = fmt::format("{}: {}.{}{}", format_count(campaign.tests.size(), "test", "tests"),
-                                   verdicts_in_words(campaign), causes_in_words(campaign), friction_in_words(campaign));
-  for (const std::string& words :
-       {enumerated(campaign, is_excluded, "is suspect", "are suspect"),
-        enumerated(campaign, is_failure, "could not be evaluated", "could not be evaluated")})
-    if (!words.empty()) answer += fmt::format(" {}.", words);
-  return answer;
+std::string campaign_in_short(const Campaign& campaign) { return verdicts_in_words(campaign, {}); }
+
+Rows rows_of(const Campaign& campaign) {
+  return {{"friction", friction_in_words(campaign)},
+          {"work", work_in_words(campaign)},
+          {"causes", causes_in_words(campaign)},
+          {"suspect", exclusion_in_words(campaign)}};
 }
 
 std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
@@ -394,22 +407,66 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
                     return figures;
                   }},
                   tests}},
-                {"By category: mean (smallest to largest)",
+                {"By category: mean (minimum to maximum)",
                  {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
                 {"Between specimens", {specimen_rows(campaign)}}};
-  chapters.push_back({"Bent too little to tell friction", {rows_without_friction(campaign)}});
+  chapters.push_back({"Deflection too small to determine friction", {rows_without_friction(campaign)}});
   chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
   if (has_answers)
     for (const Chapter& chapter : {Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
-                                   Chapter{"What the columns say", {column_rows(campaign)}}})
+                                   Chapter{"Meaning of the columns", {column_rows(campaign)}}})
       chapters.push_back(chapter);
   return chapters;
 }
 
+namespace {
+
+// Reasons of at most two tests without an answer, one line each.
+Rows shown_failures(const Campaign& campaign, std::size_t width) {
+  constexpr std::size_t max_failures = 2;
+  Rows rows;
+  for (const auto& test : campaign.tests)
+    if (is_failure(test) && rows.size() < max_failures)
+      rows.push_back({"no answer", cut_to_row(fmt::format("{}: {}", test.name, test.reason), width)});
+  return rows;
+}
+
+// Adds the rows of the tests, as many as there are free lines. If some are missing, tests with doubts
+// come first.
+void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& style) {
+  constexpr std::size_t lines_of_head = 2;
+  PrintedTable tests = test_rows(campaign, with_error);
+  const std::size_t lines = free_lines(screen, style);
+  const std::size_t room = lines > lines_of_head ? lines - lines_of_head : 0;
+  if (tests.rows.size() > room) {
+    std::stable_partition(tests.rows.begin(), tests.rows.end(), [](const auto& row) { return !row.back().empty(); });
+    tests.rows.resize(room);
+  }
+  const std::size_t shown = tests.rows.size() + screen.doubts.size();
+  if (shown < campaign.tests.size())
+    screen.footer = format_count(campaign.tests.size() - shown, "more test. ", "more tests. ") + screen.footer;
+  screen.table = std::move(tests);
+}
+
+}  // namespace
+
+std::string campaign_screen(const Campaign& campaign, const ScreenStyle& style) {
+  Screen screen{.title = wrapped(verdicts_in_words(campaign, style), "  ", "", style.width),
+                .rows = rows_of(campaign),
+                .doubts = style.is_full ? Rows{} : shown_failures(campaign, style.width),
+                .footer = ""};
+  if (std::any_of(screen.rows.begin(), screen.rows.end(), [](const AnswerRow& row) { return !row.words.empty(); }))
+    screen.footer = "± is one standard error.";
+  if (campaign.tests.empty() || style.is_full) return in_text(screen, style);
+  screen.footer += screen.footer.empty() ? "More: --full" : " More: --full";
+  add_tests(screen, campaign, style);
+  return in_text(screen, style);
+}
+
 std::string campaign_text(const Campaign& campaign) {
-  std::vector<Chapter> chapters = document_of(campaign, with_error);
-  chapters.insert(chapters.begin(), {"", {campaign_in_short(campaign)}});
-  return in_text(chapters);
+  const std::string chapters = in_text(document_of(campaign, with_error));
+  return campaign_screen(campaign, {.is_full = true}) + (chapters.empty() || chapters.front() == '\n' ? "" : "\n") +
+         chapters;
 }
 
 }  // namespace flexslip

@@ -212,12 +212,12 @@ Plot distribution_figure(const Campaign& campaign) {
   const bool has_limits = has([](const auto& row) { return std::isnan(row[3]); });
   entries.push_back({.style = {.width = 0.7}, .title = has_limits ? "95 %; without a mark: limits" : "95 %"});
   if (has_common_mean)
-    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, likewise: {:.3f}", all)});
+    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, without suspects: {:.3f}", all)});
   const bool has_suspects =
       has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
   if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
   if (has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); }))
-    entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave only indicative"});
+    entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave not detected"});
   if (literature)
     entries.push_back({.kind = Mark::area,
                        .style = styles::literature,
@@ -320,11 +320,11 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
       .title = title,
       .caption =
           title +
-          ": force against deflection at midspan, a panel a test. Blue: measured. Black, where friction is told: the "
-          "mean of the fit run forward. In the corner: the mean friction of the fit, and A and λ where a wave is "
-          "claimed. Orange: "
+          ": force against deflection at midspan, one panel per test. Blue: measured. Black, if friction is "
+          "determined: the "
+          "simulated best fit. In the corner: the mean friction of the fit, and A and λ if a wave is detected. Orange: "
           "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
-          "load lines at the drops of the force, with the stiffness of the load train as slope. ×: suspect.",
+          "load lines at the force drops, whose slope is the stiffness of the load train. ×: suspect.",
       .width = count < 3 ? 100.0 : 183.0,
       .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
       .data = std::move(data),

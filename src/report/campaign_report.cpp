@@ -58,7 +58,7 @@ const std::array table_files{
               [](const std::string& path, const Campaign& campaign) { write_csv(path, test_table(campaign)); }},
     TableFile{"categories.csv", "a row per category, SI",
               [](const std::string& path, const Campaign& campaign) { write_csv(path, category_table(campaign)); }},
-    TableFile{"specimens.csv", "what the specimens of a category have in common, SI",
+    TableFile{"specimens.csv", "typical specimen and spread of each category, SI",
               [](const std::string& path, const Campaign& campaign) { write_csv(path, specimen_table(campaign)); }},
     TableFile{"campaign.json", "all of it, for scripts",
               [](const std::string& path, const Campaign& campaign) { write_json(path, campaign_json(campaign)); }},
@@ -106,8 +106,8 @@ Drawing write_campaign_report(const std::string& folder, const Campaign& campaig
   AccompanyingFiles files;
   for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
   chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
-  return write_page(folder, "Friction in a campaign of bending tests", answer_in_html(campaign_in_short(campaign)),
-                    chapters);
+  return write_page(folder, "Friction in a campaign of bending tests",
+                    answer_in_html(campaign_in_short(campaign)) + in_html({{"", {rows_of(campaign)}}}, {}), chapters);
 }
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {

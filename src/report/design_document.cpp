@@ -64,7 +64,7 @@ std::string record_in_words(const DesignAnswer& answer, const InUnits& shown) {
       answer.design.step > 0 ? fmt::format("with a reading every {}", shown.length(answer.design.step)) : "continuous";
   if (outcome.drops == 0)
     return fmt::format("{}: the force never falls; its maximum is {}", record, shown.force(outcome.greatest_force));
-  return fmt::format("{}: the force falls {}, by {} at most ({} of the greatest force, {}){}{}", record,
+  return fmt::format("{}: the force falls {}, by up to {} ({} of the maximum force, {}){}{}", record,
                      outcome.drops == 1 ? "once" : fmt::format("{} times", outcome.drops),
                      shown.force(outcome.largest_drop), share(outcome.largest_drop, outcome.greatest_force),
                      shown.force(outcome.greatest_force),
@@ -93,7 +93,7 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
     return fmt::format("{}; none, however soft, lets the specimen snap in this test{}", yours,
                        varies ? ""
                               : ": friction that is uniform along the specimen makes no sawtooth; state an amplitude "
-                                "and a wavelength, such as those of a fit");
+                                "and a wavelength, for example from a fit");
   }
   if (!std::isfinite(answer.critical))
     return fmt::format("{}; the specimen snaps on any, even if the deflection itself is controlled", yours);
@@ -102,9 +102,9 @@ std::string critical_in_words(const DesignAnswer& answer, const InUnits& shown) 
   return fmt::format(
       "{}; {}at {} or more the specimen does not snap{}{}", yours,
       support_compliance_of(answer.input) > 0 ? "with the supports together, " : "", shown.stiffness(critical),
-      is_too_soft ? fmt::format("; here it does not, as this rig bends it by no more than {}",
-                                shown.length(answer.outcome.w_reached))
-                  : "",
+      is_too_soft
+          ? fmt::format("; here it does not, as this rig bends it only by {}", shown.length(answer.outcome.w_reached))
+          : "",
       critical * support_compliance_of(answer.input) >= 1 ? "; on these supports no load train reaches that" : "");
 }
 
@@ -200,10 +200,10 @@ std::string answer_in_short(const DesignAnswer& answer) {
                        shown.length(answer.design.step));
   constexpr double stands_out = 0.05;  // [1] of the largest drop, which is a smooth one
   if (outcome.snaps > 1 && outcome.largest_snap < stands_out * outcome.largest_drop)
-    return fmt::format("No visible sawtooth: the specimen will snap {} times, but by no more than {} each.",
-                       outcome.snaps, shown.force(outcome.largest_snap));
+    return fmt::format("No visible sawtooth: the specimen will snap {} times, but by at most {} each.", outcome.snaps,
+                       shown.force(outcome.largest_snap));
   if (outcome.snaps > 0) {
-    const std::string most = fmt::format("{}, {} of the greatest force", shown.force(outcome.largest_drop),
+    const std::string most = fmt::format("{}, {} of the maximum force", shown.force(outcome.largest_drop),
                                          share(outcome.largest_drop, outcome.greatest_force));
     return outcome.snaps == 1 ? fmt::format("Yes: the specimen will snap, once. The force drops by up to {}.", most)
                               : fmt::format("Yes, you will see a sawtooth: the force drops by up to {}.", most);
@@ -245,12 +245,13 @@ std::string reload_in_short(const ReloadStudy& study, const InUnits& shown) {
   if (study.drops == 0) return "No drops are expected in this loading: there is nothing to decide.";
   const ReloadPlan& plan = study.of_travel();
   if (study.suffices(plan))
-    return fmt::format("A second loading will tell slips from cracks: {}.", programme_in_words(plan, shown));
+    return fmt::format("A second loading will distinguish slips from cracks: {}.", programme_in_words(plan, shown));
   if (const auto least = study.least())
-    return fmt::format("A second loading will tell slips from cracks only after less travel: {}.",
+    return fmt::format("A second loading will distinguish slips from cracks only after less travel: {}.",
                        programme_in_words(*least, shown));
-  return fmt::format("No second loading up to this travel tells slips from cracks in {:.0f} of 100 tests or more.",
-                     100 * study.required_chance);
+  return fmt::format(
+      "No second loading up to this travel distinguishes slips from cracks in {:.0f} of 100 tests or more.",
+      100 * study.required_chance);
 }
 
 std::string change_of_reload_in_words(const ReloadChange& change, const InUnits& shown) {
@@ -268,7 +269,7 @@ std::string least_travel_in_words(const ReloadStudy& study, const InUnits& shown
   const auto least = study.least();
   const ReloadPlan& planned = study.of_travel();
   if (!least) return "";
-  if (least->travel == planned.travel) return "the planned one: of shorter ones that were tried none suffices";
+  if (least->travel == planned.travel) return "the planned one: no shorter one that was tried suffices";
   const std::string prospects = prospects_in_words(*least);
   return study.suffices(planned) ? fmt::format("{}: {}", programme_in_words(*least, shown), prospects) : prospects;
 }
@@ -278,14 +279,14 @@ Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
   if (study.drops == 0) return chapter;
   Rows rows{
       {"planned travel", prospects_in_words(study.of_travel())},
-      {"least travel", least_travel_in_words(study, shown)},
+      {"minimum travel", least_travel_in_words(study, shown)},
       {"noise", fmt::format("{} of a force reading{}", shown.own(study.noise, kind::force),
                             study.noise_is_usual ? ", 0.1 % of the maximum force: pass --noise if it is known" : "")}};
   for (const ReloadChange& change : study.changes)
     rows.push_back({"would suffice", change_of_reload_in_words(change, shown)});
   if (!study.least() && study.changes.empty())
     rows.push_back({"would suffice",
-                    "none of these alone: loading a quarter farther, a load train half as stiff, twice the "
+                    "no single change: loading a quarter farther, a load train half as stiff, twice the "
                     "readings, a third of the noise"});
   chapter.blocks.push_back(rows);
   return chapter;
@@ -328,16 +329,18 @@ std::vector<Chapter> document_of(const DesignAnswer& answer) {
       {"load train", critical_in_words(answer, shown)},
       {"work", work_of_design_in_words(answer, shown)},
       {"strain", strain_in_words(answer, shown)},
-      {"nose", answer.wraps_nose ? "the specimen wraps around it; from there on it is taken to be sharp" : ""},
-      {"rollers", limit ? fmt::format("turn on their pins at a friction of {}, which the specimen's own cannot exceed",
-                                      readable(*limit, kind::number))
-                        : ""},
+      {"nose", answer.wraps_nose ? "the specimen wraps around it; beyond that point the nose is treated as sharp" : ""},
+      {"rollers", limit
+                      ? fmt::format("turn on their pins at a friction of {}, which limits the friction of the specimen",
+                                    readable(*limit, kind::number))
+                      : ""},
       {"phase", phases_in_words(answer, shown)},
-      {"friction", from > 0.5 * outcome.w_reached
-                       ? fmt::format("can be read off only beyond a deflection of {} (the larger of a twentieth of the "
-                                     "span and twice the thickness)",
-                                     shown.length(from))
-                       : ""}};
+      {"friction",
+       from > 0.5 * outcome.w_reached
+           ? fmt::format("can be determined only beyond a deflection of {} (the larger of a twentieth of the "
+                         "span and twice the thickness)",
+                         shown.length(from))
+           : ""}};
   Rows changes;
   for (const std::string& words : changes_in_words(answer)) {
     const std::size_t colon = words.find(": ");

@@ -21,12 +21,6 @@ std::size_t end_of_word(std::string_view text) {
   return std::min(end, text.size());
 }
 
-std::string cut_to(const std::string& line, std::size_t width) {
-  if (width_of(line) <= width) return line;
-  const std::string begin = wrapped(line, "", "", width - 2);
-  return begin.substr(0, begin.find('\n')) + " …";
-}
-
 std::string laid_out(const PrintedTable& all, std::size_t width) {
   const PrintedTable table = picked(all, all.on_terminal);
   std::vector<std::size_t> widths;
@@ -101,7 +95,20 @@ bool are_apart(const Block& above, const Block& below, const Chapter& chapter) {
 }  // namespace
 
 std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+  std::size_t width = 0;
+  bool is_colour = false;  // within an escape sequence, "\x1b[1;31m"
+  for (const char c : text) {
+    is_colour = is_colour || c == '\x1b';
+    if (!is_colour && (c & 0xc0) != 0x80) ++width;
+    if (c == 'm') is_colour = false;
+  }
+  return width;
+}
+
+std::string cut_to(const std::string& line, std::size_t width) {
+  if (width_of(line) <= width) return line;
+  const std::string begin = wrapped(line, "", "", width - 2);
+  return begin.substr(0, begin.find('\n')) + " …";
 }
 
 std::string wrapped(std::string_view text, std::string_view indent, std::string_view begin, std::size_t most) {

@@ -46,8 +46,12 @@ inline constexpr std::size_t line_length = 100;  // [characters] if the output i
 // The chapters in lines of `width` characters. Tables of numbers may be wider.
 std::string in_text(const std::vector<Chapter>& chapters, std::size_t width = line_length);
 
-// [characters], not bytes
+// The width of a line on a terminal [characters]: neither bytes nor the codes of colours count.
 std::size_t width_of(std::string_view text);
+
+// A line of at most `width` characters; a longer one is cut at a space and ends in " …".
+// Domain:     width > 2.
+std::string cut_to(const std::string& line, std::size_t width);
 
 // Breaks a text at spaces into lines of `length` characters. The first line begins with `begin`,
 // the others with `indent`.

@@ -263,7 +263,7 @@ std::string set_key(const Panel& panel, const Plot& plot) {
 }
 
 constexpr std::string_view script_begins =
-    "# gnuplot THIS_FILE draws the figure from the data beside it, as SVG, PDF and PNG; one of them only:\n";
+    "# gnuplot THIS_FILE draws the figure from the data next to it, as SVG, PDF and PNG; one of them only:\n";
 
 std::string script_of(const Plot& plot) {
   std::string out(script_begins);

@@ -26,48 +26,18 @@ Pictures picture(Plot (*drawn)(T), T test) {
 
 // ---- The screen
 
-std::string_view colour_of(VerdictCode code) {
-  constexpr auto green = "\x1b[1;32m", yellow = "\x1b[1;33m", red = "\x1b[1;31m";
-  return name_in_order<VerdictCode::no_answer>(code, {green, yellow, yellow, red, yellow, green, red, red});
-}
-
-std::string coloured(std::string line, const std::string& name, const Verdict& verdict) {
-  constexpr std::string_view bold = "\x1b[1m", plain = "\x1b[0m";
-  const std::string_view word = word_of(verdict.code);
-  if (const auto at = line.find(word, name.size()); at != std::string::npos)
-    line.replace(at, word.size(), fmt::format("{}{}{}", colour_of(verdict.code), word, plain));
-  return fmt::format("{}{}{}{}", bold, name, plain, line.substr(name.size()));
-}
-
 std::string with_remedy(const Finding& finding) {
   return finding.sentence + (finding.remedy.empty() ? "" : " " + finding.remedy);
 }
 
 constexpr std::size_t max_doubts = 2;
-constexpr std::ptrdiff_t max_lines = 12;
-constexpr std::size_t label_margin = 18;  // [characters] before the words of a row (document.cpp)
-
-bool fits(std::string_view words, std::size_t width) { return width_of(words) + label_margin <= width; }
-
-// The rows of the screen, each without the last clauses that do not fit on its line.
-Rows short_rows(const Answer& answer, std::size_t width) {
-  Rows rows;
-  for (AnswerRow row : answer.rows) {
-    for (std::size_t end = row.words.rfind("; "); !fits(row.words, width) && end != std::string::npos;
-         end = row.words.rfind("; "))
-      row.words.resize(end);
-    rows.push_back(std::move(row));
-  }
-  return rows;
-}
-
 // Each doubt with as many of its words as fit on one line.
 Rows doubt_rows(const std::vector<Finding>& doubts, std::size_t count, std::size_t width) {
   Rows rows;
   for (std::size_t i = 0; i < count; ++i) {
     std::string words = with_remedy(doubts[i]);
-    if (!fits(words, width)) words = doubts[i].sentence;
-    if (!fits(words, width) && !doubts[i].short_form.empty()) words = capitalised(doubts[i].short_form) + ".";
+    if (!fits_row(words, width)) words = doubts[i].sentence;
+    if (!fits_row(words, width) && !doubts[i].short_form.empty()) words = capitalised(doubts[i].short_form) + ".";
     rows.push_back({std::string(name_of(doubts[i].severity)), words});
   }
   return rows;
@@ -100,7 +70,7 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
 // A warning about the numbers below; empty if not needed.
 std::string caution_of(T test, const Answer& answer) {
   if (is_refused(answer.findings))
-    return "The fit cannot be used: no friction can be read off it. It is drawn to show where it fails.";
+    return "The fit cannot be used: it determines no friction. It is drawn to show where it fails.";
   return !test.judgement.determines_friction
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
@@ -110,7 +80,7 @@ std::string caution_of(T test, const Answer& answer) {
 std::string heat_in_words(T test) {
   return std::isfinite(test.analysis.energy.friction_share)
              ? ""
-             : "The record does not show how much of the work went into friction: that is left out.";
+             : "The record does not show how much of the work went into friction, so the share is omitted.";
 }
 
 // How μ₀ compares with the literature.
@@ -153,7 +123,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
             {"readings",
              analysis.fit.model == ProfileModel::constant
                  ? ""
-                 : fmt::format("{} tell of friction; errors one row apart have a correlation of {:.2f}, as found",
+                 : fmt::format("{} are informative about friction; errors one row apart have a correlation of {:.2f}",
                                analysis.fit.readings, analysis.fit.noise_correlation)},
             {"supports", fmt::format("friction acts {}", supports.half_depth > 0
                                                              ? "at the surface of the specimen, " +
@@ -167,18 +137,20 @@ Chapter sensitivity_chapter(T test) {
   if (sensitivities_of(test).empty()) return {};
   std::vector<Shown> columns{{.heading = "Quantity", .field = "title"},
                              {.heading = "Stated", .field = "stated"},
-                             {.heading = "May be off by", .field = "may_be_off"},
-                             {.heading = "Friction then reads larger by", .field = "friction_moves", .digits = 3}};
+                             {.heading = "Uncertainty", .field = "may_be_off"},
+                             {.heading = "Friction increases by", .field = "friction_moves", .digits = 3}};
   if (!test.analysis.fit.mu0_is_bound)
     columns.push_back(
         {.heading = "and its share of the work (points)", .field = "work_moves", .digits = 2, .factor = 100});
   PrintedTable table = listed(test, "sensitivities", columns);
   table.folding = Folding::never;
-  return {"Sensitivity",
-          {std::string("Were a quantity stated larger by what it may be off, the mean friction would be told larger by "
-                       "so much, to first order. The error of friction allows for all of them but for supports and a "
-                       "thickness that are taken for none."),
-           table}};
+  return {
+      "Sensitivity",
+      {std::string(
+           "How much the estimated friction would increase, to first order, if a quantity were stated larger by its "
+           "uncertainty. The error of friction includes all of them, except supports and a thickness that "
+           "are not stated."),
+       table}};
 }
 
 // ---- Whether friction repeats
@@ -205,15 +177,14 @@ PrintedTable explanation_table(T test) {
 }
 
 Chapter wave_chapter(T test) {
-  Chapter chapter{
-      "Does it repeat along the specimen?",
-      {!determines_variation(test.analysis.fit)
-           ? std::string("Friction cannot be distinguished from zero, and so the record does not show how it "
-                         "varies along the specimen: roughness and waves are left out.")
-       : test.analysis.fit.waves.empty()
-           ? std::string("No wave of friction explains the record better than none, or the model has none.")
-           : fmt::format("A wave is claimed above a log_evidence of {}.", claiming_gain),
-       numbers(test, "wave")}};
+  Chapter chapter{"Does it repeat along the specimen?",
+                  {!determines_variation(test.analysis.fit)
+                       ? std::string("Friction cannot be distinguished from zero, so the record does not show how it "
+                                     "varies along the specimen: roughness and waves are omitted.")
+                   : test.analysis.fit.waves.empty()
+                       ? std::string("No wave of friction explains the record better than none, or the model has none.")
+                       : fmt::format("A wave counts as detected above a log_evidence of {}.", claiming_gain),
+                   numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
   chapter.blocks.insert(
       chapter.blocks.end(),
@@ -226,7 +197,7 @@ Chapter wave_chapter(T test) {
                                   "one without friction, or one that turns, they are twice as long: state "
                                   "[rig] nose = \"free\"."
                                 : "The nose is stated to be free: the specimen slides over one support at a "
-                                  "time, and friction is that of the weaker side."),
+                                  "time, and the weaker side determines the friction."),
       });
   return chapter;
 }
@@ -243,7 +214,7 @@ Chapter checks_chapter(T test, const Answer& answer) {
   Chapter chapter{"What was checked", {rows}};
   if (!is_fitted(test)) return chapter;
   chapter.blocks.emplace_back(
-      std::string("A test is suspect where more than 5 % of the points judged are above the limit. Friction alone "
+      std::string("A test is suspect if more than 5 % of the judged points are above the limit. Friction alone "
                   "lifts a sound curve above the Euler–Bernoulli line, by 5 % at μ = 0.6."));
   return chapter;
 }
@@ -312,30 +283,16 @@ Rows rows_of(const Answer& answer) {
 }
 
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style) {
-  const std::string shown_name = printable(name);
-  const std::string begin = fmt::format("{}: {}. ", shown_name, word_of(answer.verdict.code));
-  std::string title = wrapped(answer.verdict.meaning, "  ", begin, style.width);
-  if (style.colour) title = coloured(title, shown_name, answer.verdict);
-  const std::string& evidence = answer.verdict.evidence;
-  if (!evidence.empty()) title += wrapped(evidence, "  ", "  ", style.width);
-
+  const auto& [code, meaning, evidence, finding] = answer.verdict;
   const std::vector<Finding> doubts = doubts_of(answer);
   const std::size_t shown_doubts = style.is_full ? doubts.size() : std::min(doubts.size(), max_doubts);
-  Rows end = style.is_full ? Rows{} : doubt_rows(doubts, shown_doubts, style.width);
-  if (!answer.next.empty()) end.push_back({"next", answer.next});
-  Rows rows = style.is_full ? rows_of(answer) : short_rows(answer, style.width);
-  const auto screen = [&] {
-    Rows all = rows;
-    all.insert(all.end(), end.begin(), end.end());
-    return title + "\n" +
-           in_text({{"", {all, footer_of(answer, doubts.size() - shown_doubts, style.is_full)}}}, style.width);
-  };
-  std::string text = screen();
-  while (!style.is_full && rows.size() > 1 && std::count(text.begin(), text.end(), '\n') > max_lines) {
-    rows.pop_back();
-    text = screen();
-  }
-  return text;
+  return in_text(
+      Screen{.title = screen_title(name, fmt::format("{}. {}", verdict_word(code, style), meaning), {evidence}, style),
+             .rows = style.is_full ? rows_of(answer) : answer.rows,
+             .doubts = style.is_full ? Rows{} : doubt_rows(doubts, shown_doubts, style.width),
+             .next = answer.next.empty() ? Rows{} : Rows{{"next", answer.next}},
+             .footer = footer_of(answer, doubts.size() - shown_doubts, style.is_full)},
+      style);
 }
 
 std::vector<Chapter> document_of(const FittedTest& test) {

@@ -121,9 +121,9 @@ Plot force_figure(const FittedTest& test) {
   return {.name = "force",
           .title = "Force against deflection: " + test.name,
           .caption = fmt::format(
-              "Force against deflection at midspan. Blue: measured. Black: the mean of the fit run forward{}. Orange: "
+              "Force against deflection at midspan. Blue: measured. Black: the simulated best fit{}. Orange: "
               "Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness of the fit. "
-              "{}Below: measured force less that of the fit, grey where the force says too little about friction{}.",
+              "{}Below: measured minus fitted force, grey where the force is not informative about friction{}.",
               snaps_in_words,
               count == 0 ? ""
                          : fmt::format("Grey: load lines, whose slope is the stiffness of the load train, through {}. ",
@@ -207,23 +207,24 @@ Plot profile_figure(const FittedTest& test) {
       {Mark::bars, "profile", {0, 2, 3}, {colours::blue, 0.5}},
       {Mark::points, "profile", {0, 1}, styles::measured, "Measured, 95 %"}};
   marks.insert(marks.end(), of_test.begin(), of_test.end());
-  return {.name = "profile",
-          .title = "Friction along the specimen: " + test.name,
-          .caption = fmt::format(
-              "Friction along the specimen, at the bending stiffness of the fit. Blue: read off the force point by "
-              "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two "
-              "standard deviations about it, with the errors of stiffness and contact.{}{}{}",
-              slips.rows.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the wave claimed." : "",
-              imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
-              literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
-                                       literature->support)
-                         : ""),
-          .width = two_columns,
-          .height = 74,
-          .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
-          .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * slid(S_end)},
-                      .y = {friction_label, "", 1.05 * lowest, 1.05 * highest},
-                      .marks = std::move(marks)}}};
+  return {
+      .name = "profile",
+      .title = "Friction along the specimen: " + test.name,
+      .caption = fmt::format(
+          "Friction along the specimen, at the bending stiffness of the fit. Blue: inverted from the force point by "
+          "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two "
+          "standard deviations about it, with the errors of stiffness and contact.{}{}{}",
+          slips.rows.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the detected wave." : "",
+          imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
+          literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
+                                   literature->support)
+                     : ""),
+      .width = two_columns,
+      .height = 74,
+      .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
+      .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * slid(S_end)},
+                  .y = {friction_label, "", 1.05 * lowest, 1.05 * highest},
+                  .marks = std::move(marks)}}};
 }
 
 bool has_waves(const FittedTest& test) {
@@ -289,8 +290,8 @@ Plot record_figure(const FittedTest& test) {
     data = references(analysis, plane);
     marks.insert(marks.end(), {beam_mark, frictionless_mark});
     caption +=
-        " Orange: Euler–Bernoulli (dashed) and the model without friction, both with the bending stiffness stated, or "
-        "that of the initial slope.";
+        " Orange: Euler–Bernoulli (dashed) and the model without friction, both with the stated bending stiffness, or "
+        "with the initial slope.";
   }
   marks.push_back({Mark::line, "measured", {0, 1}, styles::measured});
   if (!drops.rows.empty()) {
@@ -407,7 +408,7 @@ Plot boxes_figure(const FittedTest& test) {
       .caption =
           "Mobilised friction against the length slid over one support, at the bending stiffness of the fit. "
           "The specimen slides in along +*μ*, sticks while the stage turns back, and slides out along −*μ*. Open "
-          "circles: it sticks there, or one pass alone came so far. Points that noise throws beyond the axis are not "
+          "circles: it sticks there, or only one pass came this far. Points that noise moves beyond the axis are not "
           "shown.",
       .width = two_columns,
       .height = 78,

@@ -342,27 +342,28 @@ Plot design_figure(const DesignAnswer& answer) {
     of_record.push_back(spot(w(snap->stage), F(snap->F_before), circle, "First snap"));
     of_folds.push_back(spot(w(snap->w), k(std::min(own, top)), circle));
   }
-  return {.name = "design",
-          .title = "What a planned test will show",
-          .caption =
-              fmt::format("(A) The record as it will be, force against stage displacement, its drops in red-orange. "
-                          "(B) By deflection, the stiffness {} below which the specimen snaps (blue area), beside that "
-                          "of this test (black) and the critical one (green, dashed), above which nothing snaps; "
-                          "dotted: with a softer one the travel ends before that deflection. Circle: the first snap.{}",
-                          gives ? "of the rig" : "of the load train",
-                          breaks ? " Cross and upright line: where the specimen breaks." : ""),
-          .width = two_columns,
-          .height = 70,
-          .data = {std::move(record), drops, std::move(table)},
-          .panels = {{.title = "A",
-                      .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
-                      .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
-                      .marks = std::move(of_record)},
-                     {.title = "B",
-                      .x = w.axis(w_label, 0, folds.empty() ? design.travel : folds.back().w),
-                      .y = stiffness,
-                      .marks = std::move(of_folds)}},
-          .columns = 2};
+  return {
+      .name = "design",
+      .title = "What a planned test will show",
+      .caption = fmt::format(
+          "(A) The expected record, force against stage displacement, with its drops in red-orange. "
+          "(B) By deflection, the stiffness {} below which the specimen snaps (blue area), the "
+          "stiffness of this test (black) and the critical one (green, dashed), above which "
+          "nothing snaps; dotted: on a softer rig the travel ends before that deflection. Circle: the first snap.{}",
+          gives ? "of the rig" : "of the load train",
+          breaks ? " Cross and upright line: where the specimen breaks." : ""),
+      .width = two_columns,
+      .height = 70,
+      .data = {std::move(record), drops, std::move(table)},
+      .panels = {{.title = "A",
+                  .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
+                  .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
+                  .marks = std::move(of_record)},
+                 {.title = "B",
+                  .x = w.axis(w_label, 0, folds.empty() ? design.travel : folds.back().w),
+                  .y = stiffness,
+                  .marks = std::move(of_folds)}},
+      .columns = 2};
 }
 
 namespace {
@@ -440,7 +441,7 @@ Plot line_map(const Test& input, const DesignAxis& over, const std::vector<MapPo
           .title = "What a test shows over a range",
           .caption = fmt::format(
               "What a test shows over the {}: {}the largest drop of the force (black) and the mean one (dashed), as "
-              "shares of the greatest force, and the share of friction and snaps in the work (red-orange){}.",
+              "shares of the maximum force, and the share of friction and snaps in the work (red-orange){}.",
               over.parameter.description, deepest > 0 ? "(A) " : "",
               deepest > 0 ? "; (B) the deflection at which the specimen first snaps" : "; it never snaps"),
           .width = deepest > 0 ? two_columns : one_column,
@@ -504,7 +505,7 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
           .panels = {{.x = x.axis,
                       .y = y.axis,
                       .marks = std::move(marks),
-                      .colour = {"Largest drop, of the greatest force", "%", 0, most > 0 ? most : 1}}}};
+                      .colour = {"Largest drop, of the maximum force", "%", 0, most > 0 ? most : 1}}}};
 }
 
 }  // namespace

@@ -33,8 +33,8 @@ Drawing write_report_with_studio(const std::string& folder, const FittedTest& te
 // Fails:      as CallFiles::writes.
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option);
 
-// Creates the folder and stores each test there as soon as it is done: answer as JSON, curves,
-// profile, and on request its report.
+// Creates the folder and stores there each finished test: answer as JSON, curves, profile, and on
+// request its report.
 // Fails:      throws InputError if the folder cannot be created; during the run as draw(), and
 //             InputError if a file cannot be written.
 void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options);

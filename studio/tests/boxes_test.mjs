@@ -100,7 +100,7 @@ test("several files: what one is told of the rig the others are told; Fit all, t
   await tab.getByText("Save as CSV").click();
   const table = readFileSync(await (await saved).path(), "utf8").trim().split("\n");
   assert.deepEqual(table.slice(1).map((line) => line.split(",").slice(0, 3).join()), ["a,ok,SLIP", "c,ok,SLIP", "simulated,ok,SLIP"]);
-  assert.match(await tab.locator("[role=dialog] [role=status]").innerText(), /'b' is left out, as it has the record of 'a', to the byte/);
+  assert.match(await tab.locator("[role=dialog] [role=status]").innerText(), /'b' is omitted: its record is identical to the record of 'a'/);
   await tab.keyboard.press("Escape");
   await tab.locator("#tests li").nth(1).hover();
   await tab.locator("#tests li").nth(1).locator(".away").click();

@@ -312,7 +312,7 @@ test("a record whose friction is seen in part: the model is pale beyond, and off
   await tab.end();
 });
 
-test("hangs on: a quantity pointed at, or its slider moved a little, moves the band by what friction would be told larger", { skip }, async () => {
+test("sensitivity: a quantity pointed at, or its slider moved a little, moves the band by the change of friction", { skip }, async () => {
   const tab = await open();
   const told = JSON.parse(execFileSync(program, ["fit", join(root, "examples/simulated/case.toml"), "--json"], { maxBuffer: 1 << 28 })).sensitivities;
   const buttons = tab.locator("#hangs .hang"), band = tab.locator("#friction-plot .restated"), words = () => tab.locator("#friction-plot").innerText();

@@ -77,10 +77,10 @@ TEST_CASE("table: results and copies with extra columns are no tests; a repeated
   CHECK(plan.tests[0].name == "a");
   CHECK(plan.tests[1].name == "a_again");
   REQUIRE(plan.notes.size() == 4);
-  CHECK(plan.notes[0] == "left out, as they are results of flexslip: 'profile.csv'");
+  CHECK(plan.notes[0] == "omitted, because they are results of flexslip: 'profile.csv'");
   CHECK(has(plan.notes[1], "'a_dS.csv'"));
-  CHECK(plan.notes[2] == "'b' is left out, as it has the record of 'a', to the byte");
-  CHECK(has(plan.notes[3], "no section is stated of any specimen"));
+  CHECK(plan.notes[2] == "'b' is omitted: its record is identical to the record of 'a'");
+  CHECK(has(plan.notes[3], "no section is stated for any specimen"));
 }
 
 TEST_CASE("table: the same record under another case is another test, and a note says so") {
@@ -94,10 +94,10 @@ TEST_CASE("table: the same record under another case is another test, and a note
   REQUIRE(plan.tests.size() == 2);
   REQUIRE(plan.notes.size() == 4);
   CHECK(plan.tests[1].name == "three");
-  CHECK(has(plan.notes[0], "'two' is left out"));
-  CHECK(has(plan.notes[1], "'three' has the record of 'one'"));
+  CHECK(has(plan.notes[0], "'two' is omitted: its record is identical"));
+  CHECK(has(plan.notes[1], "'three' has the same record as 'one'"));
   CHECK(has(plan.notes[1], "counts as another specimen"));
-  CHECK(has(plan.notes[2], "'four' is left out, as it has the record of 'three'"));
+  CHECK(has(plan.notes[2], "'four' is omitted: its record is identical to the record of 'three'"));
 }
 
 TEST_CASE("table: units in titles of a table as in those of a record") {

@@ -77,18 +77,24 @@ step = "2 um"
         common = self.file("common.toml", '[specimen]\nwidth = "10 mm"\nheight = "4 mm"\nmodulus = "fit"\n'
                            '[rig]\nspan = "64 mm"\nstiffness = "inf"\n[record]\nstage = "w"\nforce = "F"\n')
         text = " ".join(self.succeeds("campaign", folder, "--common", common).split())
-        self.assertIn("2 tests: 0 slip, 0 undecided, 1 crack, 1 without drops.", text)
-        self.assertNotIn("could not be evaluated", text)
+        self.assertIn("2 tests: 1 CRACK, 1 NO DROPS.", text)
         (folder / "empty.csv").write_text("w [mm],F [N]\n")
         result = run("campaign", folder, "--common", common)
         self.assertEqual(result.returncode, 1)
         text = " ".join(result.stdout.split())
-        self.assertIn("3 tests: 0 slip, 0 undecided, 1 crack, 1 without drops. No test tells friction. empty could not be evaluated.", text)
+        self.assertIn("3 tests: 1 CRACK, 1 NO DROPS, 1 NO ANSWER.", text)
+        self.assertIn("no answer empty: ", text)
 
-    def test_the_screen_is_at_most_a_hundred_columns_wide(self):
-        lines = self.succeeds("campaign", self.simulated(3), "--quiet").splitlines()
-        self.assertGreater(len(lines), 10)
+    def test_the_screen_is_twelve_lines_of_a_hundred_columns(self):
+        folder = self.simulated(3)
+        lines = self.succeeds("campaign", folder, "--quiet").splitlines()
+        self.assertLessEqual(len(lines), 12)
         self.assertLessEqual(max(map(len, lines)), 100)
+        full = self.succeeds("campaign", folder, "--quiet", "--full").splitlines()
+        self.assertLessEqual(max(map(len, full)), 100)
+        self.assertEqual(full[0], lines[0])
+        for words in "t00", "By category: mean (minimum to maximum)", "Meaning of the columns":
+            self.assertIn(words, " ".join(full))
 
     def test_modulus_and_strength_are_those_of_modulus_with_the_part_of_friction(self):
         folder = self.simulated(2)

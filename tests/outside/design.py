@@ -138,7 +138,7 @@ class Design(InFolder):
         self.assertIn(told["planned"], told["plans"])
         self.assertIn(told["least"], told["plans"])
         words = self.succeeds("design", case, "--decide", "--noise", "12 uN")
-        self.assertIn("A second loading will tell slips from cracks: load to the stage position", " ".join(words.split()))
+        self.assertIn("A second loading will distinguish slips from cracks: load to the stage position", " ".join(words.split()))
         self.assertIsNone(self.json("design", case)["reload"])
         stiff = self.succeeds("design", case, "--decide", "--set", "rig.stiffness=inf", "--set", "friction.amplitude=0", "--set", 'stage.program=["0 um", "400 um"]')
         self.assertIn("there is nothing to decide", " ".join(stiff.split()))

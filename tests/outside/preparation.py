@@ -498,8 +498,8 @@ class Bar(InFolder):
     def test_outside_three_significant_digits(self):
         path = self.file("bar.csv", bluehill(bar_test()))
         text = self.succeeds("modulus", path, *BAR, "--displacement", "crosshead", "--stiffness", f"{LOAD_TRAIN} N/m")
-        self.assertRegex(text, r"flexural modulus .* 2\.\d\d GPa \(±")
-        self.assertRegex(text, r"flexural strength σ_fM +\d\.?\d\.?\d? MPa")
+        self.assertRegex(text, r"flexural modulus 2\.\d\d (± 0\.\d\d GPa|GPa ± 0\.\d+ %) ")
+        self.assertRegex(text, r"\n  maximum  .*: (\d\d\d|\d\d\.\d|\d\.\d\d) MPa, strain ")
 
     def test_outside_a_tube_against_the_formula(self):
         flags = ["--displacement", "deflection", "--span", "64 mm", "--diameter", "6 mm"]
@@ -574,11 +574,19 @@ class Bar(InFolder):
             self.assertAlmostEqual(numbers["deflection"], w, delta=0.03e-3)
             self.assertAlmostEqual(numbers["strain"], 6 * w * 4e-3 / 64e-3**2, delta=2e-4)
             self.assertAlmostEqual(numbers["stress"], 3 * force * 64e-3 / (2 * 10e-3 * 4e-3**2), delta=0.01 * numbers["stress"])
-        text = self.succeeds("modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection")
-        for name in ("greatest force", "flexural strength σ_fM", "flexural strain at the greatest force", "force at break", "flexural stress at break σ_fB", "flexural strain at break"):
+        call = ["modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection"]
+        screen = self.succeeds(*call)
+        self.assertRegex(screen, r"\n  maximum .*\(strength\)\n  break  .* MPa, strain ")
+        self.assertLessEqual(len(screen.splitlines()), 12)
+        self.assertLessEqual(max(map(len, screen.splitlines())), 100)
+        text = self.succeeds(*call, "--full")
+        for name in ("maximum force", "flexural strength σ_fM", "flexural strain at the maximum force", "force at break", "flexural stress at break σ_fB", "flexural strain at break"):
             self.assertIn(name, text)
         whole = self.modulus(rows[:300], *BAR, "--displacement", "deflection", which=1)
         self.assertIsNone(whole["at_break"])
+        unbroken = self.succeeds("modulus", self.file("bar.csv", bluehill(rows[:300], 1)), *BAR, "--displacement", "deflection", "--full")
+        self.assertIn("no failure, so not a strength", unbroken)
+        self.assertNotIn("flexural strength", unbroken)
 
     def test_limit_a_chord_in_the_toe_is_not_told(self):
         draw = random.Random(6)
@@ -588,7 +596,9 @@ class Bar(InFolder):
         self.assertTrue(found["chord_in_toe"])
         self.assertIsNone(found["chord"])
         self.assertAlmostEqual(found["modulus"]["value"] / MODULUS, 1, delta=0.01)
-        text = " ".join(self.succeeds("modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection").split())
+        call = ["modulus", self.file("bar.csv", bluehill(rows, 1)), *BAR, "--displacement", "deflection"]
+        self.assertRegex(self.succeeds(*call), r"flexural modulus .* \(steepest linear part, .*\n  No chord of ISO 178: it lies in the toe")
+        text = " ".join(self.succeeds(*call, "--full").split())
         self.assertIn("lies in the toe", text)
         self.assertNotIn("Use the chord", text)
 
@@ -619,9 +629,11 @@ step = "0.02 mm"
             found = self.json("modulus", path, *flags)
             self.assertEqual(found["chord_in_toe"], settles > 0)
             self.assertAlmostEqual(found["modulus_less_supports"]["value"] / 2.5e9, 1, delta=0.06)
-            text = " ".join(self.succeeds("modulus", path, *flags).split())
-            told = "the same less " if settles else "that of the chord less "
-            self.assertIn(told, text)
+            screen, full = (self.succeeds("modulus", path, *flags, *more) for more in ([], ["--full"]))
+            which, of = ("steepest linear part", "linear region") if settles else ("ISO 178 chord", "chord")
+            self.assertRegex(screen.splitlines()[0], rf"flexural modulus .* \({which}, ")
+            self.assertIn("contacts that move inwards add", screen)
+            self.assertIn(f"E_f of the {of} without the effect of the supports", full)
 
     def test_limit_no_straight_part(self):
         path = self.file("flat.csv", "w [mm],F [N]\n" + "".join(f"{i},{(i + 1) % 2}\n" for i in range(40)))

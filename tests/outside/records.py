@@ -268,7 +268,7 @@ class Remedies(InFolder):
 
     def test_what_read_proposes_to_do_again_names_the_file_and_works(self):
         export = SOURCE / "tests/instruments/fixtures/undecidable.txt"
-        said = run("read", "-o", "-", export, "--thousands", "none", "--decimal", ",", "--separator", "tab").stderr
+        said = run("read", "-o", "-", export, "--thousands", "none", "--decimal", ",", "--separator", "tab", "--full").stderr
         again = said.split("the same way again: flexslip ")[-1].splitlines()[0]
         self.assertIn(str(export), again)
 

@@ -91,7 +91,7 @@ class Verdicts(InFolder):
         self.assertEqual(fit["energy"]["friction_share_interval95"], [])
         text = " ".join(run("fit", record, *flags, "--full").stdout.split())
         self.assertNotRegex(text, r"\de-\d\d|\d{12}| to inf\b|heat of friction")
-        for sentence in ("roughness and waves are left out.", "how much of the work went into friction: that is left out."):
+        for sentence in ("roughness and waves are omitted.", "how much of the work went into friction, so the share is omitted."):
             self.assertIn(sentence, text)
 
     def test_a_bar_without_friction_is_told_no_roughness_wave_or_heat(self):

@@ -47,9 +47,9 @@ class Cells(InFolder):
         return self.folder / name
 
     def read(self, path, *flags):
-        done = run("read", "-o", "-", path, *flags)
+        done = run("read", "-o", "-", path, "--full", *flags)
         self.assertEqual(done.returncode, 0, done.stderr)
-        return done.stdout, done.stderr
+        return done.stdout, " ".join(done.stderr.split())
 
     # ---- dates and clock times
 

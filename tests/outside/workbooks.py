@@ -156,20 +156,20 @@ class Workbooks(InFolder):
         book.save(path)
         done = run("read", "-o", "-", path, "--crosshead", "1")
         self.assertEqual(len(numbers(done.stdout, "Load [N]")), 20)
-        self.assertIn("3 rows are hidden by a filter, and read as all others are: lines 5 to 7", done.stderr)
+        self.assertIn("3 rows are hidden by a filter, and read as all others are: lines 5 to 7", " ".join(done.stderr.split()))
 
     def test_a_sheet_is_chosen_by_name_or_number_and_the_decision_is_told(self):
         sheets = {f"Specimen {k}": [["Extension (mm)", "Load (N)"], *([i, k * i] for i in range(10))] for k in (1, 2, 3)}
         path = self.workbook({"Read me": [["nothing here"]], **sheets})
         first = run("read", "-o", "-", path, "--crosshead", "1")
-        self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", first.stderr)
+        self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", " ".join(first.stderr.split()))
         bar = ("--span", "20 mm", "--width", "2 mm", "--height", "1 mm")
         self.refused("modulus", path, *bar, says=["which of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'", '--sheet "Specimen 1"'])
         self.refused("modulus", path, *bar, "--displacement", "deflection", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
         self.refused("modulus", path, *bar, "--deflection", "Extension", "--force", "Load", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
         for k in (1, 2, 3):
             for name in (f"Specimen {k}", str(k + 1)):
-                said = run("read", "-o", "-", path, "--crosshead", "1", "--sheet", name)
+                said = run("read", "-o", "-", path, "--crosshead", "1", "--sheet", name, "--full")
                 self.assertEqual(numbers(said.stdout, "Load [N]"), [float(k * i) for i in range(10)])
                 again = said.stderr.split("the same way again: flexslip read ")[1].split(" --", 1)[1].strip()
                 self.assertIn(f'sheet "Specimen {k}"', again)
@@ -240,7 +240,7 @@ class Workbooks(InFolder):
 
     def test_formulas_that_were_never_computed_are_told(self):
         path = self.workbook({"a": [["Extension (mm)", "Load (N)"], *([i, f"=A{i + 2}*2"] for i in range(8)), *([8 + i, i] for i in range(12))]})
-        self.assertIn("8 formulas have no stored value", run("read", "-o", "-", path, "--crosshead", "1").stderr)
+        self.assertIn("8 formulas have no stored value", " ".join(run("read", "-o", "-", path, "--crosshead", "1").stderr.split()))
 
     def test_other_files_are_told_by_name_with_a_remedy(self):
         ods = io.BytesIO()

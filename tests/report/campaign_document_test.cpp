@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <string>
+#include <vector>
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include "report/answer_documents.h"
 #include "tests/has.h"
@@ -21,34 +23,70 @@ PrintedTable table_with(const std::vector<Chapter>& chapters, const std::string&
   return {};
 }
 
+std::string row_of(const Campaign& campaign, const std::string& label) {
+  for (const AnswerRow& row : rows_of(campaign))
+    if (row.label == label) return row.words;
+  return "";
+}
+
 std::string on_one_line(const Campaign& campaign) { return in_text(document_of(campaign, with_error), 10'000); }
 
 }  // namespace
 
 TEST_CASE("table: the answer of a campaign counted by hand") {
-  CHECK(campaign_in_short(some_campaign()) ==
-        "6 tests: 4 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.51 averaged over 4 "
-        "specimens, 0.30 to 0.75 between them; 25 % of the work went into friction (19 to 31 %, 95 %). SS8 is suspect. "
-        "SS99 "
-        "could not be "
-        "evaluated.");
+  CHECK(campaign_in_short(some_campaign()) == "6 tests: 4 SLIP, 1 NO DROPS, 1 NO ANSWER.");
+  CHECK(row_of(some_campaign(), "friction") == "mean 0.51 of 4 specimens, from 0.30 to 0.75, with no stiffness lost");
+  CHECK(row_of(some_campaign(), "work") == "on average friction took 25 ± 3 % of the work; this is not toughness");
+  CHECK(row_of(some_campaign(), "suspect") == "SS8, not in the means");
   CHECK(has(on_one_line(some_campaign()),
             "0.5 to 0.721 for glass on steel; the mean is within it, and 1 of 4 tests agree with it"));
   auto of_maize = some_campaign();
   of_maize.tests.front().materials = Materials{"maize", "steel"};
   CHECK_FALSE(has(on_one_line(of_maize), "literature"));
-  CHECK(campaign_in_short(campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})})) ==
-        "1 test: 0 slip, 0 undecided, 0 crack, 1 without drops. Friction 0.30; 25 % of the work went into friction (19 "
-        "to 31 %, 95 %).");
+  const Campaign one = campaign_of({some_test("SS1", SawtoothCategory::none, 0.3, {})});
+  CHECK(campaign_in_short(one) == "1 test: 1 NO DROPS.");
+  CHECK(row_of(one, "friction") == "0.30, of one specimen, with no stiffness lost");
+  CHECK(row_of(one, "work") == "friction took 25 ± 3 % of the work; this is not toughness");
 }
 
 TEST_CASE("limit: no tests, none with an answer, all suspect") {
   CHECK(campaign_in_short(no_tests()) == "No tests.");
   CHECK(campaign_text(no_tests()) == "No tests.\n");
-  CHECK(campaign_in_short(only_failures()) == "No answer: none of the 2 tests could be evaluated.");
+  CHECK(campaign_in_short(only_failures()) == "2 tests: 2 NO ANSWER.");
+  for (const AnswerRow& row : rows_of(only_failures())) CHECK(row.words.empty());
   CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': expected a number"));
-  const std::string suspect = campaign_in_short(campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)}));
-  CHECK(has(suspect, " Friction 1.25. SS8 is suspect."));
+  CHECK(has(campaign_screen(only_failures()), "  no answer       SS1: a.csv:17: column 'F_N': expected a number"));
+  const Campaign suspect = campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)});
+  CHECK(row_of(suspect, "friction") == "1.25, of one specimen, all tests are suspect, with no stiffness lost");
+  CHECK(row_of(suspect, "suspect").empty());
+}
+
+TEST_CASE("by hand: the mean friction carries each condition under which it holds") {
+  Campaign campaign = some_campaign();
+  campaign.tests[0].verdict = "UNDECIDED";
+  campaign.tests[1].summary->on_assumed_edges = true;
+  CHECK(campaign_in_short(campaign) == "6 tests: 3 SLIP, 1 UNDECIDED, 1 NO DROPS, 1 NO ANSWER.");
+  CHECK(has(row_of(campaign, "friction"),
+            ", with no stiffness lost, counting 1 undecided test as slips, on knife edges (not stated)"));
+  campaign.tests[4].verdict = "UNDECIDED";  // suspect, so not in the mean
+  CHECK(has(row_of(campaign, "friction"), "counting 1 undecided test as slips"));
+  const std::string narrow = campaign_screen(campaign, {.width = 60});
+  CHECK_MESSAGE(has(narrow, "not stated"), narrow);  // no width cuts a condition off
+}
+
+TEST_CASE("by hand: a screen of 12 lines has the tests with doubts, and counts the others") {
+  std::vector<CampaignTest> tests;
+  for (int i = 0; i < 40; ++i) {
+    tests.push_back(some_test(fmt::format("T{}", i), SawtoothCategory::clear, 0.4, 8e-6));
+    tests.back().remarks = i == 30 ? std::vector<std::string>{"friction decreases"} : std::vector<std::string>{};
+  }
+  const std::string screen = campaign_screen(campaign_of(tests));
+  CHECK_MESSAGE(std::count(screen.begin(), screen.end(), '\n') == 12, screen);
+  const std::size_t doubted = screen.find("  T30 "), first = screen.find("  T0 ");
+  CHECK(doubted < first);
+  CHECK(first < screen.size());
+  CHECK_MESSAGE(has(screen, " more tests. ± is one standard error. More: --full\n"), screen);
+  for (int i = 0; i < 40; ++i) CHECK(has(campaign_text(campaign_of(tests)), fmt::format("\n   T{} ", i)));
 }
 
 TEST_CASE("table: rows for people, each with as many cells as the head") {

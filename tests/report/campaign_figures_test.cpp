@@ -73,7 +73,7 @@ TEST_CASE("limit: a legend has entries only for marks that are drawn") {
   CampaignTest limit = some_test("SS4", SawtoothCategory::none, 1.25, {});
   limit.summary->mu0_is_bound = true;  // a suspect whose friction is only a limit: a line without a mark
   const Plot bare = distribution_figure(campaign_of({limit}));
-  for (const char* title : {"Suspect", "Mean of all", "Mean, suspects left out", "Wave only"})
+  for (const char* title : {"Suspect", "Mean of all", "Mean, suspects left out", "Wave not detected"})
     CHECK(!entry(bare, title));
   // Of one category the mean is the mean of all.
   CHECK(!entry(distribution_figure(campaign_of({some_test("SS4", SawtoothCategory::none, 0.4, {})})), "Mean of all"));

@@ -47,7 +47,7 @@ TEST_CASE("identity: the sentences contain the numbers of the answer") {
   const auto& outcome = answer.outcome;
   CHECK(holds(all, readable(scales.physical_length(outcome.first_snap.value().stage), kind::length)));
   CHECK(holds(all, "a deflection of " + readable(scales.physical_length(outcome.w_reached), kind::length)));
-  CHECK(holds(all, readable(scales.physical_force(outcome.largest_drop), kind::force) + " at most"));
+  CHECK(holds(all, "times, by up to " + readable(scales.physical_force(outcome.largest_drop), kind::force)));
   CHECK(holds(all, std::to_string(outcome.snaps) + " up to the stage position"));
   CHECK(holds(all, "the specimen snaps with each of 24"));
   CHECK(changes_in_words(answer).size() == answer.changes.size());
@@ -62,7 +62,8 @@ TEST_CASE(
   CHECK(!holds(all_words(answer), "Slips or cracks"));
   answer.reload = reload_study(input, {});
   const std::string words = all_words(answer);
-  CHECK(holds(words, "A second loading will tell slips from cracks: load to the stage position 560 µm, unload to "));
+  CHECK(holds(words,
+              "A second loading will distinguish slips from cracks: load to the stage position 560 µm, unload to "));
   CHECK(holds(words,
               std::to_string(answer.reload->of_travel().drops) + " drops; if they were cracks only, they would cost "));
   CHECK(holds(words, "99 of 100 tests with cracks only"));

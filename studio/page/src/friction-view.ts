@@ -90,21 +90,21 @@ export class FrictionView {
     return (fit.answer.slips?.slips ?? []).map((s) => [s.length_before, s.length_after]);
   }
 
-  /** What friction hangs on, a button each; pointed at, it moves the band. */
+  /** A button for each input that friction depends on; it moves the band while pointed at. */
   private listHangs(fit: Fit | null): void {
     if (this.listed === fit) return;
     this.listed = fit;
     const all = (fit?.answer.sensitivities ?? []).filter((each) => Math.abs(each.friction_moves) >= WORTH_SAYING);
     this.hangs.hidden = all.length === 0;
-    fill(this.hangs, el("span", { class: "note" }, "hangs on"), ...all.map((each) => {
+    fill(this.hangs, el("span", { class: "note" }, "sensitivity"), ...all.map((each) => {
       const work = each.work_moves === null ? "" : `, and its share of the work ${signed(100 * each.work_moves, 1)} points`;
-      const words = `${each.title}: ${each.stated}. Stated larger by ${each.may_be_off}, friction is told ${signed(each.friction_moves, 3)}${work}`;
+      const words = `${each.title}: ${each.stated}. If it were larger by ${each.may_be_off}, friction would change by ${signed(each.friction_moves, 3)}${work}`;
       return el("button", { class: "hang", title: words, "aria-label": words, pointerenter: () => this.studio.doubt(each), pointerleave: () => this.studio.doubt(null), focus: () => this.studio.doubt(each), blur: () => this.studio.doubt(null) },
         each.title, " ", el("b", {}, signed(each.friction_moves, 3)));
     }));
   }
 
-  /** The band of the fit, moved by what it would be told larger. */
+  /** The band of the fit, moved by the change of friction. */
   markRestated(): void {
     const { studio } = this, fit = studio.fit, restated = studio.restated;
     this.restated.replaceChildren();

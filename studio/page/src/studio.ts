@@ -41,7 +41,7 @@ export class Studio {
   reading = 0;  // files that are read
   step = -1;  // of the first visit; -1: none
   bandReady = false;  // the band of the draws is computed once the page is at rest
-  doubted: Sensitivity | null = null;  // what friction hangs on, pointed at: as if it were stated larger by what it may be off
+  doubted: Sensitivity | null = null;  // the input pointed at: shown as if it were larger by its uncertainty
   tried: number | null = null;  // a state of the programme that is marked instead of a row
   model!: Model;  // from `ready` on, and so with every fit
   readonly ready: Promise<void>;
@@ -465,13 +465,13 @@ export class Studio {
     this.tell("pins");
   }
 
-  /** Points at a quantity that friction hangs on; null: at none. */
+  /** Points at an input that friction depends on; null: at none. */
   doubt(quantity: Sensitivity | null): void {
     if (this.doubted === quantity) return;
     this.doubted = quantity;
     this.tell("doubted");
   }
-  /** By how much friction would be told larger, were the quantity pointed at stated larger by what it may be off; or, to first order, were the rig stated as its sliders are. Null: as told. */
+  /** The change of friction if the input pointed at were larger by its uncertainty; or, to first order, if the rig were as its sliders state. Null: no change. */
   get restated(): { friction: number; words: string } | null {
     const { fit, values, doubted } = this;
     if (doubted) return { friction: doubted.friction_moves, words: `${doubted.title} larger by ${doubted.may_be_off}` };
