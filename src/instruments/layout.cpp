@@ -62,8 +62,7 @@ UsualRow usual_row(const Sheet& sheet) {
     usual = {pattern, numbers, longest->first};
   }
   if (most == 0)
-    throw InputError({.expected = "rows of numbers",
-                      .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
+    throw InputError({.problem = sheet.size() == 0 ? "The file is empty" : "No line of the file holds numbers",
                       .remedy = "export the raw data of the test as CSV"});
   return usual;
 }
@@ -584,8 +583,7 @@ Layout layout_of(const Sheet& sheet) {
     TableBlock& block = layout.blocks.back();
     (fits(cells, usual) ? block.rows : block.misfits).push_back(line);
   }
-  if (layout.blocks.empty())
-    throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
+  if (layout.blocks.empty()) throw InputError({.problem = "No row has as many cells as the others"});
   without_preambles(layout.blocks);
   TableBlock& last = layout.blocks.back();
   // Rows at the end that say of what is no number in them that it is missing, or that a sensor was at its end.
@@ -606,9 +604,8 @@ Layout layout_of(const Sheet& sheet) {
     if (block.misfits.size() * misfit_share > block.rows.size())
       throw InputError(
           {.line = block.misfits.front() + 1,
-           .expected = fmt::format("rows of {} cells", layout.columns),
-           .found = fmt::format("{} lines with more or fewer cells, beside {} rows", block.misfits.size(),
-                                block.rows.size()),
+           .problem = fmt::format("{} lines do not have {} cells, as the other {} rows do", block.misfits.size(),
+                                  layout.columns, block.rows.size()),
            .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
   return without_statistics(sheet, std::move(layout));
 }

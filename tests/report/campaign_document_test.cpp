@@ -46,7 +46,7 @@ TEST_CASE("limit: no tests, none with an answer, all suspect") {
   CHECK(campaign_in_short(no_tests()) == "No tests.");
   CHECK(campaign_text(no_tests()) == "No tests.\n");
   CHECK(campaign_in_short(only_failures()) == "No answer: none of the 2 tests could be evaluated.");
-  CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': expected a number"));
+  CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': '12,5' is not a number."));
   const std::string suspect = campaign_in_short(campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)}));
   CHECK(has(suspect, " Friction 1.25. SS8 is suspect."));
 }
