@@ -84,7 +84,7 @@ class Campaign(CampaignFields):
         if not len(self.failures):
             return answer
         first = self.failures[0]
-        alike = sum(_cause(each).split(", found ")[0] == _cause(first).split(", found ")[0] for each in self.failures)
+        alike = sum(_kind_of_cause(each) == _kind_of_cause(first) for each in self.failures)
         return f"{answer}\n{first.name}: {_cause(first)}" + (f" (alike in {alike} tests)" if alike > 1 else "")
 
     def __repr__(self) -> str:
@@ -95,6 +95,11 @@ class Campaign(CampaignFields):
 
         notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
         return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes]) + str(self._table()._repr_html_())
+
+
+def _kind_of_cause(failure: Any) -> str:
+    """A cause without the names and numbers of its test."""
+    return re.sub(r"'[^']*'|[0-9.]+", "", _cause(failure))
 
 
 def _cause(failure: Any) -> str:
@@ -236,7 +241,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
 
     if not is_frame(path):
         if not isinstance(path, (str, bytes, os.PathLike)):
-            raise TypeError(f"path: expected a folder, a table or a DataFrame, found {type(path).__name__}; "
+            raise TypeError(f"path: This must be a folder, a table or a DataFrame, not {type(path).__name__}; "
                             "pass pandas.DataFrame({\"file\": [...]}), with a row a test")
         found = computed(path)
         return Campaign(found.answer(), found)

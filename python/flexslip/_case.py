@@ -13,7 +13,7 @@ import numpy as np
 
 from . import _flexslip
 from ._answers import Answer, Quantity
-from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, wrong, yes_no
+from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, wrong, yes_no
 from ._frames import is_frame, record_of
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -276,7 +276,7 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         is_text = array.dtype.kind == "U" or (array.dtype.kind == "O" and first[:1] in "'\"")
         units = f", and their unit beside them: {name}=(values, \"{'mN' if name == 'force' else 'um'}\")" if is_text else ""
         found = "text" if is_text else array.dtype.name
-        raise TypeError(f"{name}: expected real numbers{units}, found {found} {first}".rstrip() + "; convert them, as in numpy.asarray(values, dtype=float)")
+        raise TypeError(f"{name}: These must be real numbers{units}, not {found} {first}".rstrip() + ". Convert them, as in numpy.asarray(values, dtype=float).")
     if array.ndim != 1:
         raise wrong(name, "an array of one dimension", f"one of the shape {array.shape}", "pass one of its columns, as in values[:, 0]", key=f"record.{name}")
     if array.size == 0:
@@ -292,7 +292,7 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
     try:
         return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
     except InputError as error:
-        raise wrong(name, error.expected or "a unit", error.found, error.remedy, key=f"record.{name}") from None
+        raise refused(name, error.problem or "", error.remedy, key=f"record.{name}") from None
 
 
 def _is_data(value: Any) -> bool:
@@ -311,7 +311,7 @@ def _no_data(data: tuple[Any, ...]) -> TypeError:
         instead = "fit(data[:, 0], data[:, 1]), with its columns"
     elif len(data) > 1 or _is_array(first):
         name = ", ".join("an array" if _is_array(each) and not is_frame(each) else type(each).__name__ for each in data)
-    return TypeError(f"expected data as a file, as a DataFrame, or as two arrays, of the stage and of the force, found {name}; write {instead}")
+    return TypeError(f"The data must be a file, a DataFrame, or two arrays, of the stage and of the force, not {name}. Write {instead}.")
 
 
 def _record_of(data: tuple[Any, ...], record: Mapping[str, Any]) -> dict[str, Any]:
@@ -418,7 +418,7 @@ class Case:
     Raises
     ------
     InputError
-        For a value, unit or key that is wrong, with what was expected; a FileNotFoundError as well if a file is not there.
+        For a value, unit or key that is wrong, with what is wrong; a FileNotFoundError as well if a file is not there.
     TypeError
         For a keyword that is none.
 
@@ -460,7 +460,7 @@ class Case:
             raise _no_data((file,))
         elif file is not None and (path := path_of(file)).endswith(".toml"):
             if reduced:
-                raise wrong("reduced", "a case file that says so itself", "both")
+                raise wrong("reduced", "stated by the case file alone", "here as well")
             self._text, self._source, self._changes = _decoded(path), path, []
             reduced = _says_reduced(self._text)
             self._make_room_for(sections)
@@ -615,8 +615,8 @@ def _decoded(path: str) -> str:
     try:
         return text.decode("utf-8")
     except UnicodeDecodeError as error:
-        raise error_of(f"{path}: expected a case file in UTF-8, found {error.reason} at byte {error.start}", file=path,
-                       expected="a case file in UTF-8", found=error.reason, kind="wrong") from None
+        raise error_of(f"{path}: The file is not in UTF-8 ({error.reason} at byte {error.start}).", file=path,
+                       problem=f"The file is not in UTF-8 ({error.reason} at byte {error.start})", kind="wrong") from None
 
 
 def _says_reduced(text: str) -> bool:

@@ -199,7 +199,7 @@ def design(file: Any = None, *, over: Mapping[str, Any] | None = None, decide: b
     case = case_of(file, (), set, keywords)
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
     if noise is not None and not decide:
-        raise wrong("noise", "decide=True beside it", noise)
+        raise wrong("noise", "left out without decide=True", noise)
     if over is None:
         text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
         with in_words_of(case) as given:

@@ -12,7 +12,7 @@ ARRAYS = "arrays"  # what a record in memory is called
 
 
 class InputError(ValueError):
-    """Bad input: what was expected, what was found, where, and how to mend it.
+    """Bad input: what is wrong, where, and how to mend it.
 
     Attributes
     ----------
@@ -28,8 +28,8 @@ class InputError(ValueError):
         ``"wrong"``, ``"missing"``, ``"unknown"``, or ``"too_much"``: a number beyond `limit`.
     limit : float or None
         The greatest value, in SI, or reduced.
-    expected, found, remedy : str or None
-        The parts of the message.
+    problem, remedy : str or None
+        The sentences of the message: what is wrong, and what to do.
 
     Examples
     --------
@@ -37,8 +37,8 @@ class InputError(ValueError):
     >>> try:
     ...     flexslip.Case(rig={"span": "1278"})
     ... except flexslip.InputError as error:
-    ...     print(error.key, "|", error.found)
-    rig.span | the bare number '1278'
+    ...     print(error.key, "|", error.problem)
+    rig.span | The number '1278' has no unit, but a length needs one.
     """
 
     file: str | None = None
@@ -47,8 +47,7 @@ class InputError(ValueError):
     key: str | None = None
     kind: str = "wrong"
     limit: float | None = None
-    expected: str | None = None
-    found: str | None = None
+    problem: str | None = None
     remedy: str | None = None
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -81,17 +80,17 @@ class FolderError(InputError, IsADirectoryError):
 for _named in (InputError, MissingFileError, ForbiddenFileError, FolderError):
     _named.__module__ = "flexslip"  # as tracebacks name it
 
-_PARTS = ("file", "line", "field", "key", "kind", "limit", "expected", "found", "remedy")
+_PARTS = ("file", "line", "field", "key", "kind", "limit", "problem", "remedy")
 _OF_SYSTEM = {
     "No such file or directory": MissingFileError,
     "Permission denied": ForbiddenFileError,
     "Is a directory": FolderError,
-    "a directory": FolderError,
+    "This is a directory": FolderError,
 }
 
 
 _FLAG = re.compile(r'(as in )?--([a-z][a-z-]*)(?: ((?(1)\S+|(?:"[^"]*"|[0-9]+\b|[A-Z]{3,}\b|crosshead\b|deflection\b|roughness\b))))?')
-_KEYS = re.compile(r'\bwrite (\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*) into \[\w+\]')
+_KEYS = re.compile(r'\b[wW]rite (\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*) into \[\w+\]')
 _KEY = re.compile(r'(\w+) = ("[^"]*"|\S+)(?: and )?')
 
 
@@ -102,8 +101,8 @@ def in_python(text: str) -> str:
         is_bare = value[:1] in '"' or value[:1].isdigit() or (value.isupper() and len(value) > 2)
         return (found.group(1) or "") + found.group(2).replace("-", "_") + "=" + (value if is_bare else f'"{value}"')
 
-    text = _KEYS.sub(lambda found: "pass " + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
-    text = re.sub(r"^--set: ", "", text)  # a key by its whole name follows
+    text = _KEYS.sub(lambda found: ("Pass " if found.group(0).startswith("W") else "pass ") + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
+    text = re.sub(r"^--set: (?=\w+\.)", "", text)  # a key by its whole name follows
     text = re.sub(r"^--([a-z-]+): ", lambda found: found.group(1).replace("-", "_") + ": ", text)
     return re.sub(r"\bflexslip (sweep|fit|simulate|design|read|surface|modulus)\b", r"flexslip.\1", _FLAG.sub(argument, text))
 
@@ -118,16 +117,16 @@ def _in_keywords(text: str) -> str:
     def section(found: re.Match[str]) -> str:
         name, keys = found.groups()
         if name in ("friction", "stage"):
-            return f"{name} is missing; add {name}={{{', '.join(f'{chr(34)}{key}{chr(34)}: {value}' for key, value in _ADDED.findall(keys))}}}"
-        return f"{name} is missing; add {_ADDED.sub(_BOTH, keys)}"
+            return f"{name}: This argument is missing. Add {name}={{{', '.join(f'{chr(34)}{key}{chr(34)}: {value}' for key, value in _ADDED.findall(keys))}}}."
+        return f"{name}: This argument is missing. Add {_ADDED.sub(_BOTH, keys)}."
 
     text = re.sub(r"^line \d+: ", "", text)
-    text = re.sub(r"\[record\](?: file)? is missing; add .*", _NO_DATA, text)
-    text = re.sub(r"\[(\w+)\] is missing; add (.*)", section, text)
-    text = re.sub(r"(\w+) is missing; add \1 = ", r"\1 is missing; add \1=", text)
+    text = re.sub(r"\[record\](?: file)?: This (?:section|value) is missing\. Add .*", _NO_DATA, text)
+    text = re.sub(r"\[(\w+)\]: This section is missing\. Add (.*?)\.?$", section, text, flags=re.MULTILINE)
+    text = re.sub(r"(\w+): This value is missing\. Add \1 = ", r"\1: This argument is missing. Add \1=", text)
     text = re.sub(r"\[(?:specimen|rig|record)\] (\w+)", r"\1", text)
     text = re.sub(r"\[(friction|stage)\] (\w+)", r'\1["\2"]', text)
-    text = text.replace("write the modulus or bending_stiffness into [specimen]", "pass modulus or bending_stiffness")
+    text = re.sub(r"\b([wW])rite the modulus or bending_stiffness into \[specimen\]", lambda verb: ("Pass" if verb[1] == "W" else "pass") + " modulus or bending_stiffness", text)
     return re.sub(r"\[(specimen|rig|friction|stage|record)\]", r"\1", text)
 
 
@@ -136,15 +135,29 @@ def of_keywords(error: InputError, record: str) -> InputError:
     if error.file not in (None, record):
         return error
     parts = {name: getattr(error, name) for name in _PARTS if name != "line"}
-    parts |= {name: _in_keywords(parts[name]) for name in ("field", "remedy") if parts[name]}
+    parts |= {name: _in_keywords(parts[name]) for name in ("field", "problem", "remedy") if parts[name]}
     return error_of(_in_keywords(str(error)), **parts)
+
+
+_BARE_VALUE = re.compile(r"(?:--[a-z-]+|--[a-z-]+ \S*|= \S*|\w=\S*)(?<![\"'])$")  # a flag, or the unquoted value of a flag or key
+
+
+def sentence(text: str) -> str:
+    """A text with a capital letter at its beginning and a mark at its end, as the program writes it."""
+    return text[:1].upper() + text[1:] + ("" if text[-1:] in ".,:;?!" else ".")
+
+
+def _remedy(text: str) -> str:
+    """A sentence; without a full stop where it ends with a value to copy."""
+    return text[:1].upper() + text[1:] if _BARE_VALUE.search(text) else sentence(text)
 
 
 def error_of(message: str, **parts: Any) -> InputError:
     """The exception for a fault; of a file that is not there, one that is a FileNotFoundError as well."""
     message = in_python(message)
-    parts |= {name: in_python(parts[name]) for name in ("field", "remedy") if parts.get(name)}
-    error = _OF_SYSTEM.get(parts.get("found") or "", InputError)(message)
+    parts |= {name: in_python(parts[name]) for name in ("field", "problem", "remedy") if parts.get(name)}
+    parts |= {name: made(parts[name]) for name, made in (("problem", sentence), ("remedy", _remedy)) if parts.get(name)}
+    error = next((kind for words, kind in _OF_SYSTEM.items() if words in (parts.get("problem") or "")), InputError)(message)
     for name, value in parts.items():
         setattr(error, name, value)
     if isinstance(error, OSError):
@@ -155,8 +168,13 @@ def error_of(message: str, **parts: Any) -> InputError:
 def wrong(field: str, expected: str, found: Any, remedy: str | None = None, **parts: Any) -> InputError:
     """The exception for an argument, its message made as the program makes it."""
     shown = found if isinstance(found, str) else repr(found)
-    message = f"{field}: expected {expected}, found {shown}" + (f"; {remedy}" if remedy else "")
-    return error_of(message, field=field, expected=expected, found=shown, remedy=remedy, **parts)
+    return refused(field, f"This must be {expected}, not {shown}", remedy, **parts)
+
+
+def refused(field: str, problem: str, remedy: str | None = None, **parts: Any) -> InputError:
+    """The exception for an argument, of what is wrong with it and what to do."""
+    message = f"{field}: {sentence(problem)}" + (f" {_remedy(remedy)}" if remedy else "")
+    return error_of(message, field=field, problem=problem, remedy=remedy, **parts)
 
 
 def yes_no(field: str, value: Any) -> bool:

@@ -70,7 +70,7 @@ def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
     for role, (title, unit) in columns.items():
         unit = unit or units.get(title)
         if not unit and role not in given:
-            raise wrong(f"column {title!r}", "a unit", "none", f"name it as in {title + (' [N]' if role == 'force' else ' [mm]')!r}, or say {role}=({title!r}, \"{'N' if role == 'force' else 'mm'}\")",
+            raise wrong(f"column {title!r}", "titled with a unit", "without one", f"name it as in {title + (' [N]' if role == 'force' else ' [mm]')!r}, or say {role}=({title!r}, \"{'N' if role == 'force' else 'mm'}\")",
                         key=f"record.{role}")
         out[role] = (frame[title], unit) if unit else frame[title]
     return out
@@ -103,5 +103,5 @@ def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str
 
 def in_words_of_frame(error: InputError, path: str) -> InputError:
     """A complaint about a file that nobody wrote, in words of the frame that it holds."""
-    parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "expected", "found", "remedy")}
+    parts = {name: getattr(error, name) for name in ("field", "key", "kind", "limit", "problem", "remedy")}
     return error_of(str(error).replace(path, NAME), **parts)

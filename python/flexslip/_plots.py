@@ -55,7 +55,7 @@ def _axes_of(figure: Mapping[str, Any], ax: Any) -> Any:
         raise wrong("ax", f"{len(panels)} axes, or one" if len(panels) > 1 else "one Axes", f"{len(given)}")
     for each in given:
         if not hasattr(each, "plot"):
-            raise TypeError(f"ax: expected matplotlib Axes, found {type(each).__name__}")
+            raise TypeError(f"ax: These must be matplotlib Axes, not {type(each).__name__}.")
     return given
 
 

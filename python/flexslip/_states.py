@@ -56,7 +56,7 @@ def numbers(name: str, values: Any) -> Any:
         except ValueError:
             raise wrong(name, "an array of numbers", "rows of different lengths") from None
     if array.dtype.kind not in "biuf":
-        raise TypeError(f"{name}: expected real numbers, found {array.dtype.name} {_first(array)}".rstrip())
+        raise TypeError(f"{name}: These must be real numbers, not {array.dtype.name} {_first(array)}".rstrip() + ".")
     return given.astype(np.float64) if array.dtype.kind == "f" and array.dtype.itemsize > 8 else given
 
 

@@ -64,7 +64,7 @@ def _changes(axes: Any, samples: Any, seed: Any, reduced: bool) -> list[str]:
         changes += ['sweep.method="latin hypercube"', f"sweep.samples={whole('samples', samples, 1, 10**12)}"]
         changes.append(f"sweep.seed={whole('seed', 1 if seed is None else seed, 0, 2**63 - 1)}")
     elif seed is not None:
-        raise wrong("seed", "samples beside it: a grid is not drawn", seed)
+        raise wrong("seed", "left out of a grid, which is not drawn", seed)
     if axes is None:
         return changes
     if not isinstance(axes, Mapping) or not axes:

@@ -1,6 +1,7 @@
 #include <memory>
 #include <string>
 
+#include <fmt/format.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -40,7 +41,8 @@ py::array_t<double> role_in_si(const Export& file, std::size_t chosen, const std
     return py::array_t<double>(static_cast<py::ssize_t>(values.size()), values.data());
   }
   throw InputError(
-      {.field = "role", .expected = "time, displacement, crosshead, deflection or force", .found = in_quotes(role)});
+      {.field = "role",
+       .problem = fmt::format("{} is not time, displacement, crosshead, deflection or force", in_quotes(role))});
 }
 
 }  // namespace

@@ -31,10 +31,9 @@ py::object exception_of(const InputError& error) {
   return py::module_::import("flexslip._errors")
       .attr("error_of")(text_or_none(fmt::format("{}", fmt::join(error.lines(), "\n"))),
                         py::arg("file") = text_or_none(fault.file), py::arg("line") = line,
-                        py::arg("field") = text_or_none(fault.field),
-                        py::arg("expected") = text_or_none(fault.expected),
-                        py::arg("found") = text_or_none(fault.found), py::arg("remedy") = text_or_none(fault.remedy),
-                        py::arg("kind") = kind, py::arg("key") = text_or_none(fault.key), py::arg("limit") = limit);
+                        py::arg("field") = text_or_none(fault.field), py::arg("problem") = text_or_none(fault.problem),
+                        py::arg("remedy") = text_or_none(fault.remedy), py::arg("kind") = kind,
+                        py::arg("key") = text_or_none(fault.key), py::arg("limit") = limit);
 }
 
 }  // namespace

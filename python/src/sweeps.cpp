@@ -23,8 +23,9 @@ py::dict sweep_table(const std::string& text, const std::string& source, const s
   constexpr std::uint64_t max_designs = 10'000'000;  // they take 6 GB here
   const SweepPlan plan = read_sweep(text, source, changes);
   if (plan.rows > max_designs)
-    throw wrong_value(plan.loading, "sweep", fmt::format("at most {} designs, which memory holds", max_designs),
-                      std::to_string(plan.rows), "take fewer points, or the command sweep, which writes a file");
+    throw wrong_value(plan.loading, "sweep",
+                      fmt::format("The sweep has {} designs; memory holds at most {}", plan.rows, max_designs),
+                      "take fewer points, or the command sweep, which writes a file");
   const std::vector<DesignPoint> points = interruptible([&](const std::atomic<bool>&) {
     return points_of(plan, {0, plan.rows}, threads);
   });

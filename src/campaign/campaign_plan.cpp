@@ -170,7 +170,7 @@ void say(toml::table& table, const TableKey& key, const std::string& cell) {
 Test checked(Test input) {
   if (!input.record) throw missing(input, "record");
   if (input.reduced)
-    throw wrong_value(input, "reduced", "a test in physical units, as in every campaign", "a reduced one",
+    throw wrong_value(input, "reduced", "The test is reduced, but a campaign needs tests in physical units",
                       "give the span and the bending stiffness");
   return input;
 }
@@ -196,11 +196,12 @@ InputError unknown_column(const TableKey& key, const TextTable& table) {
   for (const CaseKey& each : case_keys())
     if (each.section == key.section || section_of(each.name) == each.section) known.emplace_back(each.name);
   return InputError(
-      {table.source, table.header_line, "column " + in_quotes(key.title),
-       "'name', or a key of a case file, with its unit in brackets if the cells have none: 'file', 'span "
-       "[um]', 'diameter [um]', 'stiffness', 'modulus', 'until', 'rig.span', ...",
-       "an unknown key",
-       did_you_mean(key.key, known, "put # before the title of a column that is not meant for FlexSlip")});
+      {.file = table.source,
+       .line = table.header_line,
+       .field = "column " + in_quotes(key.title),
+       .problem = "The title is neither 'name' nor a key of a case file, such as 'file', 'span [um]', 'diameter [um]', "
+                  "'stiffness' or 'rig.span', with its unit in brackets if the cells have none",
+       .remedy = did_you_mean(key.key, known, "put # before the title of a column that is not meant for FlexSlip")});
 }
 
 std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::table& common,
@@ -225,7 +226,7 @@ std::vector<PlannedTest> plan_of_table(const std::string& path, const toml::tabl
       throw unknown_column(keys.back(), table);
   }
   if (table.rows.empty())
-    throw InputError({.file = table.source, .expected = "a row for each test", .found = "a header only"});
+    throw InputError({.file = table.source, .problem = "The table has a header only, and no row for a test"});
 
   std::vector<PlannedTest> tests;
   for (const TextRow& row : table.rows) {
@@ -468,9 +469,9 @@ CampaignPlan plan_campaign(const std::string& path, const std::optional<std::str
     if (plan.tests.empty())
       throw InputError(
           {.file = path,
-           .expected = common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .lvm, .xlsx)"
-                              : "case files (.toml) with a [record]",
-           .found = "none",
+           .problem = fmt::format("The folder holds no {}",
+                                  common ? "data files (.csv, .tsv, .txt, .dat, .asc, .tra, .lvm, .xlsx)"
+                                         : "case files (.toml) with a [record]"),
            .remedy = common
                          ? ""
                          : "write one for each test, or pass a case file with what all data files of the folder have "

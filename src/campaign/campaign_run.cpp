@@ -238,7 +238,7 @@ std::string key_of(const PlannedTest& planned, const Test& input, const Analysis
 void require_file(const std::string& file) {
   std::error_code missing;
   if (std::filesystem::exists(file, missing) && !std::filesystem::is_regular_file(file, missing))
-    throw InputError({.file = file, .expected = "a file", .found = "a folder or a device"});
+    throw InputError({.file = file, .problem = "This is a folder or a device, not a file"});
 }
 
 class Runner {

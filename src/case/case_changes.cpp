@@ -14,11 +14,8 @@
 namespace flexslip {
 namespace {
 
-InputError no_change(std::string found, std::string remedy) {
-  return InputError({.field = "--set",
-                     .expected = "SECTION.KEY=VALUE, as in rig.stiffness=\"90 N/m\"",
-                     .found = std::move(found),
-                     .remedy = std::move(remedy)});
+InputError no_change(std::string problem, std::string remedy) {
+  return InputError({.field = "--set", .problem = std::move(problem), .remedy = std::move(remedy)});
 }
 
 std::string full_name(const CaseKey& key) {
@@ -41,7 +38,9 @@ const CaseKey* named_key(std::string_view name) {
 
 std::string changed_key(std::string_view change) {
   const std::size_t equals = change.find('=');
-  if (equals == std::string_view::npos) throw no_change(in_quotes(change), "");
+  if (equals == std::string_view::npos)
+    throw no_change(fmt::format("{} has no =", in_quotes(change)),
+                    "write SECTION.KEY=VALUE, as in rig.stiffness=\"90 N/m\"");
   const std::string_view name = trimmed(change.substr(0, equals));
   const std::size_t dot = name.rfind('.');
   const std::string_view section = name.substr(0, dot == std::string_view::npos ? 0 : dot);
@@ -55,8 +54,9 @@ std::string changed_key(std::string_view change) {
       known.push_back(full_name(key));  // those of arrays change as a whole
   const auto same =
       std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
-  throw no_change(in_quotes(name), did_you_mean(same != case_keys().end() ? full_name(*same) : name, known,
-                                                "flexslip keys lists the keys"));
+  throw no_change(
+      fmt::format("No key is called {}", in_quotes(name)),
+      did_you_mean(same != case_keys().end() ? full_name(*same) : name, known, "see flexslip keys for the list"));
 }
 
 namespace {
@@ -107,7 +107,7 @@ toml::table with_changes(toml::table table, const std::vector<std::string>& chan
   for (const std::string& change : changes) {
     const std::string name = changed_key(change);
     const std::string value(trimmed(std::string_view(change).substr(change.find('=') + 1)));
-    if (value.empty()) throw no_change(in_quotes(change), "write a value after the =");
+    if (value.empty()) throw no_change(fmt::format("{} has no value", in_quotes(change)), "write a value after the =");
     const std::size_t dot = std::min(name.rfind('.'), name.size());
     toml::table* section = &table;
     for (std::size_t at = 0; at < dot && dot < name.size();) {

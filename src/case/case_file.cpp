@@ -53,18 +53,22 @@ constexpr std::array examples{
 
 // Keys of a section that exclude each other: the first is refused beside any of the others.
 struct Clash {
-  std::string_view section, key, others, expected, remedy;
+  std::string_view section, key, others, problem, remedy;
 };
 
-constexpr std::string_view one_section = "either a diameter or width and height";
-constexpr std::string_view one_programme = "either a program or a file with stage positions";
+constexpr std::string_view one_section = "A section has either a diameter or width and height, not both";
+constexpr std::string_view one_programme = "The stage has either a program or a file with stage positions, not both";
 constexpr std::array clashes{
-    Clash{"specimen", "wall", "inner_diameter", "either the inner diameter or the wall of a tube", "delete one"},
+    Clash{"specimen", "wall", "inner_diameter", "A tube has either an inner_diameter or a wall, not both",
+          "delete one"},
     Clash{"specimen", "width", "diameter|inner_diameter|wall", one_section, "delete one"},
     Clash{"specimen", "height", "diameter|inner_diameter|wall", one_section, "delete one"},
-    Clash{"specimen", "modulus", "bending_stiffness", "either a modulus or a bending_stiffness", "delete one"},
-    Clash{"specimen", "strength", "strain_at_break", "either a strength or a strain_at_break", "delete one"},
-    Clash{"friction", "trace_step", "position", "either a trace_step or a position", "delete one"},
+    Clash{"specimen", "modulus", "bending_stiffness",
+          "A specimen has either a modulus or a bending_stiffness, not both", "delete one"},
+    Clash{"specimen", "strength", "strain_at_break", "A specimen has either a strength or a strain_at_break, not both",
+          "delete one"},
+    Clash{"friction", "trace_step", "position", "A trace has either a trace_step or a position, not both",
+          "delete one"},
     Clash{"stage", "program", "file", one_programme, "delete one"},
     Clash{"stage", "cycles", "file", one_programme, "delete one"},
     Clash{"stage", "step", "file", one_programme, "delete it: the rows of the file are the steps"},
@@ -73,13 +77,16 @@ constexpr std::array clashes{
 // And keys that are nothing without another.
 constexpr std::string_view a_section = "add diameter, or width and height: the strain depends on the depth";
 constexpr std::array needs{
-    Clash{"specimen", "strength", "diameter|width", "a section of the specimen beside it", a_section},
-    Clash{"specimen", "strain_at_break", "diameter|width", "a section of the specimen beside it", a_section},
-    Clash{"friction", "reference", "drift", "a drift beside it",
+    Clash{"specimen", "strength", "diameter|width", "This needs a section of the specimen", a_section},
+    Clash{"specimen", "strain_at_break", "diameter|width", "This needs a section of the specimen", a_section},
+    Clash{"friction", "reference", "drift", "A reference length needs a drift",
           "add drift, or delete reference: without a drift mu0 holds at every length"},
-    Clash{"stage", "stage", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
-    Clash{"stage", "time", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
-    Clash{"stage", "decimal", "file", "a file beside it, which it describes", "add file = \"run.csv\", or delete it"},
+    Clash{"stage", "stage", "file", "This describes a file, and no file is stated",
+          "add file = \"run.csv\", or delete it"},
+    Clash{"stage", "time", "file", "This describes a file, and no file is stated",
+          "add file = \"run.csv\", or delete it"},
+    Clash{"stage", "decimal", "file", "This describes a file, and no file is stated",
+          "add file = \"run.csv\", or delete it"},
 };
 
 // The keys of each model of friction, in the order of FrictionModel; those with ? may be left out.
@@ -151,20 +158,20 @@ void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<
   for (const std::string_view name : names) known.emplace_back(name.substr(0, name.find('?')));
   if (friction.model != FrictionModel::roughness) known.insert(known.end(), further.begin(), further.end());
   if (friction.model == FrictionModel::roughness && keys.has("other"))
-    keys.refuse("other", "no section [friction.other] beside a model to fit", "one",
+    keys.refuse("other", "[friction.other] stands beside a model to compute with, not beside a model to fit",
                 "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
   keys.only(known);
   const bool is_to_fit = keys.size() == 1 && !further.empty();
   for (const std::string_view name : names)
     if (!is_to_fit && name.back() != '?') keys.need(name);
   if (friction.model == FrictionModel::surface && !(friction.mu0.value_or(1) > 0))
-    keys.refuse("mu0", "a friction of the flat surface above 0", fmt::format("{:g}", *friction.mu0));
+    keys.refuse("mu0", fmt::format("The friction of the flat surface is {:g}, but it must be above 0", *friction.mu0));
   if (friction.level > max_degree)
-    keys.refuse("level", fmt::format("a degree of at most {}", max_degree), fmt::format("{}", friction.level));
+    keys.refuse("level", fmt::format("The degree is {}, above the limit of {}", friction.level, max_degree));
   double sum = 0;
   for (const WaveInput& wave : friction.waves) sum += wave.amplitude;
   if (sum > 1)
-    keys.refuse("waves", "amplitudes that add up to at most 1", fmt::format("{}", sum),
+    keys.refuse("waves", fmt::format("The amplitudes add up to {}, more than 1", sum),
                 "they are relative to mu0, and friction cannot be negative");
 }
 
@@ -174,21 +181,21 @@ void read_supports(const Keys& keys, Test& test) {
   read_friction(keys, friction, {"static_excess", "wear", "other"});
   if (const toml::node* node = keys.find("other")) {
     if (!node->is_table())
-      keys.refuse("other", "a section [friction.other] for the other support", kind_of_node(*node));
+      keys.refuse("other",
+                  fmt::format("The other support needs a section [friction.other], not {}", kind_of_node(*node)));
     const Keys side(*node->as_table(), keys.key("other"), test);
     if (side.has("static_excess"))
-      side.refuse("static_excess", "an excess of static friction in [friction], for both supports", "another one",
+      side.refuse("static_excess", "The excess of static friction holds for both supports and belongs in [friction]",
                   "delete it");
     read_friction(side, test.other.emplace(), {});
     if (test.other->model == FrictionModel::roughness)
-      side.refuse("model", "a model to compute with", "'roughness', which can only be fitted",
+      side.refuse("model", "The model 'roughness' can only be fitted, not computed with",
                   "write a model to compute with, such as model = \"constant\"");
   }
 }
 
-[[noreturn]] void refuse(const Test& test, const std::string& key, std::string expected, std::string found,
-                         std::string remedy = "") {
-  throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
+[[noreturn]] void refuse(const Test& test, const std::string& key, std::string problem, std::string remedy = "") {
+  throw wrong_value(test, key, std::move(problem), std::move(remedy));
 }
 
 // An export of a testing machine says the span and the section itself.
@@ -203,26 +210,32 @@ void check_specimen(const Test& test) {
   if (is_tube) {
     const double inner = specimen.wall ? *specimen.diameter - 2 * *specimen.wall : specimen.inner_diameter->value;
     if (!(inner < *specimen.diameter && inner > 0) && specimen.wall)
-      refuse(test, "specimen.wall", "a wall thinner than half the diameter", readable_length(test, *specimen.wall),
+      refuse(test, "specimen.wall",
+             fmt::format("The wall is {} thick, which is half the diameter or more",
+                         readable_length(test, *specimen.wall)),
              "leave it out if the specimen is solid");
     if (!(inner < *specimen.diameter))
-      refuse(test, "specimen.inner_diameter", "an inner diameter below the outer one", readable_length(test, inner),
+      refuse(test, "specimen.inner_diameter",
+             fmt::format("The inner diameter of {} is not below the outer diameter", readable_length(test, inner)),
              "check which of the two is which");
   }
   for (std::size_t i = 0; i < specimen.cracks.size(); ++i)
     if (!(specimen.cracks[i].loss < 1))
       refuse(test, fmt::format("specimen.cracks[{}].loss", i + 1),
-             "less than 100 % of the bending stiffness that is left", fmt::format("{}", specimen.cracks[i].loss));
+             fmt::format("A crack takes less than 100 % of the bending stiffness that is left, not {}",
+                         specimen.cracks[i].loss));
   if (!specimen.bending_stiffness && !section_of(test) && !reads_export(test)) throw missing(test, "specimen.diameter");
   if (!test.reduced) return;
   if (specimen.strength)
-    refuse(test, "specimen.strength", "no strength in a reduced case", "", "give strain_at_break instead");
+    refuse(test, "specimen.strength", "A reduced case has no strength", "give strain_at_break instead");
   if (specimen.modulus)
-    refuse(test, "specimen.modulus", "no modulus in a reduced case", "",
+    refuse(test, "specimen.modulus", "A reduced case has no modulus",
            "delete it: the bending stiffness is 1, or \"fit\"");
   const Known* known = specimen.bending_stiffness ? std::get_if<Known>(&*specimen.bending_stiffness) : nullptr;
   if (known && known->value != 1)
-    refuse(test, "specimen.bending_stiffness", "1, the unit of reduced variables", fmt::format("{}", known->value));
+    refuse(test, "specimen.bending_stiffness",
+           fmt::format("The bending stiffness is {}, but a reduced case has 1, the unit of reduced variables",
+                       known->value));
 }
 
 void check_rig(const Test& test) {
@@ -232,15 +245,17 @@ void check_rig(const Test& test) {
     return test.reduced ? fmt::format("{:.4g}", length) : in_quotes(readable_length(test, length));
   };
   if (test.reduced && rig.span != 1.0)
-    refuse(test, "rig.span", "1, the unit of reduced variables", fmt::format("{}", rig.span->value));
+    refuse(test, "rig.span",
+           fmt::format("The span is {}, but a reduced case has 1, the unit of reduced variables", rig.span->value));
   const bool has_radius = rig.roller_radius.value_or(0) > 0;
   if (rig.supports == SupportKind::edges && has_radius)
-    refuse(test, "rig.supports", "rollers, as they have a radius", "\"edges\"", "delete it, or roller_radius");
+    refuse(test, "rig.supports", "The supports are \"edges\", but a roller_radius is stated",
+           "delete it, or roller_radius");
   if (rig.supports == SupportKind::rollers && !has_radius)
     throw missing(test, "rig.roller_radius", "beside supports = \"rollers\"",
                   fmt::format("add that of yours, such as roller_radius = {}", written(0.05 * *rig.span)));
   if (rig.rollers != Rollers::fixed && !has_radius)
-    refuse(test, "rig.rollers", "rollers with a radius", "none",
+    refuse(test, "rig.rollers", "This needs rollers with a radius, and no radius is stated",
            fmt::format("state that of yours, {}, or delete it", keys_in_words(test, "rig", {"roller_radius"})));
   const bool is_pinned = rig.rollers == Rollers::pinned;
   for (const auto& [name, member] :
@@ -250,19 +265,22 @@ void check_rig(const Test& test) {
                     fmt::format("add that of your rig, such as {} = {}", name,
                                 member == &RigInput::pin_friction ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (!is_pinned && rig.*member)
-      refuse(test, fmt::format("rig.{}", name), "rollers on pins beside it", "'fixed'",
+      refuse(test, fmt::format("rig.{}", name), "This needs rollers on pins, and the rollers are 'fixed'",
              "write rollers = \"pinned\", or delete it");
   }
   if (is_pinned && !(*rig.pin_radius <= *rig.roller_radius))
-    refuse(test, "rig.pin_radius", "at most the radius of the roller",
-           fmt::format("{:g} times that", *rig.pin_radius / *rig.roller_radius), "check the units of both");
+    refuse(test, "rig.pin_radius",
+           fmt::format("The radius of the pin is {:g} times that of the roller", *rig.pin_radius / *rig.roller_radius),
+           "check the units of both");
   if (is_pinned && !rig.pins_turn())
-    refuse(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
-           fmt::format("{:g}", *rig.pin_friction),
+    refuse(test, "rig.pin_friction",
+           fmt::format("The friction of the pin is {:g}, not less than the ratio of the radii of roller and pin, so no "
+                       "roller turns",
+                       *rig.pin_friction),
            fmt::format("write a value below {:.3g}, or a smaller pin_radius", *rig.roller_radius / *rig.pin_radius));
   if (says(test, "rig", "friction_at") && rig.friction_at == FrictionAt::surface && test.specimen &&
       !section_of(test) && test.specimen->bending_stiffness)
-    refuse(test, "rig.friction_at", "a section of the specimen, as friction acts at its surface", "none",
+    refuse(test, "rig.friction_at", "Friction acts at the surface of the specimen, but no section is stated",
            "add diameter, or width and height, to [specimen], or write \"axis\"");
 }
 
@@ -273,18 +291,21 @@ void check_stage(const Test& test) {
   const auto& positions = stage.program;
   if (!says(test, "stage", "program")) throw missing(test, "stage.program");
   if (positions.size() < 2)
-    refuse(test, "stage.program", "at least two stage positions, a start and an end", std::to_string(positions.size()));
+    refuse(test, "stage.program",
+           fmt::format("The program needs at least two stage positions, a start and an end, and has {}",
+                       positions.size()));
   const auto times = static_cast<double>(stage.cycles);
   if (const double turns = times * static_cast<double>(positions.size() - 1); !(turns <= max_turns))
     refuse(test, stage.cycles > 1 ? "stage.cycles" : "stage.program",
-           fmt::format("at most {:.0e} turning points", max_turns), fmt::format("{:.1e}", turns));
+           fmt::format("The program has {:.1e} turning points, more than the limit of {:.0e}", turns, max_turns));
   if (!stage.step) return;
   double travel = times * std::abs(positions[1] - positions.back());
   for (std::size_t i = 2; i < positions.size(); ++i) travel += times * std::abs(positions[i] - positions[i - 1]);
   travel += std::abs(positions[1] - positions[0]);
   if (!(travel / *stage.step <= max_steps))
-    refuse(test, "stage.step", fmt::format("at most {:.0e} steps", max_steps),
-           fmt::format("{:.1e}", travel / *stage.step), "take a larger step, or \"continuous\"");
+    refuse(test, "stage.step",
+           fmt::format("The program has {:.1e} steps, more than the limit of {:.0e}", travel / *stage.step, max_steps),
+           "take a larger step, or \"continuous\"");
 }
 
 void check_record(const Test& test) {
@@ -292,41 +313,46 @@ void check_record(const Test& test) {
   for (const std::string_view of_export : {"displacement", "displacement_column", "calibration"})
     for (const std::string_view of_table : {"stage", "deflection"})
       if (says(test, "record", of_export) && says(test, "record", of_table))
-        refuse(test, fmt::format("record.{}", of_export), "either column titles or a description of an export",
-               fmt::format("both {} and {}", of_table, of_export), "delete one");
+        refuse(
+            test, fmt::format("record.{}", of_export),
+            fmt::format("Of column titles and the description of an export only one can be stated, not both {} and {}",
+                        of_table, of_export),
+            "delete one");
   if (record.is_export() && record.length)
-    refuse(test, "record.length", "stage or deflection and force beside it, with the titles of their columns",
-           "none, as for the export of a testing machine");
+    refuse(test, "record.length",
+           "A length needs stage or deflection, and force, beside it, with the titles of their columns");
   if (record.is_export() && test.reduced)
-    refuse(test, "record.stage", "two of the columns stage, deflection and force, as the case is reduced", "none",
+    refuse(test, "record.stage", "A reduced case needs two of the columns stage, deflection and force",
            "delete reduced = true if the file is an export of a testing machine, in physical units");
   if (record.is_export()) return;
   std::vector<std::string> found;
   for (const std::string_view name : {"stage", "deflection", "force"})
     if (says(test, "record", name)) found.emplace_back(name);
   if (found.size() != 2)
-    refuse(test, "record.stage", "two of the columns stage, deflection and force",
-           fmt::format("{}", fmt::join(found, " and ")), "the third follows from the stiffness of the rig");
+    refuse(test, "record.stage",
+           fmt::format("Two of the columns stage, deflection and force are needed, and {} stated",
+                       found.size() == 3 ? "all three are" : fmt::format("only {} is", found.front())),
+           "the third follows from the stiffness of the rig");
   if (!record.force && test.rig && test.rig->stiffness && std::isinf(*test.rig->stiffness))
-    throw wrong_value(test, "record", "a force column, as the rig is infinitely stiff", "stage and deflection",
-                      "on such a rig the two are the same and do not give the force");
+    throw wrong_value(test, "record",
+                      "The rig is infinitely stiff, so stage and deflection are the same and do not give the force",
+                      "name the column of the force");
 }
 
 // What no key alone can tell.
 void check(const Test& test) {
   Faults faults;
-  const auto refuse_if = [&](const Clash& rule, bool is_beside, const char* found) {
+  const auto refuse_if = [&](const Clash& rule, bool is_beside) {
     std::vector<std::string_view> sections{rule.section};
     if (rule.section == "friction") sections.emplace_back("friction.other");
     for (const std::string_view section : sections)
       if (says(test, section, rule.key) && says_one(test, section, rule.others) == is_beside)
         faults.note([&] {
-          refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.expected), found,
-                 std::string(rule.remedy));
+          refuse(test, fmt::format("{}.{}", section, rule.key), std::string(rule.problem), std::string(rule.remedy));
         });
   };
-  for (const Clash& clash : clashes) refuse_if(clash, true, "both");
-  for (const Clash& need : needs) refuse_if(need, false, "none");
+  for (const Clash& clash : clashes) refuse_if(clash, true);
+  for (const Clash& need : needs) refuse_if(need, false);
   faults.raise();
   const auto check_section = [&](const auto& part, auto check) {
     if (part) faults.note([&] { check(test); });
@@ -339,8 +365,9 @@ void check(const Test& test) {
   const auto section = section_of(test);
   if (!section || !test.rig || !test.rig->span || depth(*section) < *test.rig->span) return;
   throw wrong_value(test, depth_key(*section),
-                    "a specimen thinner than the span of " + readable_length(test, *test.rig->span),
-                    readable_length(test, depth(*section)), "check the units of both");
+                    fmt::format("The specimen is {} thick, which is not less than the span of {}",
+                                readable_length(test, depth(*section)), readable_length(test, *test.rig->span)),
+                    "check the units of both");
 }
 
 template <class Section>
@@ -428,12 +455,14 @@ Test read_case(std::string_view text, const std::string& source, const std::vect
   Faults faults;
   faults.note([&] { top.only({"reduced", "specimen", "rig", "friction", "stage", "record", "sweep"}); });
   if (const toml::node* reduced = top.find("reduced")) {
-    if (!reduced->is_boolean()) top.refuse("reduced", "true or false", kind_of_node(*reduced));
+    if (!reduced->is_boolean())
+      top.refuse("reduced", fmt::format("This is true or false, not {}", kind_of_node(*reduced)));
     test.reduced = reduced->value_or(false);
   }
   const auto section = [&](const char* name) -> const toml::table* {
     const toml::node* node = top.find(name);
-    if (node && !node->is_table()) top.refuse(name, fmt::format("a section [{}]", name), kind_of_node(*node));
+    if (node && !node->is_table())
+      top.refuse(name, fmt::format("The case needs a section [{}], not {}", name, kind_of_node(*node)));
     return node ? node->as_table() : nullptr;
   };
   const auto read = [&](const char* name, auto& part) {
@@ -485,10 +514,10 @@ std::string case_text(const std::string& path) {
   const std::shared_ptr<std::istream> in = open_to_read(path);
   std::string text(max_bytes + 1, '\0');
   in->read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (in->bad()) throw InputError({.file = source, .expected = "a readable file", .found = "an error while reading"});
+  if (in->bad()) throw InputError({.file = source, .problem = "The file could not be read"});
   text.resize(static_cast<std::size_t>(in->gcount()));
   if (text.size() > max_bytes)
-    throw InputError({.file = source, .expected = "a case file (TOML)", .found = "a file of more than 1 MiB"});
+    throw InputError({.file = source, .problem = "The file has more than 1 MiB, too much for a case file (TOML)"});
   return text;
 }
 
@@ -537,27 +566,24 @@ std::string keys_in_words(const Test& test, std::string_view section, const std:
   return in_words(flags);
 }
 
-InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
-                       std::string remedy) {
+InputError wrong_value(const Test& test, std::string_view key, std::string problem, std::string remedy) {
   const bool is_changed = std::any_of(test.changed.begin(), test.changed.end(), [&](const std::string& each) {
     return key == each || (key.starts_with(each) && (key[each.size()] == '[' || key[each.size()] == '.'));
   });
   return InputError({.file = is_changed ? "--set" : test.source,
                      .line = is_changed ? 0 : line_of(test, key),
                      .field = is_changed ? std::string(key) : field_name(key),
-                     .expected = std::move(expected),
-                     .found = std::move(found),
+                     .problem = std::move(problem),
                      .remedy = std::move(remedy),
                      .key = std::string(key)});
 }
 
-InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string expected,
-                      std::string found, std::string remedy) {
+InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string problem,
+                      std::string remedy) {
   return InputError({.file = table.source,
                      .line = table.lines[row],
                      .field = fmt::format("column {}", in_quotes(column.name)),
-                     .expected = std::move(expected),
-                     .found = std::move(found),
+                     .problem = std::move(problem),
                      .remedy = std::move(remedy)});
 }
 
@@ -583,9 +609,13 @@ std::string depth_key(const Section& section) {
 }
 
 InputError missing(const Test& test, std::string_view key, std::string why, std::string remedy) {
-  InputFault fault = wrong_value(test, key, "", "", std::move(remedy)).fault;
+  const std::string what = key.find('.') == std::string_view::npos ? "section" : "value";
+  InputFault fault = wrong_value(test, key,
+                                 why.empty() ? fmt::format("This {} is missing", what)
+                                             : fmt::format("This {} is missing {}", what, why),
+                                 std::move(remedy))
+                         .fault;
   fault.kind = FaultKind::missing;
-  fault.problem = why.empty() ? "is missing" : fmt::format("is missing {}", why);
   return InputError(std::move(fault));
 }
 

@@ -67,12 +67,11 @@ std::string instruction_to_set(const Test& test, const KeyChange& change);
 std::string keys_in_words(const Test& test, std::string_view section, const std::vector<std::string>& names);
 
 // The error to throw when a value of a test turns out wrong later. `key` as in Test::lines.
-InputError wrong_value(const Test& test, std::string_view key, std::string expected, std::string found,
-                       std::string remedy = "");
+InputError wrong_value(const Test& test, std::string_view key, std::string problem, std::string remedy = "");
 
 // Likewise of a cell of a table that a test names.
-InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string expected,
-                      std::string found, std::string remedy = "");
+InputError wrong_cell(const Table& table, std::size_t row, const Column& column, std::string problem,
+                      std::string remedy = "");
 
 // The error to throw when a command needs what a test does not have: a section, "friction", or a key, "rig.stiffness".
 // The message shows an example of it.

@@ -173,7 +173,7 @@ PreparationStep find_contact_of_record(Preparing& at) {
   result.own_contact = contact;
   if (is_asked && contact.status != ContactStatus::found)
     throw wrong_value(at.input(), "record.contact",
-                      "a force that rises from contact over at least 5 rows, to find the contact", "none",
+                      "The force does not rise from contact over at least 5 rows, so the contact cannot be determined",
                       "state the contact, or leave the key out");
   result.begins_free = result.baseline.points > 0 || begins_before_contact(record, contact, result.force_noise);
   const double slope = result.straight_is_initial ? result.straight->slope.value : contact.slope;
@@ -204,8 +204,8 @@ void take_off_contact(Preparing& at) {
   result.first += skipped;
   if (stage.size() - skipped < at.needs.points)
     throw wrong_value(at.input(), "record.contact",
-                      fmt::format("at least {} rows of readings after contact", at.needs.points),
-                      std::to_string(stage.size() - skipped));
+                      fmt::format("Only {} rows of readings lie after contact; at least {} are needed",
+                                  stage.size() - skipped, at.needs.points));
   result.record = counted_from(result.contact_offset, std::move(result.record), skipped);
   if (result.straight && result.straight->first >= skipped) {
     result.straight->first -= skipped;

@@ -60,8 +60,7 @@ Loading loading_to_evaluate(const Preparing& at, const Record& record, const std
       {.file = at.table().source,
        .line = at.table().lines[0],
        .field = "the stage",
-       .expected = "a record that has a loading",
-       .found = "one that only unloads",
+       .problem = "The record contains no loading, only unloading",
        .remedy =
            "if the stage is counted the other way, " +
            instruction_to_set(at.input(),
@@ -93,14 +92,14 @@ void require_rise(const Preparing& at, const Record& record, const Leg& leg) {
   }
   if (between < at_once) return;
   const auto in_words = [&](double value) { return readable(value, kind_in(at.input(), kind::force)); };
-  throw InputError({.file = at.table().source,
-                    .line = at.table().lines[at.table().rows_before(at.sampling().rows[leg.first])],
-                    .field = "the force",
-                    .expected = "one that rises as the specimen is bent",
-                    .found = fmt::format("one that begins with {} and falls steadily to {}", in_words(force.front()),
-                                         in_words(force.back())),
-                    .remedy = "if the rows run backwards in time, write them in the reverse order; if this is the "
-                              "unloading of a test, give the rows of its loading"});
+  throw InputError(
+      {.file = at.table().source,
+       .line = at.table().lines[at.table().rows_before(at.sampling().rows[leg.first])],
+       .field = "the force",
+       .problem = fmt::format("The force falls steadily from {} to {}, but bending a specimen makes it rise",
+                              in_words(force.front()), in_words(force.back())),
+       .remedy = "if the rows run backwards in time, write them in the reverse order; if this is the "
+                 "unloading of a test, give the rows of its loading"});
 }
 
 // Drops of the force of a loading from a point on, which come after what is evaluated.
@@ -120,12 +119,12 @@ void require_stiff_enough(const Preparing& at, const Record& record) {
   if (!(way > 0) || force / at.stiffness <= way) return;
   const Test& input = at.input();
   throw wrong_value(
-      input, "rig.stiffness", "a load train that yields by less than the stage moves",
-      fmt::format("{0}, which yields by {2} under {1}, but the stage moved {3}",
-                  readable(at.stiffness, kind_in(input, kind::stiffness)), readable(force, kind_in(input, kind::force)),
-                  readable_length(input, force / at.stiffness), readable_length(input, way)),
-      "check it and the units of stage and force; write \"inf\" if the displacement is that of the "
-      "specimen's midpoint or already corrected");
+      input, "rig.stiffness",
+      fmt::format("The load train of {} yields by {} under {}, but the stage moved only {}",
+                  readable(at.stiffness, kind_in(input, kind::stiffness)), readable_length(input, force / at.stiffness),
+                  readable(force, kind_in(input, kind::force)), readable_length(input, way)),
+      "check it and the units of stage and force; write \"inf\" if the displacement was measured "
+      "at the specimen's midpoint or is already corrected");
 }
 
 }  // namespace
@@ -138,8 +137,8 @@ void require_points(const Preparing& at, const Record& record) {
   if (record.force.size() >= at.needs.points) return;
   const std::size_t rows = at.table().lines.size();
   throw InputError({.file = at.table().source,
-                    .expected = fmt::format("at least {} rows of readings before failure", at.needs.points),
-                    .found = fmt::format("{} of {}", record.force.size(), rows),
+                    .problem = fmt::format("Only {} of {} rows lie before failure; at least {} are needed",
+                                           record.force.size(), rows, at.needs.points),
                     .remedy = rows < at.needs.points
                                   ? ""
                                   : "check that the rows stand in the order of time, and the column of the "
@@ -271,17 +270,16 @@ Done hold_stage(Preparing& at) {
     if (farthest - stage[i] > allowed) {
       const std::size_t row = at.sampling().rows[at.loading.first + i];
       const auto in_words = [&](double length) { return readable_length(at.input(), length == 0 ? 0 : length); };
-      throw InputError(
-          {.file = at.table().source,
-           .line = at.table().lines[at.table().rows_before(row)],
-           .field = "the stage",
-           .expected = fmt::format("a position no smaller than the farthest before it, {}", in_words(farthest)),
-           .found = in_words(stage[i]),
-           .remedy = i < 30
-                         ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
-                                       instruction_to_set(at.input(), switch_to("sign", "keep")))
-                         : "keep only the loading: " +
-                               instruction_to_set(at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
+      throw InputError({.file = at.table().source,
+                        .line = at.table().lines[at.table().rows_before(row)],
+                        .field = "the stage",
+                        .problem = fmt::format("The stage moves back from {} to {} within the loading",
+                                               in_words(farthest), in_words(stage[i])),
+                        .remedy = i < 30 ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
+                                                       instruction_to_set(at.input(), switch_to("sign", "keep")))
+                                         : "keep only the loading: " +
+                                               instruction_to_set(
+                                                   at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
     }
     if (stage[i] < farthest) ++held;
     largest = std::max(largest, farthest - stage[i]);

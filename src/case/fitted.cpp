@@ -113,11 +113,11 @@ void require_same_world(const Test& input, const Record& record, double bending_
   const double ratio = bending_stiffness / slope.value;
   if (ratio < farthest && ratio > 1 / farthest) return;
   const bool has_modulus = !input.specimen->bending_stiffness;
-  throw wrong_value(input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
-                    fmt::format("a bending stiffness within a factor of 1e15 of the {} from the record's initial slope",
-                                readable(slope.value, kind_in(input, kind::bending_stiffness))),
-                    fmt::format("{:.1e} times as much", ratio),
-                    "check its unit, the section, and the units of the record");
+  throw wrong_value(
+      input, has_modulus ? "specimen.modulus" : "specimen.bending_stiffness",
+      fmt::format("The bending stiffness is {:.1e} times as much as the {} from the record's initial slope", ratio,
+                  readable(slope.value, kind_in(input, kind::bending_stiffness))),
+      "check its unit, the section, and the units of the record");
 }
 
 std::optional<Materials> materials_of(const Test& input) {
@@ -142,8 +142,9 @@ AnalysisOptions options_for(const Test& input, const AnalysisChoice& choice) {
     asked = words_of(*case_key("friction", "model")).at(static_cast<std::size_t>(*input.friction->model));
     const auto names = model_names();
     if (std::find(names.begin(), names.end(), asked) == names.end())
-      throw wrong_value(input, "friction.model", "a model to fit: roughness, constant, drift, sinusoid or sinusoids",
-                        in_quotes(asked));
+      throw wrong_value(
+          input, "friction.model",
+          fmt::format("{} is not a model to fit: roughness, constant, drift, sinusoid or sinusoids", in_quotes(asked)));
   }
   for (const auto model : models)
     if (name_of(model) == asked) options.fit.model = model;

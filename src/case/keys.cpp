@@ -19,7 +19,7 @@ namespace {
 
 // The error of a value, at the place of a key.
 InputError placed(const Test& test, const InputError& error, const std::string& key) {
-  const InputFault place = wrong_value(test, key, "", "", "").fault;
+  const InputFault place = wrong_value(test, key, "").fault;
   InputFault fault = error.fault;
   fault.file = place.file;
   fault.line = place.line;
@@ -37,7 +37,7 @@ struct Reader {
   const toml::node& node() const { return keys.need(key.name); }
   std::string path() const { return keys.key(key.name); }
   [[noreturn]] void refuse(std::string expected, std::string remedy = "") const {
-    keys.refuse(key.name, std::move(expected), kind_of_node(node()), std::move(remedy));
+    keys.refuse(key.name, fmt::format("{} is not {}", kind_of_node(node()), expected), std::move(remedy));
   }
   bool is_word(std::string_view word) const { return node().value_exact<std::string_view>() == word; }
   std::string text() const {
@@ -50,7 +50,7 @@ struct Reader {
   void operator()(double& value) const {
     value = key.holds == Holds::share ? keys.share(key.name, key.range) : quantity();
     if (!(value > key.max)) return;
-    InputError error = wrong_value(test, path(), fmt::format("at most {:g}", key.max), fmt::format("{}", value),
+    InputError error = wrong_value(test, path(), fmt::format("The value {} is above the limit of {:g}", value, key.max),
                                    std::string(key.why_max));
     error.fault.kind = FaultKind::too_much;
     error.fault.limit = key.max;
@@ -99,9 +99,10 @@ struct Reader {
     if (is_place || (std::isfinite(known.value) && *known.uncertainty <= max_uncertainty * known.value)) return;
     const bool may_be_fitted = key.words == "fit";
     throw wrong_value(test, both.key("uncertainty"),
-                      fmt::format("at most {:.0f} % of the value", 100 * max_uncertainty),
-                      std::isfinite(known.value) ? fmt::format("{:.0f} %", 100 * *known.uncertainty / known.value)
-                                                 : "that of \"inf\"",
+                      std::isfinite(known.value)
+                          ? fmt::format("The uncertainty is {:.0f} % of the value, more than {:.0f} %",
+                                        100 * *known.uncertainty / known.value, 100 * max_uncertainty)
+                          : "An infinite value has no uncertainty",
                       may_be_fitted ? "write \"fit\" to find it from the initial slope" : "check both and their units");
   }
   void operator()(StatedStiffness& value) const {
@@ -121,7 +122,8 @@ struct Reader {
       const Keys parts(*table, path(), test);
       parts.only({"stage", "deflection"});
       if (parts.size() != 1)
-        keys.refuse(key.name, "either a stage or a deflection", table->empty() ? "neither" : "both");
+        keys.refuse(key.name, fmt::format("A place is either a stage or a deflection, and {} stated",
+                                          table->empty() ? "neither is" : "both are"));
       if (parts.has("stage"))
         place = AtStage{parts.quantity("stage", kind::length, Range::any)};
       else
@@ -129,8 +131,10 @@ struct Reader {
     } else if (node().is_string()) {
       const std::string row = text();
       if (!row.empty() && row.find_first_not_of("0123456789") == std::string::npos)
-        keys.refuse(key.name, "a row without quotes, or a stage position with its unit", in_quotes(row),
-                    fmt::format("write {} for that row", row));
+        keys.refuse(
+            key.name,
+            fmt::format("{} is neither a row without quotes nor a stage position with its unit", in_quotes(row)),
+            fmt::format("write {} for that row", row));
       place = AtStage{keys.quantity(key.name, kind::length, Range::any)};
     } else {
       place = AtRow{static_cast<std::size_t>(keys.whole_number(key.name, 1))};
@@ -167,13 +171,15 @@ struct Reader {
   void operator()(std::vector<Row>& rows) const {
     const toml::array* several = node().as_array();
     if (!several || several->empty())
-      keys.refuse(key.name, fmt::format("an array of {}", key.name), several ? "an empty one" : kind_of_node(node()));
+      keys.refuse(key.name, fmt::format("This needs an array of {}, not {}", key.name,
+                                        several ? "an empty one" : kind_of_node(node())));
     for (std::size_t i = 0; i < several->size(); ++i) {
       const std::string place = fmt::format("{}[{}]", path(), i + 1);
       const toml::table* table = (*several)[i].as_table();
       if (!table)
-        throw wrong_value(test, place, fmt::format("a table, as in {}", test.reduced ? key.reduced : key.example),
-                          kind_of_node((*several)[i]));
+        throw wrong_value(test, place,
+                          fmt::format("This needs a table, as in {}, not {}", test.reduced ? key.reduced : key.example,
+                                      kind_of_node((*several)[i])));
       Keys(*table, place, test).read(&rows.emplace_back());
     }
   }
@@ -208,13 +214,12 @@ void Keys::only(const std::vector<std::string>& known) const {
     if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
     const CaseKey* described = case_key(path_, name.str());
     const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
-    const std::string expected = (known.size() == 1 ? "no other key than " : "one of the keys ") + listed(known);
+    const std::string keys = (known.size() == 1 ? "the only key is " : "the keys are ") + listed(known);
     InputFault fault =
-        wrong_value(test_, key(name.str()), expected, is_elsewhere ? "a key without meaning here" : "an unknown key",
-                    is_elsewhere ? "leave it out" : did_you_mean(name.str(), known, "expected " + expected))
+        wrong_value(test_, key(name.str()), is_elsewhere ? "This key has no meaning here" : "There is no such key",
+                    is_elsewhere ? "leave it out" : did_you_mean(name.str(), known, keys))
             .fault;
     fault.kind = FaultKind::unknown;
-    fault.problem = is_elsewhere ? "has no meaning here" : "is an unknown key";
     faults.add(InputError(std::move(fault)));
   }
   faults.raise();
@@ -255,7 +260,7 @@ std::uint64_t Keys::whole_number(std::string_view name, std::int64_t min) const 
   const toml::node& node = need(name);
   const auto value = node.value<std::int64_t>();  // of 1e5, too
   if (!node.is_number() || !value || *value < min)
-    refuse(name, fmt::format("a whole number, at least {}", min), kind_of_node(node));
+    refuse(name, fmt::format("{} is not a whole number of at least {}", kind_of_node(node), min));
   return static_cast<std::uint64_t>(*value);
 }
 
@@ -267,7 +272,7 @@ std::size_t Keys::word(std::string_view name, const std::vector<std::string_view
   }
   const auto word = need(name).value_exact<std::string>();
   const std::string meant = nearest(word.value_or(""), {known.begin(), known.end()});
-  refuse(name, in_words(expected), kind_of_node(need(name)),
+  refuse(name, fmt::format("{} is not {}", kind_of_node(need(name)), in_words(expected)),
          meant.empty() ? "" : fmt::format("did you mean \"{}\"?", meant));
 }
 
@@ -288,7 +293,7 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
   const auto text = node.value_exact<std::string_view>();
   const bool is_number = node.is_number();
   if (!text && !is_number)
-    throw wrong_value(test_, key, std::string(kind.name), kind_of_node(node),
+    throw wrong_value(test_, key, fmt::format("{} is not {}", kind_of_node(node), kind.name),
                       node.is_table() && node.as_table()->contains("uncertainty")
                           ? "it is taken as exact: leave the uncertainty out"
                           : "");
@@ -300,8 +305,7 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
     }
     if (is_number) return parse_quantity(fmt::format("{}", node.value<double>().value_or(0)), kind, range);
     if (is_plain && !(*text == "inf" && range == Range::positive_or_infinite))
-      throw InputError({.expected = "a plain number",
-                        .found = in_quotes(*text),
+      throw InputError({.problem = fmt::format("{} is not a plain number", in_quotes(*text)),
                         .remedy = kind.dimension == Dimension{} ? "write it without quotes and without a unit"
                                                                 : "the case is reduced: write it in reduced variables, "
                                                                   "without quotes and unit, or delete reduced = true"});
@@ -311,8 +315,8 @@ double Keys::value(const toml::node& node, const std::string& key, const Kind& k
   }
 }
 
-void Keys::refuse(std::string_view name, std::string expected, std::string found, std::string remedy) const {
-  throw wrong_value(test_, key(name), std::move(expected), std::move(found), std::move(remedy));
+void Keys::refuse(std::string_view name, std::string problem, std::string remedy) const {
+  throw wrong_value(test_, key(name), std::move(problem), std::move(remedy));
 }
 
 }  // namespace flexslip

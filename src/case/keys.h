@@ -47,8 +47,7 @@ class Keys {
   // A quantity that stands at `key`, which need not be one of this table.
   double value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const;
 
-  [[noreturn]] void refuse(std::string_view name, std::string expected, std::string found,
-                           std::string remedy = "") const;
+  [[noreturn]] void refuse(std::string_view name, std::string problem, std::string remedy = "") const;
 
  private:
   const toml::table& table_;

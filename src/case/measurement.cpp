@@ -50,9 +50,9 @@ double stiffness_for(const Readings& readings) {
   if (!readings.has(Reading::stage)) return infinity;
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
-                      "the stiffness of the load train, as the displacement is that of the stage", "none",
+                      "The displacement was measured at the stage, so the stiffness of the load train is needed",
                       instruction_to_set(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
-                          "; \"inf\" if the displacement is that of the specimen's midpoint or already corrected");
+                          "; \"inf\" if it was measured at the specimen's midpoint or is already corrected");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");
 }
 

@@ -94,11 +94,12 @@ StageProgramme stated_programme(const Test& test) {
   const std::string key = fmt::format("stage.program[{}]", farthest - positions.begin() + 1);
   if (!(*farthest >= min_stage * span_of(test)))
     throw wrong_value(test, fmt::format("stage.program[{}]", positions.size()),
-                      fmt::format("a position of at least {:g} spans", min_stage),
-                      readable_length(test, positions.back()));
+                      fmt::format("The program ends at {}, less than {:g} spans",
+                                  readable_length(test, positions.back()), min_stage));
   if (!(*farthest <= max_stage * span_of(test)))
-    throw wrong_value(test, key, fmt::format("a position within {:g} spans", max_stage),
-                      readable_length(test, *farthest), "check its unit");
+    throw wrong_value(
+        test, key, fmt::format("The position {} lies beyond {:g} spans", readable_length(test, *farthest), max_stage),
+        "check its unit");
   std::vector<double> turns = written_out(*test.stage);
   if (!test.stage->step) return {std::move(turns), *farthest, false, false};
   return {stage_steps(turns, *test.stage->step), *farthest, true, false};
@@ -114,25 +115,30 @@ StageProgramme measured_programme(const Test& test) {
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double position = stage.values[row];
     if (position < 0)
-      throw wrong_cell(table, row, stage, "a stage position of at least 0, the point of contact",
-                       readable_length(test, position),
-                       "count the stage from where it touches the specimen, and leave out the rows before");
+      throw wrong_cell(
+          table, row, stage,
+          fmt::format("The stage position {} lies before the point of contact, 0", readable_length(test, position)),
+          "count the stage from where it touches the specimen, and leave out the rows before");
     if (!(position <= max_stage * span))
-      throw wrong_cell(table, row, stage, fmt::format("a stage position within {:g} spans", max_stage),
-                       readable_length(test, position), "check its unit");
+      throw wrong_cell(
+          table, row, stage,
+          fmt::format("The stage position {} lies beyond {:g} spans", readable_length(test, position), max_stage),
+          "check its unit");
     if (!measured.time || row == 0) continue;
     const Column& time = table.columns[1];
     if (time.values[row] < time.values[row - 1])
       throw wrong_cell(table, row, time,
-                       fmt::format("a time no earlier than in the previous row, {}",
+                       fmt::format("The time {} is earlier than {} in the previous row",
+                                   readable(time.values[row], kind_in(test, kind::time)),
                                    readable(time.values[row - 1], kind_in(test, kind::time))),
-                       readable(time.values[row], kind_in(test, kind::time)), "sort the rows by time");
+                       "sort the rows by time");
   }
   const auto farthest = std::max_element(stage.values.begin(), stage.values.end());
   if (!(*farthest >= min_stage * span))
-    throw wrong_cell(table, static_cast<std::size_t>(farthest - stage.values.begin()), stage,
-                     fmt::format("a stage that moves to at least {:g} spans", min_stage),
-                     readable_length(test, *farthest) + " as the farthest", "check the unit");
+    throw wrong_cell(
+        table, static_cast<std::size_t>(farthest - stage.values.begin()), stage,
+        fmt::format("The stage moves to {} at most, less than {:g} spans", readable_length(test, *farthest), min_stage),
+        "check the unit");
   const double reach = *farthest;
   return {std::move(table.columns.front().values), reach, true, true};
 }
@@ -150,10 +156,11 @@ void require_slender(const Test& test) {
   const double thickness = depth(*section);
   const double span = span_of(test);
   if (thickness < thickest * span) return;
-  throw ImpossibleTest(wrong_value(
-      test, depth_key(*section),
-      fmt::format("less than a fifth of the span of {}, for beam theory to hold", readable_length(test, span)),
-      readable_length(test, thickness), "check the units of both, or use flexslip modulus"));
+  throw ImpossibleTest(
+      wrong_value(test, depth_key(*section),
+                  fmt::format("The specimen is {} thick; beam theory holds for less than a fifth of the span of {}",
+                              readable_length(test, thickness), readable_length(test, span)),
+                  "check the units of both, or use flexslip modulus"));
 }
 
 // The friction of a support in a test.
@@ -162,9 +169,8 @@ struct Side {
   const FrictionInput& friction;
   std::string section;  // "friction" or "friction.other"
 
-  InputError wrong(std::string_view name, std::string expected, std::string found, std::string remedy) const {
-    return wrong_value(test, fmt::format("{}.{}", section, name), std::move(expected), std::move(found),
-                       std::move(remedy));
+  InputError wrong(std::string_view name, std::string problem, std::string remedy) const {
+    return wrong_value(test, fmt::format("{}.{}", section, name), std::move(problem), std::move(remedy));
   }
 };
 
@@ -177,17 +183,17 @@ FrictionTable read_friction_table(const Side& side) {
   FrictionTable friction{table.columns[0].values, table.columns[1].values};
   for (std::size_t row = 0; row < table.rows(); ++row) {
     if (row > 0 && !(friction.S[row] > friction.S[row - 1]))
-      throw wrong_cell(table, row, table.columns[0], "a length greater than in the previous row",
-                       readable(friction.S[row], length_kind));
+      throw wrong_cell(
+          table, row, table.columns[0],
+          fmt::format("The length {} is not greater than in the previous row", readable(friction.S[row], length_kind)));
     if (friction.mu[row] < 0)
-      throw wrong_cell(table, row, table.columns[1], "friction of at least 0",
-                       readable(friction.mu[row], kind::number));
+      throw wrong_cell(table, row, table.columns[1],
+                       fmt::format("Friction is {}, less than 0", readable(friction.mu[row], kind::number)));
   }
   if (const double span = span_of(test); !(friction.S.back() / span > 1))
-    throw wrong_cell(
-        table, table.rows() - 1, table.columns[0],
-        fmt::format("lengths between the supports, which grow from the span of {}", readable_length(test, span)),
-        readable(friction.S.back(), length_kind));
+    throw wrong_cell(table, table.rows() - 1, table.columns[0],
+                     fmt::format("The last length is {}, but the length between the supports grows from the span of {}",
+                                 readable(friction.S.back(), length_kind), readable_length(test, span)));
   return friction;
 }
 
@@ -201,12 +207,11 @@ void require_climbable(const std::vector<double>& path, const HeightTrace& trace
   const bool falls = fault->slope < 0;
   throw InputError(
       {.file = source,
-       .expected = fmt::format("slopes between {:.3g}, where a contact of friction {:g} slides by itself, and {:.3g}, "
-                               "where it would show a friction of {:g}",
-                               -mu, mu, steepest, most),
-       .found = fmt::format("a slope of {:.3g} at the position {}, {:.2g} times the limit", fault->slope,
-                            readable(trace.position(fault->interval), kind),
-                            std::abs(fault->slope) / (falls ? mu : steepest)),
+       .problem = fmt::format(
+           "The slope of {:.3g} at the position {} is {:.2g} times the limit: slopes must lie between {:.3g}, where a "
+           "contact of friction {:g} would slide unaided, and {:.3g}, where friction would reach {:g}",
+           fault->slope, readable(trace.position(fault->interval), kind),
+           std::abs(fault->slope) / (falls ? mu : steepest), -mu, mu, steepest, most),
        .remedy = falls ? "if it is noise, remove short waves with a cutoff, or state the radius of the edge; otherwise "
                          "check the unit of the heights"
                        : "if it is noise, remove short waves with a cutoff; otherwise check the unit of the heights"});
@@ -237,11 +242,10 @@ FrictionTable read_surface(const Side& side) {
   const double extent = step * static_cast<double>(path.size() - 1);
   const double first = is_inwards ? begin - extent : begin;
   if (!(first + extent > half_span))
-    throw side.wrong(
-        "trace_begin",
-        fmt::format("a trace that reaches beyond the support, {} from midspan", readable_length(test, half_span)),
-        fmt::format("one that ends at {}", readable_length(test, first + extent)),
-        "check its unit, that of the trace, and direction");
+    throw side.wrong("trace_begin",
+                     fmt::format("The trace ends at {}, before the support, {} from midspan",
+                                 readable_length(test, first + extent), readable_length(test, half_span)),
+                     "check its unit, that of the trace, and direction");
   FrictionTable table;
   const auto add = [&](double s, double mu) {
     if (!(s > 0)) return;
@@ -268,16 +272,19 @@ Friction of_points(const Side& side, const FrictionTable& points, const Scales& 
   FrictionTable reduced = points;
   for (double& S : reduced.S) S = scales.reduced_length(S);
   if (!(reduced.S.back() > 1 && std::isfinite(reduced.S.back())))
-    throw ImpossibleTest(wrong_value(side.test, "rig.span", "less than the last length of the friction table",
-                                     readable_length(side.test, scales.span())));
+    throw ImpossibleTest(wrong_value(
+        side.test, "rig.span",
+        fmt::format("The friction table ends before the span of {}", readable_length(side.test, scales.span()))));
   return Friction::table(std::move(reduced));
 }
 
 Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
   const double correlation_length = scales.reduced_length(*side.friction.correlation_length);
   if (!((S_max - 1) / correlation_length <= max_correlations))
-    throw side.wrong("correlation_length", fmt::format("at least {:.0e} of the length pulled in", 1 / max_correlations),
-                     readable_length(side.test, *side.friction.correlation_length), "check its unit");
+    throw side.wrong("correlation_length",
+                     fmt::format("The correlation length of {} is less than {:.0e} of the length pulled in",
+                                 readable_length(side.test, *side.friction.correlation_length), 1 / max_correlations),
+                     "check its unit");
   return Friction::rough(*side.friction.mu0, *side.friction.rms, correlation_length, *side.friction.seed, S_max);
 }
 
@@ -290,17 +297,20 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
     constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
     waves.S_reference = scales.reduced_length(*friction.reference);
     if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= max_stage))
-      throw ImpossibleTest(side.wrong("reference",
-                                      fmt::format("a length between the supports, from the span of {} to {:g} spans",
-                                                  readable_length(test, scales.span()), max_stage),
-                                      readable_length(test, *friction.reference), "check its unit"));
+      throw ImpossibleTest(side.wrong(
+          "reference",
+          fmt::format("The reference length of {} is not between the span of {} and {:g} spans",
+                      readable_length(test, *friction.reference), readable_length(test, scales.span()), max_stage),
+          "check its unit"));
   }
   const auto add = [&](const std::string& name, double amplitude, double wavelength, double phase) {
     waves.terms.push_back({amplitude, scales.reduced_length(wavelength), phase});
     const double period = 2 * waves.terms.back().wavelength;
     if (!((S_max - 1) / period <= max_periods && period >= finest_period && std::isfinite(period)))
-      throw side.wrong(name, fmt::format("at most {:.0e} periods along the specimen", max_periods),
-                       readable_length(test, wavelength), "check its unit");
+      throw side.wrong(name,
+                       fmt::format("A wavelength of {} gives more than {:.0e} periods along the specimen",
+                                   readable_length(test, wavelength), max_periods),
+                       "check its unit");
   };
   if (friction.model == FrictionModel::sinusoid)
     add("wavelength", *friction.amplitude, *friction.wavelength, friction.phase.value_or(0));
@@ -312,7 +322,7 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
 
 // What friction there may be, in words: "friction of at most 20".
 std::string friction_limit(const Fibre& fibre) {
-  return fmt::format("friction of at most {:g}{}", fibre.max_friction(), fibre.on_edges() ? "" : " at the surface");
+  return fmt::format("the limit{} is {:g}", fibre.on_edges() ? "" : " at the surface", fibre.max_friction());
 }
 
 // The friction of a support as asked for, and the fibre that is to meet it at lengths up to S_max [L].
@@ -376,11 +386,11 @@ void require_followed(const Asked& asked) {
                    : !waves || waves->terms.empty()   ? "drift"
                    : model == FrictionModel::sinusoid ? "wavelength"
                                                       : "waves",
-                   fmt::format("friction that changes by less than {} with the length between the {}, as the point of "
-                               "contact moves with friction on these and would jump",
-                               readable(limit / scales.span(), kind_in(side.test, kind::inverse_length)),
-                               fibre.supports().radius > 0 ? "contacts" : "supports"),
-                   fmt::format("up to {:.5g} times as much", steepest / limit), less_steep(asked, steepest / limit));
+                   fmt::format("Friction changes with the length between the {} by up to {:.5g} times the limit of {}, "
+                               "above which the point of contact would jump",
+                               fibre.supports().radius > 0 ? "contacts" : "supports", steepest / limit,
+                               readable(limit / scales.span(), kind_in(side.test, kind::inverse_length))),
+                   less_steep(asked, steepest / limit));
 }
 
 // Refuses what the mechanics of a fibre does not cover: more than its max_friction, or steeper than steepest_followed.
@@ -389,27 +399,33 @@ void require_covered(const Asked& asked) {
   const double most = kinetic.max_up_to(S_max);
   const double limit = fibre.max_friction();
   if (most <= limit) return require_followed(asked);
-  const std::string expected = friction_limit(fibre), found = fmt::format("{:g}", most);
+  const std::string limit_in_words = friction_limit(fibre), found = fmt::format("{:g}", most);
   switch (*side.friction.model) {
     case FrictionModel::rough:
-      throw side.wrong("mu0", expected + ", its roughness included", found, "write a smaller mu0 or rms");
+      throw side.wrong("mu0", fmt::format("Friction reaches {}, its roughness included, and {}", found, limit_in_words),
+                       "write a smaller mu0 or rms");
     case FrictionModel::surface:
-      throw side.wrong("mu0", expected + ", on the slopes of its trace", found, "write a smaller mu0, or a cutoff");
+      throw side.wrong("mu0",
+                       fmt::format("Friction reaches {} on the slopes of the trace, and {}", found, limit_in_words),
+                       "write a smaller mu0, or a cutoff");
     case FrictionModel::table:
-      throw side.wrong("file", expected, found, "check the column of friction");
+      throw side.wrong("file", fmt::format("Friction reaches {}, and {}", found, limit_in_words),
+                       "check the column of friction");
     default:
       break;
   }
   const auto& waves = std::get<FrictionWaves>(kinetic.form());
   double without_drift = waves.mu0;
   for (const Sinusoid& term : waves.terms) without_drift += waves.mu0 * term.amplitude;
-  const std::string of_all = expected + ", its waves and drift included";
-  if (!(without_drift <= limit)) throw side.wrong("mu0", of_all, found, "write a smaller mu0");
+  if (!(without_drift <= limit))
+    throw side.wrong("mu0",
+                     fmt::format("Friction reaches {}, its waves and drift included, and {}", found, limit_in_words),
+                     "write a smaller mu0");
   throw side.wrong(
-      "drift", of_all,
-      fmt::format("{}, which takes friction from {:g} at {} to {:g} at {}",
+      "drift",
+      fmt::format("The drift of {} takes friction from {:g} at {} to {:g} at {}, and {}",
                   readable(waves.drift / scales.span(), kind_in(side.test, kind::inverse_length)), without_drift,
-                  asked.length(waves.S_reference), most, asked.length(waves.drift > 0 ? S_max : 1)),
+                  asked.length(waves.S_reference), most, asked.length(waves.drift > 0 ? S_max : 1), limit_in_words),
       waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and that of reference");
 }
 
@@ -436,7 +452,8 @@ Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales,
 Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
   const FrictionInput& friction = *test.friction;
   const auto refuse = [&](std::string_view key, const std::string& found) {
-    throw wrong_value(test, key, "a surface on two equal edges, as the stage turns back", found,
+    throw wrong_value(test, key,
+                      fmt::format("A surface needs two equal edges where the stage turns back; here stands {}", found),
                       "delete it, or let the stage only load: a surface has another friction on the way back");
   };
   if (test.other) refuse("friction.other", "another support");
@@ -450,11 +467,11 @@ Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fi
   for (std::size_t i = 0; i < out.mu.size(); ++i) {
     out.mu[i] = friction_on_the_way_back(out.mu[i], mu0);
     if (out.mu[i] > 0 && out.mu[i] <= fibre.max_friction()) continue;
-    throw wrong_value(
-        test, "friction.trace",
-        fmt::format("slopes below the friction of {:g} in both directions, as the stage turns back", mu0),
-        fmt::format("a steeper one at the length {}", readable_length(test, scales.physical_length(out.S[i]))),
-        "write a cutoff or an edge_radius, or let the stage only load");
+    throw wrong_value(test, "friction.trace",
+                      fmt::format("The stage turns back, and at the length {} the trace is steeper than a friction of "
+                                  "{:g} allows in both directions",
+                                  readable_length(test, scales.physical_length(out.S[i])), mu0),
+                      "write a cutoff or an edge_radius, or let the stage only load");
   }
   return Friction::path_dependent(std::make_shared<const OnSlopes>(inwards, Friction::table(std::move(out))));
 }
@@ -520,8 +537,8 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
   if (!slope.found) slope = stiffness_from_slope(measurement.record, span);
   if (!slope.found)
     throw InputError({.file = measurement.file,
-                      .expected = "a force that rises from contact over at least 5 rows, to find the bending stiffness",
-                      .found = "none",
+                      .problem = "The force must rise over at least 5 rows after contact so that the bending stiffness "
+                                 "can be determined; it does not",
                       .remedy = "write the modulus or bending_stiffness into [specimen]"});
   // The slope is that of a line through the contact: where that is, and how far the load train gives way, is known as well as the record tells.
   const double by_contact = measurement.contact_error / slope.deflection;
@@ -542,7 +559,8 @@ Scales scales_of(const Test& test, const BendingStiffnessUsed& stiffness) {
   try {
     return {span, stiffness.value};
   } catch (const std::invalid_argument& error) {
-    throw wrong_value(test, "specimen", "a bending stiffness and a span that a computer can hold", error.what());
+    throw wrong_value(test, "specimen",
+                      fmt::format("Bending stiffness and span exceed what a computer can hold: {}", error.what()));
   }
 }
 
@@ -557,16 +575,15 @@ Supports supports_of(const Test& test, const Scales& scales) {
   if (!(supports.radius + supports.half_depth < widest_supports))
     throw wrong_value(
         test, "rig.roller_radius",
-        fmt::format("a roller radius and half a thickness that add up to less than {:g} spans", widest_supports),
-        fmt::format("{:g} and {:g} spans", supports.radius, supports.half_depth),
+        fmt::format("The roller radius of {:g} spans and half the thickness of {:g} spans add up to {:g} spans or more",
+                    supports.radius, supports.half_depth, widest_supports),
         "check the units of both, and the span");
   constexpr double thinnest = 1e-6;  // [L] what a thinner one slides before it slides in is lost in rounding
   if (is_thick && supports.half_depth < thinnest)
     throw wrong_value(
         test, "specimen",
-        fmt::format("a specimen of a thickness of at least {}",
+        fmt::format("The specimen is {} thick, less than the limit of {}", readable_length(test, depth(*section)),
                     readable_length(test, 2 * scales.physical_length(thinnest))),
-        readable_length(test, depth(*section)),
         fmt::format("check its unit, or {}", instruction_to_set(test, KeyChange{"rig", "friction_at", "\"axis\""})));
   return supports;
 }
@@ -601,8 +618,8 @@ RigErrors rig_errors_of(const Measurement& measurement) {
     if (test.record->preload_error) errors.preload = *test.record->preload_error / span_of(test);
     constexpr double most = 0.05;  // [L] beyond, the beginning of the curve is another test's
     if (errors.preload > most)
-      throw wrong_value(test, "record.preload_error", "at most 5 % of the span",
-                        fmt::format("{:.3g} %", 100 * errors.preload),
+      throw wrong_value(test, "record.preload_error",
+                        fmt::format("The preload error is {:.3g} % of the span, more than 5 %", 100 * errors.preload),
                         "zero displacement and force before the contact");
   }
   return errors;
@@ -618,7 +635,7 @@ Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales,
   const FrictionInput& friction = *test.friction;
   if (!friction.model) throw missing(test, "friction.model");
   if (friction.model == FrictionModel::roughness)
-    throw wrong_value(test, "friction.model", "a model to compute with", "'roughness', which can only be fitted",
+    throw wrong_value(test, "friction.model", "The model 'roughness' can only be fitted, not computed with",
                       "write a model to compute with, such as model = \"constant\", or \"rough\" with its parameters");
   if (!friction.has_parameters())
     throw missing(test, friction.model == FrictionModel::table ? "friction.file" : "friction.mu0");
@@ -627,8 +644,10 @@ Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales,
   if (test.other) other = friction_of({test, *test.other, "friction.other"}, fibre, scales, S_max);
   if (!other) return first;
   if (fibre.supports().radius > 0)
-    throw wrong_value(test, "rig.roller_radius", "edges, as [friction.other] says that the supports differ", "rollers",
-                      "delete it, or [friction.other]");
+    throw wrong_value(
+        test, "rig.roller_radius",
+        "[friction.other] gives the supports different friction, which is computed on edges only, not on rollers",
+        "delete it, or [friction.other]");
   const auto together = test.rig->nose == Nose::holds ? Friction::mean_of : Friction::on_two_supports;
   return together(std::move(first), *std::move(other), S_max);
 }
@@ -641,42 +660,52 @@ Test with_files_read(Test test) {
 
 BendingTest bending_test_of(const Test& test, const Scales& scales, double farthest) {
   if (!test.rig->pins_turn())
-    throw ImpossibleTest(wrong_value(test, "rig.pin_friction", "less than the ratio of the radii of roller and pin",
-                                     fmt::format("{:g}", *test.rig->pin_friction)));
+    throw ImpossibleTest(wrong_value(test, "rig.pin_friction",
+                                     fmt::format("The friction of the pin is {:g}, not less than the ratio of the "
+                                                 "radii of roller and pin, so no roller turns",
+                                                 *test.rig->pin_friction)));
   const Rig rig = rig_of(test, scales);
   if (!(beam_deflection(farthest, rig.stiffness) >= min_stage))
-    throw ImpossibleTest(wrong_value(
-        test, "rig.stiffness", fmt::format("a rig that bends the specimen by at least {:g} spans", min_stage),
-        readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), "check its unit"));
+    throw ImpossibleTest(
+        wrong_value(test, "rig.stiffness",
+                    fmt::format("A load train of {} does not bend the specimen by {:g} spans",
+                                readable(load_train_stiffness_of(test), kind_in(test, kind::stiffness)), min_stage),
+                    "check its unit"));
   const double S_max = longest_at_stage(farthest);
   Friction kinetic = friction_of(test, rig.fibre, scales, S_max);
   const bool climbs_surface = test.friction->trace || (test.other && test.other->trace);
   if (climbs_surface && turns_back(test)) kinetic = on_both_ways(test, kinetic, rig.fibre, scales);
   const double excess = test.friction->static_excess.value_or(0);
   const double most = kinetic.max_up_to(S_max) + excess;
-  const auto refuse = [&](std::string_view key, std::string expected, std::string found, std::string remedy) {
-    throw wrong_value(test, key, std::move(expected), std::move(found), std::move(remedy));
+  const auto refuse = [&](std::string_view key, std::string problem, std::string remedy) {
+    throw wrong_value(test, key, std::move(problem), std::move(remedy));
   };
   if (excess > 0 && most > rig.fibre.max_friction())
-    refuse("friction.static_excess", "static " + friction_limit(rig.fibre),
-           fmt::format("{:g}, which raises it to {:g}", excess, most), "write a smaller one");
+    refuse("friction.static_excess",
+           fmt::format("An excess of {:g} raises static friction to {:g}, and {}", excess, most,
+                       friction_limit(rig.fibre)),
+           "write a smaller one");
   if (excess > 0 && rig.fibre.supports().radius > 0)
-    refuse("friction.static_excess", "no excess of static over kinetic friction on rollers",
-           fmt::format("{:g}", excess), "delete it, or roller_radius");
+    refuse("friction.static_excess",
+           fmt::format("An excess of static friction ({:g}) is not computed on rollers", excess),
+           "delete it, or roller_radius");
   const std::string_view overshoot = key_of_overshoot(test);
   if (kinetic.two_supports()) {
     const std::string one_slides = "as the two supports differ and the nose is free",
                       remedy = "delete it, or [rig] nose";
     if (excess > 0)
-      refuse("friction.static_excess", "no excess of static friction, " + one_slides, fmt::format("{:g}", excess),
-             remedy);
+      refuse("friction.static_excess",
+             fmt::format("An excess of static friction ({:g}) is not computed, {}", excess, one_slides), remedy);
     if (!overshoot.empty())
-      refuse(overshoot, "snaps that rest at the nearest stable state, " + one_slides, "\"overshoot\"", remedy);
+      refuse(overshoot, fmt::format("Snaps that overshoot are not computed, {}", one_slides), remedy);
   }
   const double wear = test.friction->wear.value_or(1);
   if (wear < 1 && test.stage && test.stage->file)
-    refuse("friction.wear", "a program of the stage, as the noise of a measured one turns it again and again",
-           fmt::format("{:g}", wear), "write a program into [stage] instead of its file");
+    refuse("friction.wear",
+           fmt::format("Friction that wears ({:g}) needs a program of the stage: the noise of a measured path would "
+                       "turn it again and again",
+                       wear),
+           "write a program into [stage] instead of its file");
   const SnapRest rest = overshoot.empty() ? SnapRest::nearest_stable : SnapRest::overshoot;
   return {{std::move(kinetic), Friction::constant(excess)}, rig, rest, wear};
 }

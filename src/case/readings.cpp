@@ -52,7 +52,7 @@ std::vector<std::string> questions_about_rig(const Test& input, const Needs& nee
 // Where more than one question is open, all of them are asked at once; one alone is asked by what needs its answer.
 void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
   if (questions.size() < 2) return;
-  fault.problem = fmt::format("leaves {} questions open{}", questions.size(), where);
+  fault.problem = fmt::format("{} more inputs are needed{}", questions.size(), where);
   for (std::size_t i = 0; i < questions.size(); ++i)
     fault.problem += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
   throw InputError(std::move(fault));
@@ -85,13 +85,12 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (const auto asked = input.record->specimen) {
     if (*asked <= count) return file.specimens[static_cast<std::size_t>(*asked - 1)];
-    throw wrong_value(input, "record.specimen", fmt::format("one of the {} specimens of {}", count, file.origin.source),
-                      std::to_string(*asked));
+    throw wrong_value(input, "record.specimen",
+                      fmt::format("Specimen {} is asked for, but {} holds {}", *asked, file.origin.source, count));
   }
   if (count == 1) return file.specimens.front();
   throw InputError({.file = file.origin.source,
-                    .expected = "one specimen, or the number of one",
-                    .found = fmt::format("{} specimens", count),
+                    .problem = fmt::format("The file holds {} specimens", count),
                     .remedy = instruction_to_set(input, KeyChange{"record", "specimen", "1"})});
 }
 
@@ -122,8 +121,8 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
       const ExportColumn& column = displacement_with(other);
       throw InputError({.file = file.origin.source,
                         .field = fmt::format("column {}", in_quotes(column.name)),
-                        .expected = fmt::format("a displacement of the {}, as stated", words_for(role).word()),
-                        .found = fmt::format("one whose name says {}", words_for(other).word()),
+                        .problem = fmt::format("The column is titled as {}, but it is stated as {}",
+                                               words_for(other).word(), words_for(role).word()),
                         .remedy = instruction_to_set(input, switch_to("displacement", words_for(other).word())) +
                                   "; or " + instruction_to_set(input, switch_to("displacement_column", column.name)) +
                                   " besides, if its name is wrong"});
@@ -137,8 +136,8 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
   throw InputError(
       {.file = file.origin.source,
        .field = fmt::format("column {}", in_quotes(column.name)),
-       .expected = "a displacement known to be that of the crosshead or of the specimen's midpoint",
-       .found = "a name that does not say which",
+       .problem = "The title does not say whether the displacement was measured at the crosshead or at the specimen's "
+                  "midpoint",
        .remedy = instruction_to_set(input, switch_to("displacement", "crosshead")) +
                  ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
                  "\"deflection\" if a deflectometer or a camera measured it"});
@@ -258,8 +257,7 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
     throw InputError({.file = file,
                       .line = specimen.lines[first],
                       .field = fmt::format("the column '{}'", time->name),
-                      .expected = "times that rise from row to row",
-                      .found = "times that fall",
+                      .problem = "Time falls from row to row",
                       .remedy = "write the rows in the reverse order"});
   if (falling == 0) return;
   // A clock that begins anew, at a stage of the test or at midnight, falls to where it began or farther.
@@ -272,8 +270,7 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
       throw InputError({.file = file,
                         .line = specimen.lines[first + i],
                         .field = fmt::format("the column '{}'", time->name),
-                        .expected = "times that rise from row to row",
-                        .found = "one that falls",
+                        .problem = fmt::format("Time decreases at row {}", first + i + 1),
                         .remedy = "write the rows in the order of their times, each once"});
     earliest = std::min(earliest, times[i]);
   }
@@ -284,13 +281,13 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
                              std::abs(places[i] - places[i - 1]) > far * (*most - *least);
     if (!begins_anew) continue;
     const std::string row = fmt::format("{}", first + i), next = fmt::format("{}", first + i + 1);
-    throw InputError({.file = file,
-                      .line = specimen.lines[first + i],
-                      .expected = "one record",
-                      .found = fmt::format("a second one from row {} on, where time and displacement begin anew", next),
-                      .remedy = fmt::format("take the first ({}) or the second ({})",
-                                            instruction_to_set(input, KeyChange{"record", "until", row}),
-                                            instruction_to_set(input, KeyChange{"record", "first", next}))});
+    throw InputError(
+        {.file = file,
+         .line = specimen.lines[first + i],
+         .problem = fmt::format("A second record starts at row {}, where time and displacement begin anew", next),
+         .remedy = fmt::format("take the first ({}) or the second ({})",
+                               instruction_to_set(input, KeyChange{"record", "until", row}),
+                               instruction_to_set(input, KeyChange{"record", "first", next}))});
   }
 }
 
@@ -362,7 +359,7 @@ void require_one_sheet(const Test& input, const Export& file) {
   const std::vector<std::string>& alike = file.origin.alike;
   if (alike.empty()) return;
   throw wrong_value(input, "record.sheet",
-                    fmt::format("one of the sheets {}, which hold such a table each", listed(alike)), "none",
+                    fmt::format("The sheets {} hold such a table each, and none is chosen", listed(alike)),
                     instruction_to_set(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
 }
 
@@ -448,7 +445,7 @@ Readings read_readings(const Test& input, const Needs& needs) {
     }
   } catch (const InputError& error) {
     if (error.fault.key == "record.sheet")
-      throw wrong_value(input, "record.sheet", error.fault.expected, error.fault.found, error.fault.remedy);
+      throw wrong_value(input, "record.sheet", error.fault.problem, error.fault.remedy);
     throw asked.is_export() ? error : by_title(error, options);
   }
 }

@@ -33,8 +33,9 @@ RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Preparing
   const Table& table = at.table();
   if (const auto* stated = std::get_if<AtRow>(&place)) {
     if (stated->row > table.rows_of_file())
-      throw wrong_value(input, key, fmt::format("one of the {1} rows of {0}", table.source, table.rows_of_file()),
-                        std::to_string(stated->row));
+      throw wrong_value(
+          input, key,
+          fmt::format("Row {} is asked for, but {} has {} rows", stated->row, table.source, table.rows_of_file()));
     return {table.rows_before(stated->row - 1), table.rows_before(stated->row)};
   }
   const auto* stage = std::get_if<AtStage>(&place);
@@ -43,9 +44,9 @@ RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Preparing
   const auto there = std::find_if(positions.begin(), positions.end(), [=](double each) { return each >= position; });
   if (there == positions.end())
     throw wrong_value(input, key,
-                      fmt::format("a {} within the record, which reaches {}", stage ? "stage position" : "deflection",
-                                  readable_length(input, *std::max_element(positions.begin(), positions.end()))),
-                      readable_length(input, position));
+                      fmt::format("The {} of {} lies beyond the record, which reaches {}",
+                                  stage ? "stage position" : "deflection", readable_length(input, position),
+                                  readable_length(input, *std::max_element(positions.begin(), positions.end()))));
   const auto before = static_cast<std::size_t>(there - positions.begin());
   return {before, before + (*there == position ? 1 : 0)};
 }
@@ -60,9 +61,9 @@ Done begin_where_stated(Preparing& at) {
   const std::size_t before = up_to(at.stated.first);  // of the file
   if (at.stated.until) at.last_row = up_to(*at.stated.until);
   if (at.last_row && before >= *at.last_row)
-    throw wrong_value(at.input(), "record.first",
-                      fmt::format("a place before the end of the record, row {}", *at.last_row),
-                      fmt::format("row {}", before + 1));
+    throw wrong_value(
+        at.input(), "record.first",
+        fmt::format("The record would start at row {}, after its end at row {}", before + 1, *at.last_row));
   if (before == 0) return {};
   return PreparationStep{.changed = true,
                          .done = fmt::format("the record begins with row {}, as stated", before + 1),

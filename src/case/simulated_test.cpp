@@ -148,11 +148,11 @@ void require_path_that_fits(const Test& input, const Friction& friction, const s
     periods += std::abs(periods_up_to(friction, turns[i]) - periods_up_to(friction, turns[i - 1]));
   const double expected = 2 * periods * points;
   if (expected <= max_points) return;
-  throw wrong_value(input, "stage.step",
-                    fmt::format("a step, as friction goes through about {:.0e} periods on the way", periods),
-                    "none: a continuous path",
-                    fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
-                                std::max(std::floor(max_points / (2 * periods)), 2.0)));
+  throw wrong_value(
+      input, "stage.step",
+      fmt::format("Friction goes through about {:.0e} periods on the way, too many for a continuous path", periods),
+      fmt::format("write step = \"…\" into [stage], or pass --points {:.0f}",
+                  std::max(std::floor(max_points / (2 * periods)), 2.0)));
 }
 
 // Where the nose first lifts off a specimen that stays bent; "" where it does not.

@@ -102,9 +102,10 @@ std::optional<ShareRange> friction_range_of(const std::vector<std::string>& word
   };
   const ShareRange range{friction(words.front()), friction(words.back())};
   if (range.least <= range.most && range.most <= largest_q_on_supports) return range;
-  throw InputError({.field = "--friction",
-                    .expected = fmt::format("one friction, or two that rise, from 0 to {:g}", largest_q_on_supports),
-                    .found = fmt::format("{}", fmt::join(words, " and "))});
+  throw InputError(
+      {.field = "--friction",
+       .problem = fmt::format("One value, or two in increasing order, between 0 and {:g} can be given, not {}",
+                              largest_q_on_supports, fmt::join(words, " and "))});
 }
 
 SupportsGain supports_gain(const Measurement& measurement, const SmallDeflection& numbers,

@@ -24,8 +24,8 @@ double longest_of(const EquilibriumChoice& choice, const Test& input, const Scal
   const Kind kind = kind_in(input, kind::length);
   const double S_max = scales.reduced_length(quantity_of_flag("--longest", choice.longest, kind, Range::positive));
   if (S_max > 1) return S_max;
-  throw InputError(
-      {.field = "--longest", .expected = "a length greater than the span", .found = in_quotes(choice.longest)});
+  throw InputError({.field = "--longest",
+                    .problem = fmt::format("{} is not a length greater than the span", in_quotes(choice.longest))});
 }
 
 // Enough points that no period or piece of the friction goes unseen: spaced evenly in √(S - 1), the last are the farthest
@@ -107,8 +107,8 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
   const ForceWindow window{share(words.at(0)), share(words.at(1))};
   if (window.from < window.up_to && window.up_to <= 1) return window;
   throw InputError({.field = "--window",
-                    .expected = "two rising shares of the greatest force, at most 1",
-                    .found = fmt::format("{} and {}", words[0], words[1])});
+                    .problem = fmt::format("{} and {} are not two increasing shares of the maximum force, at most 1",
+                                           words[0], words[1])});
 }
 
 ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,

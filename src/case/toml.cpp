@@ -46,8 +46,8 @@ class TokenCheck {
   static constexpr std::string_view blanks = " \t\r";
   static constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+.";
 
-  [[noreturn]] void refuse(std::string expected, std::string found) const {
-    throw InputError({source_, line_, "", std::move(expected), std::move(found), ""});
+  [[noreturn]] void refuse(std::string problem) const {
+    throw InputError({.file = source_, .line = line_, .problem = std::move(problem)});
   }
 
   std::string_view text_to_blank() const { return text_.substr(at_, text_.find_first_of(" =\r\n", at_) - at_); }
@@ -65,16 +65,16 @@ class TokenCheck {
     else if (std::string_view("=[]{},").find(c) != std::string_view::npos)
       take_mark(c);
     else
-      refuse("plain letters outside quotes", in_quotes(text_to_blank()));
+      refuse(fmt::format("{} stands outside quotes and is not in plain letters", in_quotes(text_to_blank())));
   }
 
   void take_text(char quote) {
     if (at_ > 0 && std::string_view(" \t\r\n=[{,").find(text_[at_ - 1]) == std::string_view::npos)
-      refuse("quotes around a whole text", "one in its middle");
-    if (text_.substr(at_, 3) == std::string(3, quote)) refuse("text in quotes on one line", "a multi-line string");
+      refuse("A quote stands in the middle of a text");
+    if (text_.substr(at_, 3) == std::string(3, quote)) refuse("A text in quotes must stand on one line");
     for (++at_; at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n'; ++at_)
       if (quote == '"' && text_[at_] == '\\') ++at_;
-    if (at_ >= text_.size() || text_[at_] == '\n') refuse("text in quotes on one line", "no closing quote");
+    if (at_ >= text_.size() || text_[at_] == '\n') refuse("A text has no closing quote on its line");
     last_ = text_[at_++];
   }
 
@@ -82,14 +82,14 @@ class TokenCheck {
     const std::size_t end = std::min(text_.find_first_not_of(letters, at_), text_.size());
     const std::string_view word = text_.substr(at_, end - at_);
     constexpr std::ptrdiff_t max_parts = 16;  // a key of many thousands takes the parser out of its stack
-    if (std::count(word.begin(), word.end(), '.') >= max_parts) refuse("a key of a few parts", "one of too many");
+    if (std::count(word.begin(), word.end(), '.') >= max_parts) refuse("The key has too many parts");
     const bool is_key = next_after(end) == '=' && last_ != '=' && (open_.empty() || open_.back() == '{');
     const bool is_whole =
         end == text_.size() || std::string_view(" \t\r\n,]}#").find(text_[end]) != std::string_view::npos;
     if (!is_key && !in_header_ && line_is_blank_ && open_.empty())
-      refuse("a [section] or key = value in plain letters", in_quotes(text_to_blank()));
+      refuse(fmt::format("{} is neither a [section] nor key = value in plain letters", in_quotes(text_to_blank())));
     if (!is_key && !in_header_ && !(is_value(word) && is_whole))
-      refuse("a number, true, false or text in quotes", in_quotes(text_to_blank()));
+      refuse(fmt::format("{} is not a number, true, false or text in quotes", in_quotes(text_to_blank())));
     last_ = word.back();
     at_ = end;
   }
@@ -109,11 +109,11 @@ class TokenCheck {
       const char first = next_after(text_.substr(at_ + 1, 1) == "[" ? at_ + 2 : at_ + 1);
       in_header_ = true;
       if (first != '"' && first != '\'' && letters.substr(0, letters.size() - 2).find(first) == std::string_view::npos)
-        refuse("the name of a section after [", "none");
+        refuse("The name of a section is missing after [");
     }
     if (c == '=' && (line_is_blank_ || std::string_view("=[{,").find(last_) != std::string_view::npos))
-      refuse("a key before =", "none");
-    if (c == '}' && (last_ == '[' || last_ == ',')) refuse("a value", "'}'");
+      refuse("The key is missing before =");
+    if (c == '}' && (last_ == '[' || last_ == ',')) refuse("A value is missing before }");
     if (c == '[' || c == '{') open_ += c;
     if ((c == ']' || c == '}') && !open_.empty()) open_.pop_back();
     last_ = c;
@@ -134,17 +134,15 @@ class TokenCheck {
 
 toml::table parse_toml(std::string_view text, const std::string& source) {
   if (text.find('\0') != std::string_view::npos)
-    throw InputError({.file = source, .expected = "a case file (TOML)", .found = "binary data (a NUL byte)"});
+    throw InputError({.file = source, .problem = "The file holds binary data (a NUL byte) and is no case file (TOML)"});
   TokenCheck(text, source).run();
   try {
     return toml::parse(text, source);
   } catch (const toml::parse_error& error) {
-    std::string description(error.description());
-    if (description.starts_with('E')) description.replace(0, 1, "an e");  // "Error while parsing …"
+    const std::string description(error.description());
     throw InputError({.file = source,
                       .line = error.source().begin.line,
-                      .expected = "a case file (TOML)",
-                      .found = std::move(description)});
+                      .problem = fmt::format("The file is no case file (TOML): {}", description)});
   }
 }
 

@@ -58,8 +58,7 @@ void require_finite(const Record& record, const Table& table) {
   if (check.fault != RecordFault::not_finite) return;
   throw InputError({.file = table.source,
                     .line = table.lines[check.index],
-                    .expected = "readings of a bending test",
-                    .found = "numbers that are too large",
+                    .problem = "The readings are too large for a bending test",
                     .remedy = "check the units"});
 }
 
@@ -128,9 +127,8 @@ void require_moving(const Preparing& at, const Record& record) {
   throw InputError({.file = at.table().source,
                     .line = at.table().lines[0],
                     .field = "the stage",
-                    .expected = "one that moves",
-                    .found = fmt::format("{} in all {} rows", readable_length(at.input(), *least == 0 ? 0 : *least),
-                                         record.stage.size()),
+                    .problem = fmt::format("The displacement stays at {} in all {} rows",
+                                           readable_length(at.input(), *least == 0 ? 0 : *least), record.stage.size()),
                     .remedy = "check the column of the displacement"});
 }
 

@@ -35,8 +35,7 @@ ReloadOptions reload_options(const DesignRequest& request, const Test& input) {
 void require_one_answer(const DesignRequest& request) {
   if (!request.decide || request.over.empty()) return;
   throw InputError({.field = "--decide",
-                    .expected = "one planned test",
-                    .found = "a range of them, --over",
+                    .problem = "One planned test is decided on, but --over gives a range of them",
                     .remedy = "leave out one of the two, or pass a value of the range with --set"});
 }
 

@@ -86,10 +86,10 @@ void run_help(const HelpRequest& request) {
     if (each->get_name() == request.command) return write_text("-", whole_help(*each));
     names.push_back(each->get_name());
   }
-  throw InputError({.field = "COMMAND",
-                    .expected = "one of the commands " + listed(names),
-                    .found = in_quotes(request.command),
-                    .remedy = did_you_mean(request.command, names)});
+  throw InputError(
+      {.field = "COMMAND",
+       .problem = fmt::format("{} is not one of the commands {}", in_quotes(request.command), listed(names)),
+       .remedy = did_you_mean(request.command, names)});
 }
 
 }  // namespace

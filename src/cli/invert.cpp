@@ -47,7 +47,8 @@ void require_none_negative(const Table& table) {
   for (std::size_t row = 0; row < table.rows(); ++row)
     for (const Column& column : table.columns)
       if (!(column.values[row] >= 0))
-        throw wrong_cell(table, row, column, "a number of at least 0", fmt::format("{}", column.values[row]));
+        throw wrong_cell(table, row, column,
+                         fmt::format("The value {} is not a number of at least 0", column.values[row]));
 }
 
 void invert_states(const InvertRequest& request) {
@@ -105,8 +106,7 @@ void run_invert(const InvertRequest& request) {
   else
     throw InputError({.file = request.test.file,
                       .field = "--set",
-                      .expected = "a case file (.toml) to change",
-                      .found = "deflections and forces",
+                      .problem = "The file holds deflections and forces, not a case to change",
                       .remedy = "leave it out, or pass --case if the file is one"});
 }
 

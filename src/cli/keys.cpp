@@ -31,8 +31,8 @@ void run_keys(const KeysRequest& request) {
   }
   if (all.empty())
     throw InputError({.field = "WHAT",
-                      .expected = fmt::format("a section ({}), or a key", in_words(case_sections(), "or")),
-                      .found = in_quotes(request.section)});
+                      .problem = fmt::format("{} is neither a section ({}) nor a key", in_quotes(request.section),
+                                             in_words(case_sections(), "or"))});
   write_words(
       request.output, [&] { return all; }, [&] { return text; });
 }

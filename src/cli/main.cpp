@@ -72,7 +72,7 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
     return fmt::format("{} takes no further argument, but was given {}", program, in_quotes(word)) + help;
   }
   if (is_program && command.get_subcommands().empty())
-    return fmt::format("expected one of the commands {}", listed(command_names(app))) + help;
+    return fmt::format("No command is given; the commands are {}", listed(command_names(app))) + help;
   std::string message = error.what();
   if (const std::string_view unread = "Could not convert: "; message.starts_with(unread))
     message = fmt::format("{} is not a number that this option takes", message.substr(unread.size()));

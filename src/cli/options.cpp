@@ -73,15 +73,14 @@ CLI::Validator number_between(double low, double high) {
   return {[=](const std::string& text) {
             double value = 0;
             const bool within = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
-            return within ? std::string()
-                          : fmt::format("expected a number from {:g} to {:g}, found '{}'", low, high, text);
+            return within ? std::string() : fmt::format("'{}' is not a number from {:g} to {:g}", text, low, high);
           },
           ""};
 }
 
 CLI::Validator whole_number() {
   return {[](const std::string& text) {
-            return is_whole(text) ? std::string() : fmt::format("expected a whole number, 0 or more, found '{}'", text);
+            return is_whole(text) ? std::string() : fmt::format("'{}' is not a whole number of 0 or more", text);
           },
           ""};
 }
@@ -116,8 +115,7 @@ Test test_of(const TestRequest& request) {
   if (!names_case_file(request)) return case_of_flags(request);
   if (has_flags(request))
     throw InputError({.file = request.file,
-                      .expected = "a data file, as flags describe the test",
-                      .found = "a case file, which describes the test itself",
+                      .problem = "Flags describe the test, but this case file describes it itself",
                       .remedy = "write the change into the case file, or pass it as --set"});
   return request.read();
 }
@@ -149,16 +147,17 @@ InputError in_words_of_call(const TestRequest& request, const InputError& error)
 
 const Supports& within_limits(const Supports& stated) {
   if (!(stated.half_depth >= 0 && 2 * stated.half_depth < thickest))
-    throw InputError({.field = "--thickness",
-                      .expected = fmt::format("0 or more, and less than {:g} spans, for beam theory to hold", thickest),
-                      .found = fmt::format("{:g} spans", 2 * stated.half_depth),
-                      .remedy = "check its unit, and the span"});
-  if (!(stated.radius >= 0 && stated.radius + stated.half_depth < widest_supports))
     throw InputError(
-        {.field = "--roller-radius",
-         .expected = fmt::format("0 or more, and with half the thickness less than {:g} spans", widest_supports),
-         .found = fmt::format("{:g} and {:g} spans", stated.radius, stated.half_depth),
-         .remedy = "check the units of both, and the span"});
+        {.field = "--thickness",
+         .problem = fmt::format("A thickness of {:g} spans is not between 0 and {:g} spans, where beam theory holds",
+                                2 * stated.half_depth, thickest),
+         .remedy = "check its unit, and the span"});
+  if (!(stated.radius >= 0 && stated.radius + stated.half_depth < widest_supports))
+    throw InputError({.field = "--roller-radius",
+                      .problem = fmt::format("The roller radius of {:g} spans and half the thickness of {:g} spans "
+                                             "must not be negative, and must add up to less than {:g} spans",
+                                             stated.radius, stated.half_depth, widest_supports),
+                      .remedy = "check the units of both, and the span"});
   return stated;
 }
 

@@ -47,15 +47,14 @@ bool writes_table(const ReadRequest& request) { return !request.output.json && !
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
-    throw InputError({.file = file.origin.source,
-                      .field = "--specimen",
-                      .expected = fmt::format("a number from 1 to {}", count),
-                      .found = std::to_string(request.specimen)});
+    throw InputError(
+        {.file = file.origin.source,
+         .field = "--specimen",
+         .problem = fmt::format("Specimen {} is asked for, but the file holds {}", request.specimen, count)});
   if (request.specimen == 0 && count > 1 && writes_table(request))
     throw InputError(
         {.file = file.origin.source,
-         .expected = "one specimen to write",
-         .found = fmt::format("{}", count),
+         .problem = fmt::format("The file holds {} specimens, and only one can be written", count),
          .remedy = fmt::format("choose with --specimen 1 to {}; without --output they are listed", count)});
   return request.specimen == 0 ? 0 : request.specimen - 1;
 }

@@ -36,8 +36,8 @@ void run_results(const ResultsRequest& request) {
   }
   if (all.empty())
     throw InputError({.field = "COMMAND",
-                      .expected = "a command that writes numbers, such as fit or simulate",
-                      .found = in_quotes(request.command)});
+                      .problem = fmt::format("{} is not a command that writes numbers, such as fit or simulate",
+                                             in_quotes(request.command))});
   write_words(
       request.output, [&] { return all; }, [&] { return text; });
 }

@@ -51,8 +51,10 @@ void run_simulate(const SimulateRequest& request) {
   const Test input = request.test.read();
   const double noise = noise_of(request, input);
   if (!request.equilibria_at.empty() && input.specimen && !input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as all equilibria are drawn",
-                      fmt::format("{}", input.specimen->cracks.size()), "leave out --equilibria-at, or the cracks");
+    throw wrong_value(input, "specimen.cracks",
+                      fmt::format("All equilibria are drawn of a specimen without cracks only, and this one has {}",
+                                  input.specimen->cracks.size()),
+                      "leave out --equilibria-at, or the cracks");
   std::vector<double> marked;
   if (!request.figure.empty() && !request.equilibria_at.empty())
     marked = marked_stages(request, input, scales_of(input, bending_stiffness_of(input)));

@@ -31,22 +31,20 @@ Table read_input(const StateRequest& request) {
   const auto& value = request.on_supports() ? request.w : request.S;
   if (request.on_supports() && request.S)
     throw InputError({.field = "--S",
-                      .expected = "a deflection, as the supports are rollers",
-                      .found = "a length",
+                      .problem = "A state on rollers, or of a thick specimen, has a deflection, not a length",
                       .remedy = "write --w, or leave out --roller-radius and --thickness"});
   if (!request.on_supports() && request.w)
     throw InputError({.field = "--w",
-                      .expected = "a length, as the supports are edges",
-                      .found = "a deflection",
+                      .problem = "A state on edges has a length, not a deflection",
                       .remedy = "write --S, or add --roller-radius or --thickness"});
   if (value.has_value() != request.q.has_value())
     throw InputError({.field = "state",
-                      .expected = fmt::format("both --{} and --q", first),
-                      .found = value ? fmt::format("--{} alone", first) : "--q alone"});
+                      .problem = fmt::format("Only {} is given; a state needs both --{} and --q",
+                                             value ? fmt::format("--{}", first) : "--q", first)});
   if (value.has_value() == !request.file.empty())
     throw InputError({.field = "state",
-                      .expected = fmt::format("either a file or --{} and --q", first),
-                      .found = value ? "both" : "neither",
+                      .problem = fmt::format("Either a file or --{} and --q are needed, and {} given", first,
+                                             value ? "both are" : "neither is"),
                       .remedy = value ? "" : "write - for standard input, or see flexslip state --help"});
   if (value) return {"", {{first, {*value}}, {"q", {*request.q}}}, {0}};
   return read_table(request.file, {{first, kind::number}, {"q", kind::number}});
@@ -54,7 +52,8 @@ Table read_input(const StateRequest& request) {
 
 void require_domain(const Table& input) {
   const auto refuse = [&](std::size_t row, const Column& column, std::string expected) {
-    InputFault fault = wrong_cell(input, row, column, std::move(expected), fmt::format("{}", column.values[row])).fault;
+    InputFault fault =
+        wrong_cell(input, row, column, fmt::format("The value {} is not {}", column.values[row], expected)).fault;
     if (input.source.empty()) fault.field = fmt::format("--{}", column.name);
     throw InputError(std::move(fault));
   };
@@ -93,7 +92,8 @@ void run_rows(const StateRequest& request, const Table& input, const Fields<Stat
 void run_on_supports(const StateRequest& request, const Table& input) {
   const Supports supports = within_limits({request.radius.value_or(0), 0.5 * request.thickness.value_or(0)});
   if (request.slopes)
-    throw InputError({.field = "--slopes", .expected = "edges as supports", .found = "rollers or a thickness"});
+    throw InputError(
+        {.field = "--slopes", .problem = "Slopes are written for edges only, not for rollers or a thickness"});
   run_rows(
       request, input, roller_state_fields(),
       [&](double w, double q) {

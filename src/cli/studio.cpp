@@ -34,9 +34,8 @@ void run_studio(const StudioRequest& request) {
   const auto built = built_studio_page();
   if (!built)
     throw InputError({.field = "studio",
-                      .expected = "the studio's page of version " FLEXSLIP_VERSION
-                                  ", flexslip-studio.html, beside the program or in share/flexslip",
-                      .found = "none",
+                      .problem = "The studio's page of version " FLEXSLIP_VERSION
+                                 ", flexslip-studio.html, is neither beside the program nor in share/flexslip",
                       .remedy = "take it from a release, or build it: tools/build-studio in FlexSlip's repository, "
                                 "which installs Emscripten and takes a few minutes"});
   if (request.output != "-") files_of_this_call().writes(request.output, "--output");

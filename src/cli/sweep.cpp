@@ -39,13 +39,11 @@ RowSpan rows_of(const std::string& text, const SweepPlan& plan) {
   const auto until_end = has_colon ? std::from_chars(until_colon.ptr + 1, end, last) : until_colon;
   if (!has_colon || until_end.ec != std::errc{} || until_end.ptr != end || first < 1 || last < first)
     throw InputError({.field = "--rows",
-                      .expected = "FIRST:LAST, two rows counted from 1",
-                      .found = in_quotes(text),
+                      .problem = fmt::format("{} is not FIRST:LAST, two rows counted from 1", in_quotes(text)),
                       .remedy = "write it as \"1:1000\""});
   if (first > plan.rows)
-    throw InputError({.field = "--rows",
-                      .expected = fmt::format("a first row that the sweep has, 1 to {}", plan.rows),
-                      .found = std::to_string(first)});
+    throw InputError(
+        {.field = "--rows", .problem = fmt::format("The first row is {}, but the sweep has {}", first, plan.rows)});
   return {first - 1, std::min(last, plan.rows) - first + 1};
 }
 

@@ -101,14 +101,12 @@ std::optional<double> value_of(const Test& test, std::string_view name) {
 void set(Test& test, std::string_view name, double value) {
   double* number = number_in(test, name);
   if (!number)
-    throw InputError({.file = test.source,
-                      .field = std::string(name),
-                      .expected = "a number that the case has and that can be varied",
-                      .found = "none"});
+    throw InputError(
+        {.file = test.source, .field = std::string(name), .problem = "The case has no such number that can be varied"});
   if (const DesignParameter& known = design_parameter(name); !is_within(known, value))
-    throw InputError({.field = std::string(name),
-                      .expected = words_of_range(known),
-                      .found = readable(value, kind_in(test, known.kind()))});
+    throw InputError(
+        {.field = std::string(name),
+         .problem = fmt::format("{} is not {}", readable(value, kind_in(test, known.kind())), words_of_range(known))});
   *number = value;
 }
 

@@ -23,33 +23,41 @@ constexpr double max_readings = 1e9;  // limit for counting
 void require_one_loading(const Test& input) {
   if (!input.stage) throw missing(input, "stage");
   if (input.stage->file)
-    throw wrong_value(input, "stage.file", "a program of turning points, as one loading is planned",
-                      "a measured programme",
+    throw wrong_value(input, "stage.file",
+                      "One loading is planned, which needs a program of turning points, not a measured one",
                       R"(write program = ["0 um", "900 um"]; flexslip simulate shows what a measured programme does)");
   const auto& positions = input.stage->program;
   const auto farthest = std::max_element(positions.begin(), positions.end());
   const auto shown = [&](double position) { return readable(position, kind_in(input, kind::length)); };
   if (positions.front() != 0)
-    throw wrong_value(input, "stage.program[1]", "0, the straight specimen, as one loading is planned",
-                      shown(positions.front()));
+    throw wrong_value(input, "stage.program[1]",
+                      fmt::format("One loading is planned, which begins at 0, the straight specimen, not at {}",
+                                  shown(positions.front())));
   if (const auto turn = std::is_sorted_until(positions.begin(), farthest + 1); turn <= farthest)
-    throw wrong_value(input, fmt::format("stage.program[{}]", turn - positions.begin() + 1),
-                      fmt::format("one loading up to the farthest position of {}", shown(*farthest)),
-                      fmt::format("a way back to {}", shown(*turn)),
-                      "leave out the positions before; flexslip simulate shows what the whole programme does");
+    throw wrong_value(
+        input, fmt::format("stage.program[{}]", turn - positions.begin() + 1),
+        fmt::format(
+            "One loading is planned, up to the farthest position of {}, but the stage goes back to {} before it",
+            shown(*farthest), shown(*turn)),
+        "leave out the positions before; flexslip simulate shows what the whole programme does");
   if (const auto key = key_of_overshoot(input); !key.empty())
-    throw wrong_value(input, key, "snaps that rest at the nearest stable state, as one loading is planned",
-                      "\"overshoot\"", "leave it out; flexslip simulate shows what overshooting does");
+    throw wrong_value(input, key,
+                      "One loading is planned, with snaps that rest at the nearest stable state and do not overshoot",
+                      "leave it out; flexslip simulate shows what overshooting does");
   if (input.friction && input.friction->static_excess.value_or(0) > 0)
-    throw wrong_value(input, "friction.static_excess", "no excess of static friction, as one loading is planned",
-                      fmt::format("{:g}", *input.friction->static_excess),
+    throw wrong_value(input, "friction.static_excess",
+                      fmt::format("One loading is planned, without an excess of static friction ({:g})",
+                                  *input.friction->static_excess),
                       "leave it out; flexslip simulate shows what it does");
   if (input.friction && input.friction->wear.value_or(1) < 1)
-    throw wrong_value(input, "friction.wear", "friction that does not wear, as one loading is planned",
-                      fmt::format("{:g}", *input.friction->wear), "leave it out; flexslip simulate shows what it does");
+    throw wrong_value(
+        input, "friction.wear",
+        fmt::format("One loading is planned, with friction that does not wear ({:g})", *input.friction->wear),
+        "leave it out; flexslip simulate shows what it does");
   if (!input.specimen->cracks.empty())
-    throw wrong_value(input, "specimen.cracks", "a specimen without cracks, as one loading is planned",
-                      fmt::format("{} of them", input.specimen->cracks.size()),
+    throw wrong_value(input, "specimen.cracks",
+                      fmt::format("One loading is planned, of a specimen without cracks, and this one has {} of them",
+                                  input.specimen->cracks.size()),
                       "leave them out; flexslip simulate shows what they do");
 }
 
@@ -129,16 +137,16 @@ PlannedDesign design_of(const Test& loading) {
   const Scales scales = scales_of(loading);
   const double travel = scales.reduced_length(loading.stage->program.back());
   if (!(travel <= max_stage && travel >= min_stage))
-    throw wrong_value(
-        loading, "stage.program",
-        fmt::format("{:g} to {:g} spans of {}", min_stage, max_stage, readable_length(loading, scales.span())),
-        readable_length(loading, loading.stage->program.back()));
+    throw wrong_value(loading, "stage.program",
+                      fmt::format("The stage moves to {}, which is not between {:g} and {:g} spans of {}",
+                                  readable_length(loading, loading.stage->program.back()), min_stage, max_stage,
+                                  readable_length(loading, scales.span())));
   const double step = scales.reduced_length(*loading.stage->step);
   if (!std::isfinite(step) || (step > 0 && travel / step > max_readings))
     throw wrong_value(
         loading, "stage.step",
-        fmt::format("0, or a step of at least {:g} of the travel, which a computer can hold", 1 / max_readings),
-        readable_length(loading, *loading.stage->step));
+        fmt::format("The step of {} is neither 0 nor at least {:g} of the travel, as many as a computer can hold",
+                    readable_length(loading, *loading.stage->step), 1 / max_readings));
   BendingTest test = bending_test_of(loading, scales, travel);
   Design design{std::move(test.friction.kinetic), std::move(test.rig), travel, step,
                 breaking_curvature_of(loading, scales)};
@@ -191,16 +199,16 @@ const DesignParameter& parameter_named(const Test& input, std::string_view name)
   for (const auto& known : design_parameters())
     if (known.name == name && value_of(input, known.name)) return known;
   const auto names = names_of(input);
-  throw InputError({.expected = "a number of this case, one of " + listed(names),
-                    .found = in_quotes(name),
-                    .remedy = did_you_mean(name, names)});
+  throw InputError(
+      {.problem = fmt::format("{} is not a number of this case, one of {}", in_quotes(name), listed(names)),
+       .remedy = did_you_mean(name, names)});
 }
 
 std::uint64_t points_from(std::string_view text) {
   std::uint64_t points = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), points);
   if (error == std::errc() && end == text.data() + text.size() && points >= 2 && points <= max_points) return points;
-  throw InputError({.expected = fmt::format("2 to {} points", max_points), .found = in_quotes(text)});
+  throw InputError({.problem = fmt::format("{} is not a number of points from 2 to {}", in_quotes(text), max_points)});
 }
 
 }  // namespace
@@ -217,8 +225,7 @@ DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usua
   const std::string_view first = cut(rest, ':');
   const std::string_view last = cut(rest, ':');
   if (first.empty() || last.empty())
-    throw InputError({.expected = "a name and its range",
-                      .found = in_quotes(text),
+    throw InputError({.problem = fmt::format("{} is not a name and its range", in_quotes(text)),
                       .remedy = "write it as \"stiffness=10 N/m:1000 N/m\""});
   const DesignParameter& parameter = parameter_named(input, name);
   const bool is_plain = input.reduced && parameter.kind().dimension != kind::angle.dimension;
@@ -226,7 +233,7 @@ DesignAxis map_axis(const Test& input, std::string_view text, std::uint64_t usua
   const double from = parse_quantity(first, as);
   const double to = parse_quantity(last, as);
   if (!(from != to && std::isfinite(from) && std::isfinite(to)))
-    throw InputError({.expected = "a range with two ends", .found = in_quotes(text)});
+    throw InputError({.problem = fmt::format("{} is not a range with two different, finite ends", in_quotes(text))});
   const std::uint64_t points = rest.empty() ? usual_points : points_from(trimmed(rest));
   Test trial = input;
   for (const double end : {from, to}) set(trial, parameter.name, end);
@@ -242,9 +249,8 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
   constexpr std::uint64_t max_designs = 1'000'000;  // all are held in memory
   if (texts.size() > 2)
     throw InputError({.field = "--over",
-                      .expected = "one parameter or two",
-                      .found = std::to_string(texts.size()),
-                      .remedy = "flexslip sweep takes as many as you like"});
+                      .problem = fmt::format("One parameter or two can be varied, not {}", texts.size()),
+                      .remedy = "use flexslip sweep, which takes any number"});
   std::vector<DesignAxis> axes;
   for (const std::string& text : texts) try {
       axes.push_back(map_axis(input, text, texts.size() == 1 ? points_of_curve : points_of_map));
@@ -252,13 +258,12 @@ std::vector<DesignAxis> map_axes(const Test& input, const std::vector<std::strin
       throw located(error, "", 0, "--over");
     }
   if (axes.size() == 2 && axes[0].parameter.name == axes[1].parameter.name)
-    throw InputError({.field = "--over", .expected = "two parameters", .found = "the same twice"});
+    throw InputError({.field = "--over", .problem = "The same parameter is given twice"});
   std::uint64_t designs = 1;
   for (const DesignAxis& axis : axes) designs *= points_of(axis);
   if (designs > max_designs)
     throw InputError({.field = "--over",
-                      .expected = fmt::format("at most {} designs", max_designs),
-                      .found = std::to_string(designs),
+                      .problem = fmt::format("The map has {} designs, more than the limit of {}", designs, max_designs),
                       .remedy = "take fewer points, or flexslip sweep, which takes as many as the disk holds"});
   return axes;
 }

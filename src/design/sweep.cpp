@@ -40,7 +40,7 @@ double listed_value(const Keys& keys, const toml::node& node, const std::string&
 }
 
 AxisValues read_values(const Keys& axes, const toml::array& array, const DesignParameter& parameter) {
-  if (array.empty()) axes.refuse(parameter.name, "at least one value", "an empty array");
+  if (array.empty()) axes.refuse(parameter.name, "The list of values is empty");
   AxisValues values;
   values.reserve(array.size());
   for (std::size_t i = 0; i < array.size(); ++i)
@@ -57,10 +57,13 @@ AxisRange read_range(const Keys& keys, Method method, const DesignParameter& par
                   keys.has("spacing") ? static_cast<Spacing>(keys.word("spacing", {"linear", "log"})) : Spacing::linear,
                   is_grid ? keys.whole_number("points", 2) : 0};
   if (range.from == range.to)
-    keys.refuse("to", "a value other than from", kind_of_node(keys.need("to")), "leave the axis out, or write a list");
+    keys.refuse("to", fmt::format("Both ends of the range are {}", kind_of_node(keys.need("to"))),
+                "leave the axis out, or write a list");
   if (range.spacing == Spacing::logarithmic && !(range.from > 0 && range.to > 0))
-    keys.refuse(range.from > 0 ? "to" : "from", "a positive value, as the spacing is \"log\"",
-                kind_of_node(keys.need(range.from > 0 ? "to" : "from")), "write spacing = \"linear\"");
+    keys.refuse(range.from > 0 ? "to" : "from",
+                fmt::format("The spacing is \"log\", which needs positive values, not {}",
+                            kind_of_node(keys.need(range.from > 0 ? "to" : "from"))),
+                "write spacing = \"linear\"");
   return range;
 }
 
@@ -71,9 +74,10 @@ DesignAxis read_axis(const Keys& axes, const toml::node& node, Method method, co
   const toml::array* values = node.as_array();
   if (!values || method == Method::latin_hypercube)
     axes.refuse(parameter.name,
-                method == Method::grid ? "{ from = …, to = …, points = … } or a list of values"
-                                       : "{ from = …, to = … } in a Latin hypercube",
-                kind_of_node(node), fmt::format("write {}", example_axis));
+                fmt::format("{} is not {}", kind_of_node(node),
+                            method == Method::grid ? "{ from = …, to = …, points = … } or a list of values"
+                                                   : "{ from = …, to = … } in a Latin hypercube"),
+                fmt::format("write {}", example_axis));
   return {parameter, read_values(axes, *values, parameter)};
 }
 
@@ -83,7 +87,7 @@ std::vector<DesignAxis> read_axes(const Keys& axes, Method method, const Test& i
   for (const auto& parameter : design_parameters()) known.emplace_back(parameter.name);
   axes.only(known);
   if (axes.size() == 0)
-    throw wrong_value(input, "sweep.axes", "at least one axis", "none", fmt::format("add {}", example_axis));
+    throw wrong_value(input, "sweep.axes", "The sweep has no axis", fmt::format("add {}", example_axis));
   std::vector<std::pair<toml::source_position, DesignAxis>> placed;
   for (const auto& parameter : design_parameters())
     if (const toml::node* node = axes.find(parameter.name)) {
@@ -110,8 +114,10 @@ std::uint64_t rows_of(const Keys& sweep, const std::vector<DesignAxis>& axes,
       product *= static_cast<double>(points_of(axis));
     }
   if (product > static_cast<double>(max_rows))
-    sweep.refuse(hypercube ? "samples" : "axes", fmt::format("at most {:.0e} designs", static_cast<double>(max_rows)),
-                 fmt::format("{:.3g}", product), hypercube ? "" : "take fewer points on an axis");
+    sweep.refuse(hypercube ? "samples" : "axes",
+                 fmt::format("The sweep has {:.3g} designs, more than the limit of {:.0e}", product,
+                             static_cast<double>(max_rows)),
+                 hypercube ? "" : "take fewer points on an axis");
   return rows;
 }
 
@@ -163,7 +169,7 @@ void set_from_axis(Test& design, const SweepPlan& plan, const DesignAxis& axis, 
   try {
     set(design, axis.parameter.name, value);
   } catch (const InputError& error) {
-    throw wrong_value(plan.loading, key, error.fault.expected, error.fault.found, error.fault.remedy);
+    throw wrong_value(plan.loading, key, error.fault.problem, error.fault.remedy);
   }
 }
 
@@ -172,7 +178,7 @@ void check(const SweepPlan& plan) {
   for (const DesignAxis& axis : plan.axes) {
     const std::string key = axis_key(axis);
     if (!value_of(design, axis.parameter.name))
-      throw wrong_value(plan.loading, key, "a parameter that the case has", in_quotes(axis.parameter.name),
+      throw wrong_value(plan.loading, key, fmt::format("The case has no parameter {}", in_quotes(axis.parameter.name)),
                         "choose another axis, or another kind of case");
     if (const auto* range = std::get_if<AxisRange>(&axis.values)) {
       set_from_axis(design, plan, axis, key + ".from", range->from);
@@ -192,7 +198,8 @@ SweepPlan read_sweep(std::string_view text, const std::string& source, const std
   const toml::table unchanged = parse_toml(text, source);
   const toml::table file = with_changes(unchanged, changes);
   const toml::node& section = Keys(file, "", input).need("sweep");
-  if (!section.is_table()) throw wrong_value(input, "sweep", "a section [sweep]", kind_of_node(section));
+  if (!section.is_table())
+    throw wrong_value(input, "sweep", fmt::format("The case needs a section [sweep], not {}", kind_of_node(section)));
   const Keys sweep(*section.as_table(), "sweep", input);
   sweep.only({"method", "samples", "seed", "axes"});
   const auto method = static_cast<Method>(sweep.word("method", words_of(*case_key("sweep", "method"))));
@@ -202,10 +209,12 @@ SweepPlan read_sweep(std::string_view text, const std::string& source, const std
   } else {
     for (const std::string_view other : {"samples", "seed"})
       if (sweep.has(other))
-        sweep.refuse(other, "method = \"latin hypercube\" beside it", "\"grid\"", "delete it, or change method");
+        sweep.refuse(other, "This key belongs to method = \"latin hypercube\", and the method is \"grid\"",
+                     "delete it, or change method");
   }
   const toml::node& axes = sweep.need("axes");
-  if (!axes.is_table()) sweep.refuse("axes", "a section [sweep.axes]", kind_of_node(axes));
+  if (!axes.is_table())
+    sweep.refuse("axes", fmt::format("The sweep needs a section [sweep.axes], not {}", kind_of_node(axes)));
   plan.axes = read_axes({*axes.as_table(), sweep.key("axes"), input}, method, input, unchanged);
   plan.rows = rows_of(sweep, plan.axes, plan.method);
   plan.loading = one_loading_of(input);

@@ -63,8 +63,8 @@ void require_kind(const Export& file, const ExportColumn& column, ColumnRole rol
   throw InputError(
       {.file = file.origin.source,
        .field = std::string(words.flag),
-       .expected = fmt::format("a column in units of {}", words.kind->name),
-       .found = fmt::format("{} in {}", in_quotes(column.name), in_quotes(column.unit)),
+       .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
+                              in_quotes(column.unit), words.kind->name),
        .remedy = fmt::format("if it is the column that is meant, say its unit behind its name, as in \"{} [{}]\"",
                              column.name, meant_or_usual(column.unit, words))});
 }
@@ -97,17 +97,16 @@ ExportColumn said_in(const Export& file, ExportColumn column, const std::string&
   const std::optional<Unit> said = machine_unit(unit), stated = machine_unit(column.unit);
   if (!is_of_kind(said, words))
     throw InputError({.field = std::string(words.flag),
-                      .expected = fmt::format("a unit such as {} in brackets behind the name", words.usual_unit),
-                      .found = in_quotes(unit)});
+                      .problem = fmt::format("The unit {} in brackets behind the name is not a unit such as {}",
+                                             in_quotes(unit), words.usual_unit)});
   if (volts_in(column.unit) || (is_of_kind(stated, words) && *stated != *said))
-    throw InputError(
-        {.file = file.origin.source,
-         .field = std::string(words.flag),
-         .expected =
-             fmt::format("the unit {} of {}, as the file states it", in_quotes(column.unit), in_quotes(column.name)),
-         .found = in_quotes(unit),
-         .remedy = volts_in(column.unit) ? fmt::format("give the calibration, as in {}", calibration_hint)
-                                         : "leave the unit out, or correct the title in the file if it is wrong"});
+    throw InputError({.file = file.origin.source,
+                      .field = std::string(words.flag),
+                      .problem = fmt::format("The unit of {} is {} in the file, not {}", in_quotes(column.name),
+                                             in_quotes(column.unit), in_quotes(unit)),
+                      .remedy = volts_in(column.unit)
+                                    ? fmt::format("give the calibration, as in {}", calibration_hint)
+                                    : "leave the unit out, or correct the title in the file if it is wrong"});
   column.unit = unit;
   return column;
 }
@@ -158,7 +157,8 @@ Export with_roles_by_units(Export file) {
 
 Export with_displacement(Export file, ColumnRole role) {
   if (role != ColumnRole::crosshead && role != ColumnRole::deflection)
-    throw InputError({.field = "--displacement", .expected = "crosshead or deflection", .found = "neither"});
+    throw InputError(
+        {.field = "--displacement", .problem = "The displacement is either the crosshead's or a deflection"});
   for (ExportedSpecimen& specimen : file.specimens) {
     std::vector<ExportColumn*> unclear;
     std::vector<ExportColumn*> all;
@@ -170,8 +170,8 @@ Export with_displacement(Export file, ColumnRole role) {
     if (candidates.size() != 1)
       throw InputError({.file = file.origin.source,
                         .field = "--displacement",
-                        .expected = "one column with a displacement",
-                        .found = candidates.empty() ? "none" : std::to_string(candidates.size()),
+                        .problem = fmt::format("One column with a displacement is needed, and the file has {}",
+                                               candidates.empty() ? "none" : std::to_string(candidates.size())),
                         .remedy = fmt::format("name the column with {} instead", words_for(role).flag)});
     candidates.front()->role = role;
   }
@@ -323,8 +323,7 @@ InputError force_in_volts(const Export& file, std::size_t header_line, std::stri
   return InputError({.file = file.origin.source,
                      .line = header_line,
                      .field = "force",
-                     .expected = "a force in units of force",
-                     .found = std::move(found),
+                     .problem = fmt::format("The force is not in a unit of force: {}", found),
                      .remedy = std::move(remedy)});
 }
 
@@ -376,13 +375,14 @@ Restated calibrated(const Export& file, ExportColumn column, std::string_view ca
   const std::string_view unit = trimmed(per_volt.substr(end));
   const std::optional<Unit> known = machine_unit(unit);
   if (std::isnan(factor) || factor == 0 || !known || known->dimension != words_for(column.role).kind->dimension)
-    throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
+    throw InputError({.field = "--calibration",
+                      .problem = fmt::format("{} is not a calibration such as \"222 N/V\"", in_quotes(calibration))});
   const std::optional<double> volts = volts_in(column.unit);
   if (!volts)
     throw InputError({.file = file.origin.source,
                       .field = "column " + in_quotes(column.name),
-                      .expected = "a column in volts, as a calibration is given",
-                      .found = column.unit.empty() ? "no unit" : in_quotes(column.unit)});
+                      .problem = fmt::format("A calibration applies to a column in volts, but this one has {}",
+                                             column.unit.empty() ? "no unit" : "the unit " + in_quotes(column.unit))});
   for (double& value : column.values) value *= *volts * factor;
   std::string note = fmt::format("column {}: {} taken as {} by the calibration {}", in_quotes(column.name), column.unit,
                                  unit, calibration);
@@ -395,13 +395,12 @@ Restated in_unit(const Export& file, ExportColumn column, std::string_view text)
   const std::optional<Unit> unit = machine_unit(text);
   if (!unit || unit->dimension != words.kind->dimension)
     throw InputError({.field = std::string(words.unit_flag),
-                      .expected = fmt::format("a unit such as {}", words.usual_unit),
-                      .found = in_quotes(text)});
+                      .problem = fmt::format("{} is not a unit such as {}", in_quotes(text), words.usual_unit)});
   if (volts_in(column.unit))
     throw InputError({.file = file.origin.source,
                       .field = "column " + in_quotes(column.name),
-                      .expected = "a calibration",
-                      .found = fmt::format("the unit {} for values in {}", in_quotes(text), column.unit),
+                      .problem = fmt::format("The column is in {}, which needs a calibration, not the unit {}",
+                                             column.unit, in_quotes(text)),
                       .remedy = fmt::format("give it as in {}", calibration_hint)});
   std::string note;
   if (!column.unit.empty() && machine_unit(column.unit) != unit)
@@ -447,13 +446,12 @@ std::string beside_stated_maximum(const Export& file, const ExportOptions& optio
                : fmt::format("line {} states a maximum force of {}, but the rows have {}", stated->where->line,
                              readable(stated->value, kind::force), readable(highest, kind::force));
   if (options.units.contains(ColumnRole::force)) return "";
-  throw InputError(
-      {.file = file.origin.source,
-       .line = stated->where->line,
-       .field = "column " + in_quotes(force.name),
-       .expected = fmt::format("a maximum of {}, as this line states", readable(stated->value, kind::force)),
-       .found = readable(highest, kind::force),
-       .remedy = "check that the file is complete, and the unit of the column"});
+  throw InputError({.file = file.origin.source,
+                    .line = stated->where->line,
+                    .field = "column " + in_quotes(force.name),
+                    .problem = fmt::format("This line states a maximum of {}, but the readings reach {}",
+                                           readable(stated->value, kind::force), readable(highest, kind::force)),
+                    .remedy = "check that the file is complete, and the unit of the column"});
 }
 
 // ---- what is asked, and what repeats the decisions

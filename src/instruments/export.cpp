@@ -73,24 +73,22 @@ Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& op
   else if (const std::optional<char> proven = evidence.decimal())
     format.decimal = *proven;
   else if (evidence.undecidable() && (separator != ',' || evidence.only_commas()))
-    throw InputError({.line = undecided,
-                      .expected = "numbers that distinguish a decimal mark from a thousands separator",
-                      .found = "only such as '1,234' or '1.234'",
-                      .remedy = "say which it is with --decimal . or --decimal ,"});
+    throw InputError(
+        {.line = undecided,
+         .problem = "Numbers such as '1,234' or '1.234' are ambiguous: the mark is decimal, or it separates thousands",
+         .remedy = "say which it is with --decimal . or --decimal ,"});
   format.thousands = options.thousands ? *options.thousands : evidence.thousands(format.decimal);
   if (options.thousands == format.decimal)
-    throw InputError({.expected = "a mark between thousands that is not the decimal mark",
-                      .found = fmt::format("'{}' for both", format.decimal),
-                      .remedy = "pass --thousands none, or the other one with --decimal"});
+    throw InputError(
+        {.problem = fmt::format("The decimal mark and the mark between thousands are both '{}'", format.decimal),
+         .remedy = "pass --thousands none, or the other one with --decimal"});
   if (format.thousands == '.' && format.decimal == '.')
     throw InputError({.line = with_points,
-                      .expected = "numbers with one decimal point",
-                      .found = "several in one number",
+                      .problem = "A number has several decimal points",
                       .remedy = "pass --decimal , if the points separate thousands"});
   if (format.thousands == ',' && format.decimal == ',')
     throw InputError({.line = with_commas,
-                      .expected = "numbers with one decimal comma",
-                      .found = "several in one number",
+                      .problem = "A number has several decimal commas",
                       .remedy = "export the file again without opening it in a spreadsheet, which takes decimal "
                                 "commas for separators of thousands; or pass --decimal . if they are separators"});
   return {format};
@@ -120,8 +118,7 @@ ColumnTitle title_of(const std::string& title, const std::string& row_unit, std:
     if (known && used && *known != *used)
       throw InputError({.line = line,
                         .field = "column " + in_quotes(title),
-                        .expected = "one unit",
-                        .found = listed(units),
+                        .problem = fmt::format("The units {} contradict each other", listed(units)),
                         .remedy = "correct the file: its title, its row of units and its cells must agree"});
   }
   const bool title_has_other = !parts.unit.empty() && out.unit != parts.unit && !used;
@@ -480,8 +477,8 @@ void require_names(const Export& file, const TableBlock& main) {
   for (const ExportColumn& column : file.specimens.front().columns)
     if (main.titles.empty() && !column.words.empty())
       throw InputError({.line = main.rows.front() + 1,
-                        .expected = "a line with the names of the columns above rows of numbers and words",
-                        .found = main.unplaced.empty() ? "none" : main.unplaced,
+                        .problem = fmt::format("No line above the rows of numbers and words names the columns{}",
+                                               main.unplaced.empty() ? "" : ": " + main.unplaced),
                         .remedy = main.unplaced.empty() ? "add one, or export the raw data of the test as CSV"
                                                         : "add the title that is missing, or delete the one too many"});
 }
@@ -544,10 +541,9 @@ bool is_empty(const Sheet& sheet) {
 Export recognised(const SheetFile& file, const ExportOptions& options) {
   try {
     if (is_empty(file.cells))
-      throw InputError(
-          {.expected = "rows of numbers",
-           .found = file.origin.byte_order_mark ? "an empty file: a byte order mark and nothing else" : "an empty file",
-           .remedy = "export the test again"});
+      throw InputError({.problem = file.origin.byte_order_mark ? "The file holds a byte order mark and nothing else"
+                                                               : "The file is empty",
+                        .remedy = "export the test again"});
     return recognise(file, options);
   } catch (const InputError& error) {
     const InputFault& fault = error.fault;
@@ -567,17 +563,18 @@ char mark_named(const std::string& text, std::string_view flag) {
   if (text == "point") return '.';
   if (text == "apostrophe") return '\'';
   if (text == "none") return '\0';
-  throw InputError({.field = std::string(flag),
-                    .expected = "one character, or comma, semicolon, point, tab, space, apostrophe or none",
-                    .found = in_quotes(text)});
+  throw InputError(
+      {.field = std::string(flag),
+       .problem = fmt::format("{} is neither one character nor comma, semicolon, point, tab, space, apostrophe or none",
+                              in_quotes(text))});
 }
 
 char mark_of(const std::string& text, std::string_view flag, std::string_view allowed) {
   const char mark = mark_named(text, flag);
   if (allowed.find(mark) == std::string_view::npos)
-    throw InputError({.field = std::string(flag),
-                      .expected = fmt::format("one of {}", allowed == ".," ? ". and ," : allowed),
-                      .found = in_quotes(text)});
+    throw InputError(
+        {.field = std::string(flag),
+         .problem = fmt::format("{} is not one of {}", in_quotes(text), allowed == ".," ? ". and ," : allowed)});
   return mark;
 }
 
@@ -607,7 +604,8 @@ ExportOptions options_of(const ReadingWords& words) {
     if (const std::string unit = said(words_for(role).unit_flag.substr(2)); !unit.empty()) options.units[role] = unit;
   if (const std::string calibration = said("calibration"); !calibration.empty()) {
     if (!calibration.ends_with("/V"))
-      throw InputError({.field = "--calibration", .expected = "such as \"222 N/V\"", .found = in_quotes(calibration)});
+      throw InputError({.field = "--calibration",
+                        .problem = fmt::format("{} is not a calibration such as \"222 N/V\"", in_quotes(calibration))});
     options.units[ColumnRole::force] = calibration;
   }
   if (const std::string which = said("displacement"); !which.empty())
@@ -651,15 +649,14 @@ std::vector<double> in_si(const Export& file, const ExportColumn& column, const 
     throw InputError(
         {.file = file.origin.source,
          .field = "column " + in_quotes(column.name),
-         .expected = fmt::format("a unit of {}", noun(kind)),
-         .found = std::move(found),
+         .problem = fmt::format("A unit of {} is needed, but the column has {}", noun(kind), found),
          .remedy = is_voltage ? "state the calibration of the load cell, --calibration \"… N/V\"" : std::move(with)});
   };
   const std::size_t open = column.name.ends_with(')') ? column.name.rfind('(') : std::string::npos;
   const std::string in_brackets =
       open == std::string::npos ? "" : column.name.substr(open + 1, column.name.size() - open - 2);
   if (column.unit.empty() && !is_plain)
-    refuse(in_brackets.empty() ? "none" : fmt::format("none, as {} is none", in_quotes(in_brackets)));
+    refuse(in_brackets.empty() ? "none" : fmt::format("none: {} is not a unit", in_quotes(in_brackets)));
   if (!unit) refuse(in_quotes(column.unit) + (volts_in(column.unit) ? "" : ", which is unknown"));
   if (unit->dimension != kind.dimension) refuse(in_quotes(column.unit));
   std::vector<double> values;
@@ -694,10 +691,9 @@ RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& spe
       throw InputError({.file = file.origin.source,
                         .line = lines.front(),
                         .field = "column " + in_quotes(column->name),
-                        .expected = "readings within the range of the sensor",
-                        .found = fmt::format("{} on {}, and readings after", in_quotes(word), on_lines(lines)),
-                        .remedy = fmt::format("what happened in between is not known: let the record end before, with "
-                                              "until or --until, or measure with a larger range"),
+                        .problem = fmt::format("The sensor was overloaded ({} on {}), and readings follow",
+                                               in_quotes(word), on_lines(lines)),
+                        .remedy = "end the record before, with until or --until, or measure with a larger range",
                         .part = TablePart::cell});
   }
   std::sort(out.rows.begin(), out.rows.end());
@@ -711,8 +707,8 @@ RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& spe
     throw InputError({.file = file.origin.source,
                       .line = lines.front(),
                       .field = (names.size() == 1 ? "column " : "columns ") + listed(names),
-                      .expected = "a number in nine rows of ten",
-                      .found = fmt::format("none in {} of {} rows: {}", out.rows.size(), specimen.lines.size(), which),
+                      .problem = fmt::format("{} of {} rows have no number here; at most a tenth may ({})",
+                                             out.rows.size(), specimen.lines.size(), which),
                       .remedy = "export the readings again, or choose another column",
                       .part = TablePart::cell});
   out.words = fmt::format("{} without a number in {} {} left out: {}",
@@ -740,22 +736,34 @@ std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, s
     if (is_called(column, wanted)) by_name.push_back(i);
   }
   const std::vector<std::size_t>& found = by_number.empty() ? by_name : by_number;
-  const auto refuse = [&](std::string expected, std::string what, std::string remedy) {
+  const auto refuse = [&](std::string problem, std::string remedy) {
     throw InputError({.file = file.origin.source,
                       .field = std::string(flag),
-                      .expected = std::move(expected),
-                      .found = std::move(what),
+                      .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
   if (found.empty())
-    refuse("one of the columns " + listed(names) + ", or its number", in_quotes(wanted), did_you_mean(wanted, names));
+    refuse(fmt::format("No column is called {}; the file has {}", in_quotes(wanted), listed(names)),
+           did_you_mean(wanted, names));
   const ExportColumn& column = specimen.columns[found.front()];
   if (found.size() > 1)
-    refuse("one column", fmt::format("{} called {}", found.size(), in_quotes(wanted)),
+    refuse(fmt::format("{} columns are called {}", found.size(), in_quotes(wanted)),
            fmt::format("give its number: {} {}", flag, column.number));
-  if (!column.words.empty()) refuse("a column of numbers", fmt::format("words in {}", in_quotes(column.name)), "");
+  if (!column.words.empty()) refuse(fmt::format("The column {} holds words, not numbers", in_quotes(column.name)), "");
   return found.front();
 }
+
+namespace {
+
+// The column whose title says a role, though its cells are words. Null if there is none.
+const ExportColumn* words_titled_as(const ExportedSpecimen& specimen, ColumnRole role) {
+  const auto at = std::find_if(specimen.columns.begin(), specimen.columns.end(), [=](const ExportColumn& each) {
+    return !each.words.empty() && role_of(each.name) == role;
+  });
+  return at == specimen.columns.end() ? nullptr : &*at;
+}
+
+}  // namespace
 
 const ExportColumn& column_with(const Export& file, const ExportedSpecimen& specimen, ColumnRole role,
                                 std::string remedy) {
@@ -768,13 +776,20 @@ const ExportColumn& column_with(const Export& file, const ExportedSpecimen& spec
     names.push_back(column.name);
   }
   if (names.size() == 1) return *found;
-  if (remedy.empty()) remedy = fmt::format("say which with {} COLUMN", words_for(role).flag);
+  const std::string_view wanted = is_displacement(role) ? "displacement" : words_for(role).name;
+  const ExportColumn* of_words = names.empty() ? words_titled_as(specimen, role) : nullptr;
+  if (of_words)
+    throw InputError({.file = file.origin.source,
+                      .field = fmt::format("column {}, {}", of_words->number, in_quotes(of_words->name)),
+                      .problem = fmt::format("This column holds no numbers (row 1: {})", in_quotes(of_words->words[0])),
+                      .remedy = "export the test again"});
+  if (remedy.empty()) remedy = fmt::format("pass {} \"TITLE\"", words_for(role).flag);
+  const std::string unplaced = file.unplaced.empty() ? "" : ", as " + file.unplaced;
   throw InputError(
       {.file = file.origin.source,
-       .field = fmt::format("the {}", is_displacement(role) ? "displacement" : words_for(role).name),
-       .expected = "one column with it",
-       .found = (names.empty() ? "no name that says so among " + listed(all) : "several: " + listed(names)) +
-                (file.unplaced.empty() ? "" : ", as " + file.unplaced),
+       .problem = names.empty()
+                      ? fmt::format("No column is recognised as {} among {}{}", wanted, listed(all), unplaced)
+                      : fmt::format("Several columns are recognised as {}: {}{}", wanted, listed(names), unplaced),
        .remedy = std::move(remedy)});
 }
 

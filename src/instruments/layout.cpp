@@ -62,13 +62,12 @@ UsualRow usual_row(const Sheet& sheet) {
     usual = {pattern, numbers, longest->first};
   }
   if (most == 0)
-    throw InputError({.expected = "rows of numbers",
-                      .found = sheet.size() == 0 ? "an empty file" : "no line with numbers",
+    throw InputError({.problem = sheet.size() == 0 ? "The file is empty" : "No line of the file holds numbers",
                       .remedy = "export the raw data of the test as CSV"});
   constexpr std::size_t max_columns = 16384;  // of a sheet of Excel
   if (usual.cells > max_columns)
-    throw InputError({.remedy = "write each reading on a line of its own",
-                      .problem = fmt::format("a row has {} cells, and a table at most {}", usual.cells, max_columns)});
+    throw InputError({.problem = fmt::format("a row has {} cells, and a table at most {}", usual.cells, max_columns),
+                      .remedy = "write each reading on a line of its own"});
   return usual;
 }
 
@@ -598,8 +597,7 @@ Layout layout_of(const Sheet& sheet) {
     TableBlock& block = layout.blocks.back();
     (fits(cells, usual) ? block.rows : block.misfits).push_back(line);
   }
-  if (layout.blocks.empty())
-    throw InputError({.expected = "rows of numbers", .found = "no row with as many cells as the others"});
+  if (layout.blocks.empty()) throw InputError({.problem = "No row has as many cells as the others"});
   without_preambles(layout.blocks);
   for (TableBlock& block : layout.blocks) add_labelled_units(sheet, block, usual);
   TableBlock& last = layout.blocks.back();
@@ -621,9 +619,8 @@ Layout layout_of(const Sheet& sheet) {
     if (block.misfits.size() * misfit_share > block.rows.size())
       throw InputError(
           {.line = block.misfits.front() + 1,
-           .expected = fmt::format("rows of {} cells", layout.columns),
-           .found = fmt::format("{} lines with more or fewer cells, beside {} rows", block.misfits.size(),
-                                block.rows.size()),
+           .problem = fmt::format("{} lines do not have {} cells, as the other {} rows do", block.misfits.size(),
+                                  layout.columns, block.rows.size()),
            .remedy = "name the separator with --separator, or delete the lines that do not belong to the table"});
   return without_statistics(sheet, std::move(layout));
 }

@@ -60,30 +60,32 @@ const ExportColumn* told(const Columns& columns, std::span<const std::string_vie
 const ExportColumn* other_than(const Columns& two, const ExportColumn* one) { return two[one == two[0] ? 1 : 0]; }
 
 [[noreturn]] void ask(const Export& file, const Columns& columns, std::string_view what) {
-  throw InputError({.file = file.origin.source,
-                    .expected = fmt::format("a column known to hold the {}", what),
-                    .found = "the columns " + listed(names_of(columns)),
-                    .remedy = fmt::format("write {} = \"…\" into [friction], its name or number", what)});
+  throw InputError(
+      {.file = file.origin.source,
+       .problem = fmt::format("None of the columns {} is known to hold the {}", listed(names_of(columns)), what),
+       .remedy = fmt::format("write {} = \"…\" into [friction], its name or number", what)});
 }
 
 // The values of a column [SI, or reduced].
 std::vector<double> values_of(const Export& file, const TraceColumn& of, const Kind& kind, std::string_view key) {
   ExportColumn column = *of.column;
-  const auto refuse = [&](std::string expected, std::string found, std::string remedy) {
+  const auto refuse = [&](std::string problem, std::string remedy) {
     throw InputError({.file = file.origin.source,
                       .field = "column " + in_quotes(column.name),
-                      .expected = std::move(expected),
-                      .found = std::move(found),
+                      .problem = std::move(problem),
                       .remedy = std::move(remedy)});
   };
   const std::optional<Unit> stated = machine_unit(column.unit), given = machine_unit(of.unit);
   if (kind.dimension == Dimension{} && !(column.unit.empty() && of.unit.empty()))
-    refuse("plain numbers, in spans, as the case is reduced", in_quotes(column.unit + of.unit), "");
+    refuse(fmt::format("The case is reduced, so the column holds plain numbers, in spans, without the unit {}",
+                       in_quotes(column.unit + of.unit)),
+           "");
   if (!of.unit.empty()) {
     if (!given || given->dimension != kind.dimension)
-      throw InputError({.field = std::string(key), .expected = "a unit of length", .found = in_quotes(of.unit)});
+      throw InputError(
+          {.field = std::string(key), .problem = fmt::format("{} is not a unit of length", in_quotes(of.unit))});
     if (stated && *given != *stated)
-      refuse(fmt::format("the unit {}, as you say", in_quotes(of.unit)), in_quotes(column.unit),
+      refuse(fmt::format("The unit in the file is {}, not {}", in_quotes(column.unit), in_quotes(of.unit)),
              "leave the unit out, as the file states it");
     column.unit = of.unit;
   }
@@ -96,12 +98,13 @@ void require_rising(const Export& file, const ExportColumn& column, std::span<co
   const bool falls = x.back() < x.front();
   for (std::size_t i = 1; i < x.size(); ++i)
     if (falls ? !(x[i] < x[i - 1]) : !(x[i] > x[i - 1]))
-      throw InputError({.file = file.origin.source,
-                        .line = file.specimens.front().lines[i],
-                        .field = "column " + in_quotes(column.name),
-                        .expected = fmt::format("positions that {} from row to row", falls ? "fall" : "rise"),
-                        .found = fmt::format("{} after {}", readable(x[i], kind), readable(x[i - 1], kind)),
-                        .remedy = "a trace runs one way: cut the file, or choose another column"});
+      throw InputError(
+          {.file = file.origin.source,
+           .line = file.specimens.front().lines[i],
+           .field = "column " + in_quotes(column.name),
+           .problem = fmt::format("Positions must {} throughout, but {} follows {}", falls ? "decrease" : "increase",
+                                  readable(x[i], kind), readable(x[i - 1], kind)),
+           .remedy = "split the file, or choose another column"});
 }
 
 }  // namespace
@@ -110,8 +113,7 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
   const Export file = read_export(path);
   if (file.specimens.size() != 1)
     throw InputError({.file = file.origin.source,
-                      .expected = "one trace",
-                      .found = fmt::format("{} tables", file.specimens.size()),
+                      .problem = fmt::format("The file holds {} tables, not one trace", file.specimens.size()),
                       .remedy = "write each into a file of its own"});
   TraceFile read{file.origin.source, "", "", {}};
   Columns columns;
@@ -138,21 +140,21 @@ TraceFile read_trace(const std::string& path, const TraceOptions& options, const
   read.height = height.column->name;
   const std::vector<double> z = values_of(file, height, kind, "height");
   if (z.size() < fewest_heights)
-    throw InputError({.file = file.origin.source,
-                      .expected = fmt::format("{} heights or more", fewest_heights),
-                      .found = fmt::format("{}", z.size())});
+    throw InputError(
+        {.file = file.origin.source,
+         .problem = fmt::format("The trace has {} heights; at least {} are needed", z.size(), fewest_heights)});
   if (!has_positions) {
     if (!options.step)
       throw InputError({.file = file.origin.source,
-                        .expected = "a column of positions beside the heights, or their distance",
-                        .found = fmt::format("the column {}", in_quotes(read.height)),
+                        .problem = fmt::format("The file has heights ({}) but no positions", in_quotes(read.height)),
                         .remedy = "write trace_step = \"0.1 um\" into [friction]"});
     read.trace = {0, *options.step, z};
     return read;
   }
   if (position.column == height.column)
     throw InputError(
-        {.file = file.origin.source, .expected = "two columns", .found = in_quotes(read.height) + " for both"});
+        {.file = file.origin.source,
+         .problem = fmt::format("The column {} is chosen for both heights and positions", in_quotes(read.height))});
   read.position = position.column->name;
   const std::vector<double> x = values_of(file, position, kind, "position");
   require_rising(file, *position.column, x, kind);

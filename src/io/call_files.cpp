@@ -44,11 +44,8 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
   return entries;
 }
 
-[[noreturn]] void refuse(const std::string& options, std::string expected, std::string found, std::string remedy) {
-  throw OutputClash(
-      InputError(
-          {.field = options, .expected = std::move(expected), .found = std::move(found), .remedy = std::move(remedy)})
-          .what());
+[[noreturn]] void refuse(const std::string& options, std::string problem, std::string remedy) {
+  throw OutputClash(InputError({.field = options, .problem = std::move(problem), .remedy = std::move(remedy)}).what());
 }
 
 }  // namespace
@@ -89,10 +86,10 @@ void CallFiles::add(Claim claim) {
     if (one->kind != Kind::one) std::swap(one, many);
     if (one->kind != Kind::one || many->kind == Kind::no_input_below) continue;
     if (const auto same = same_in(*many, one->given))
-      refuse(fmt::format("{} and {}", other.option, claim.option), "two different files",
-             *same == one->given
-                 ? in_quotes(same->string()) + " twice"
-                 : fmt::format("{} and {}, the same file", in_quotes(same->string()), in_quotes(one->given.string())),
+      refuse(fmt::format("{} and {}", other.option, claim.option),
+             *same == one->given ? in_quotes(same->string()) + " is named twice"
+                                 : fmt::format("{} and {} are the same file", in_quotes(same->string()),
+                                               in_quotes(one->given.string())),
              "pass another name (nothing has been written)");
   }
   claims_.push_back(std::move(claim));
@@ -124,12 +121,15 @@ void CallFiles::reads(const fs::path& file) const {
     const auto same = same_in(claim, path);
     if (!same) continue;
     const bool is_one = claim.kind == Kind::one;
+    const std::string input =
+        "The input " +
+        (*same == path ? in_quotes(path.string())
+                       : fmt::format("{}, the same file as {},", in_quotes(same->string()), in_quotes(path.string())));
     refuse(claim.option,
-           is_one                               ? "an output other than the file that is read"
-           : claim.kind == Kind::no_input_below ? fmt::format("inputs outside {}", in_quotes(claim.given.string()))
-                                                : "only outputs that are not read as well",
-           *same == path ? in_quotes(path.string())
-                         : fmt::format("{}, the same file as {}", in_quotes(same->string()), in_quotes(path.string())),
+           input + (is_one ? " would be overwritten"
+                    : claim.kind == Kind::no_input_below
+                        ? fmt::format(" lies in {}, where no input may lie", in_quotes(claim.given.string()))
+                        : " could be overwritten"),
            fmt::format("pass another {} (nothing has been written)", is_one ? "name" : "name or folder"));
   }
 }

@@ -1,8 +1,8 @@
-// The files of one call, of the program or of the library's Python: no output may replace what a call reads, or another of its outputs.
+// The input and output files of one call, of the program or of Python. No output may overwrite an input or an output.
 //
-// Outputs are announced where a command takes their names, before anything is read; inputs where their names are read and where
-// they are opened, so that no command can forget one. Files are the same whatever way their path is spelled, and by symbolic and
-// hard links. Devices and pipes are in nobody's way.
+// A command announces its outputs before it reads anything. Inputs are announced where they are opened, so that no
+// command can forget one. Different spellings of a path, symbolic links and hard links count as the same file.
+// Devices and pipes never clash.
 #pragma once
 
 #include <filesystem>
@@ -17,27 +17,27 @@
 
 namespace flexslip {
 
-// Not an InputError, as it is no fault of one test of a campaign, to be listed beside the answers of the others.
+// A clash of files. It is no InputError, which a campaign would list as the failure of one test.
 struct OutputClash : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 class CallFiles {
  public:
-  // Each is announced with the option that names it.
+  // Announces an output, with the option that names it.
   // Fails:      OutputClash, for an output that another option writes. Nothing has been written then.
   void writes(const std::filesystem::path& file, const std::string& option);
 
-  // Files of a folder whose names begin and end so, as many as there will be.
+  // Announces all files of a folder whose names have this beginning and end.
   void writes_like(const std::filesystem::path& folder, std::string begin, std::string end, const std::string& option);
 
-  // Anything in a folder and those below it.
+  // Announces all files in a folder and in its subfolders.
   void writes_below(const std::filesystem::path& folder, const std::string& option);
 
-  // No input may lie in a folder or below it; outputs may.
+  // Forbids inputs in a folder and its subfolders; outputs are allowed.
   void keeps_inputs_out_of(const std::filesystem::path& folder, const std::string& option);
 
-  // "-" is standard input. May be called by several threads at once, when all outputs are announced.
+  // Announces an input; "-" is standard input. Thread-safe once all outputs are announced.
   // Fails:      OutputClash, if it is an output. Nothing has been written then.
   void reads(const std::filesystem::path& file) const;
 
@@ -47,8 +47,8 @@ class CallFiles {
     Kind kind;
     std::string option;
     std::filesystem::path given;   // file or folder, as the user named it
-    std::filesystem::path folder;  // that the files lie in, without links
-    std::string begin{}, end{};    // of their names; of one file, begin is the name
+    std::filesystem::path folder;  // the folder of the files, links resolved
+    std::string begin{}, end{};    // of the names of the files; for one file, begin is its name
     std::map<std::pair<dev_t, ino_t>, std::filesystem::path> there{};
   };
 
@@ -59,10 +59,10 @@ class CallFiles {
   std::vector<Claim> claims_{};
 };
 
-// Those of the program's call. Until an output is announced, nothing is refused.
+// The files of the program's call. Nothing is refused before an output is announced.
 CallFiles& files_of_this_call();
 
-// A call among others of one process, which may run at the same time: as long as it lasts, none of them reads what it writes.
+// One of several simultaneous calls in a process. While it exists, no other call can read its outputs.
 class CallUnderWay {
  public:
   explicit CallUnderWay(CallFiles files);
@@ -74,7 +74,8 @@ class CallUnderWay {
   CallFiles files_;
 };
 
-// An input. Fails: as CallFiles::reads, for the program's call and every call under way.
+// Announces an input to the program's call and to every call under way.
+// Fails:      as CallFiles::reads.
 void announce_input(const std::filesystem::path& file);
 
 }  // namespace flexslip

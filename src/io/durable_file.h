@@ -1,4 +1,4 @@
-// Files that are there whole or not at all, whatever happens to the program or the computer while they are written.
+// Output files that are complete or absent, even if the program or the computer fails while writing.
 #pragma once
 
 #include <ctime>
@@ -10,45 +10,46 @@
 
 namespace flexslip {
 
-// Is this the name of a file that was being written?
+// True for the name of an unfinished file.
 bool is_unfinished(const std::filesystem::path& file);
 
-// The file that is written where a path leads: spelled in one way, its symbolic links followed, also to where nothing is yet.
+// The canonical path of a file, with symbolic links resolved, also if the file does not exist yet.
 std::filesystem::path target_of(std::filesystem::path path);
 
-// Is it, as a target, what a process has open, /dev/stdout or /dev/fd/3: a name for it, and no place in a folder?
+// True if a target is an open descriptor of a process, such as /dev/stdout or /dev/fd/3, and no place in a folder.
 bool is_descriptor(const std::filesystem::path& target);
 
-// A file of results. It is written under another name beside its place, and only once it is whole replaces the file that is
-// there, whose permissions it takes: what cannot be written, on a full disk, leaves the old file. Standard output, devices and
-// pipes are written as they are.
+// A file of results. It is written under a temporary name in the same folder and replaces an existing file when it is
+// complete, with the permissions of the existing file. If writing fails, as on a full disk, the old file remains.
+// Standard output, devices and pipes are written directly.
 class OutputFile {
  public:
   // "-" is standard output.
   // Fails:      InputError if the file, or the folder it lies in, cannot be written to.
   explicit OutputFile(std::string path);
-  ~OutputFile();  // removes it unless it is finished
+  ~OutputFile();  // removes an unfinished file
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream();
 
-  // What is being written, for a library that writes by name; empty for standard output.
+  // The temporary name, for a library that writes by name; empty for standard output.
   const std::filesystem::path& name() const { return name_; }
 
-  // Gives it its name, replacing a file that is there. When this returns, it outlives a power cut.
-  // Fails:      InputError if not all could be written, with nothing left behind.
+  // Gives the file its final name, replacing an existing file. Afterwards the file survives a power failure.
+  // Fails:      InputError if the file could not be written completely; nothing remains of it.
   void finish();
 
  private:
   std::string path_;
   std::filesystem::path file_{}, name_{};
-  std::optional<std::filesystem::perms> permissions_{};  // of the file that is there
+  std::optional<std::filesystem::perms> permissions_{};  // of the existing file
   std::ofstream stream_{};
   bool is_replaced_ = false;  // yet to be
 };
 
-// The date that files bear, [s] SOURCE_DATE_EPOCH where it is set, so that they can be made again to the byte; and a date of Greenwich.
+// [s] The date that files carry: SOURCE_DATE_EPOCH if it is set, so that they can be reproduced exactly.
+// calendar_date is in UTC.
 std::time_t date_of_source(std::time_t otherwise);
 std::tm calendar_date(std::time_t seconds);
 

@@ -44,7 +44,7 @@ class Converter {
   explicit Converter(const char* from) : handle_(iconv_open("UTF-8", from)) {
     // The C library of a page knows CP932 by its older name alone, without NEC's and IBM's characters.
     if (!is_open() && std::string_view(from) == "CP932") handle_ = iconv_open("UTF-8", "SJIS");
-    if (!is_open()) throw InputError({.expected = fmt::format("a C library that knows {}", from), .found = "none"});
+    if (!is_open()) throw InputError({.problem = fmt::format("The C library does not know {}", from)});
   }
   Converter(const Converter&) = delete;
   Converter& operator=(const Converter&) = delete;
@@ -162,8 +162,7 @@ Encoding encoding_of(std::string_view bytes) {
 
 [[noreturn]] void refuse_binary(std::string_view bytes, std::size_t at, std::string_view what) {
   throw InputError({.line = line_at(bytes, at),
-                    .expected = "text",
-                    .found = fmt::format("binary data ({})", what),
+                    .problem = fmt::format("The file holds binary data ({}), not text", what),
                     .remedy = "export the measurement as CSV"});
 }
 
@@ -180,8 +179,8 @@ bool is_binary(std::string_view bytes) {
   if (is_binary(bytes)) refuse_binary(bytes, at, "control characters");
   throw InputError(
       {.line = line_at(bytes, at),
-       .expected = fmt::format("text in {}", name_of(encoding)),
-       .found = fmt::format("the byte {:02x}", static_cast<unsigned char>(bytes[at])),
+       .problem =
+           fmt::format("The byte {:02x} is no text in {}", static_cast<unsigned char>(bytes[at]), name_of(encoding)),
        .remedy = "correct that character, name another encoding with --encoding, or export the measurement as CSV"});
 }
 
@@ -216,7 +215,7 @@ Encoding encoding_named(std::string_view name) {
     if (each.name == lower) return each.encoding;
     names.emplace_back(each.name);
   }
-  throw InputError({.expected = "one of the encodings " + listed(names), .found = in_quotes(name)});
+  throw InputError({.problem = fmt::format("{} is not one of the encodings {}", in_quotes(name), listed(names))});
 }
 
 DecodedText decode(std::string bytes, std::optional<Encoding> wanted) {

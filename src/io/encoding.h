@@ -1,4 +1,4 @@
-// The encoding of a text file: found from its bytes, and undone.
+// Detection of the encoding of a text file from its bytes, and conversion to UTF-8.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@ enum class Encoding { utf8, utf16le, utf16be, cp1252, shift_jis };
 // "utf-8", "utf-16le", "utf-16be", "cp1252", "shift-jis"
 std::string_view name_of(Encoding encoding);
 
-// Fails:      InputError, without a place, for a name that is none of these; letters of either case.
+// The encoding with a name; case is ignored.
+// Fails:      InputError, without a place, for another name.
 Encoding encoding_named(std::string_view name);
 
 struct DecodedText {
@@ -21,12 +22,12 @@ struct DecodedText {
   bool byte_order_mark;
 };
 
-// The text in some bytes.
-// Fails:      InputError, without a file, for binary data and for bytes that the wanted encoding does not have.
-// Method:     the byte order mark; or else UTF-16 by its zero bytes; UTF-8 where all bytes are, or fewer are none than it explains characters beyond
-//             ASCII (the first that is none is refused then); Shift-JIS if the bytes are valid
-//             and most of its two-byte characters are of the rows of kana and common kanji, whose first bytes are rare
-//             signs in CP1252; or else CP1252. No statistics of letters: these take German CP1252 for ISO-8859-3.
+// Converts bytes to text.
+// Fails:      InputError, without a file, for binary data and for bytes that are invalid in the requested encoding.
+// Method:     the byte order mark decides. Without one, zero bytes mean UTF-16. UTF-8 is taken if all bytes are
+//             valid, or if its non-ASCII characters outnumber the invalid bytes, the first of which is then refused. Shift-JIS
+//             is taken if the bytes are valid and most two-byte characters are kana or common kanji, whose first
+//             bytes are rare in CP1252. All else is CP1252. Letter statistics would take German CP1252 for ISO-8859-3.
 DecodedText decode(std::string bytes, std::optional<Encoding> wanted = {});
 
 }  // namespace flexslip

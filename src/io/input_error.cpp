@@ -30,24 +30,36 @@ std::string escaped(std::string_view text) {
   return out;
 }
 
-// What is wrong: "expected a number, found '12,5'".
-std::string problem_of(const InputFault& fault) {
-  if (!fault.problem.empty()) return fault.problem;
-  if (fault.found.empty()) return "expected " + fault.expected;
-  if (fault.expected.empty()) return "found " + fault.found;
-  return fmt::format("expected {}, found {}", fault.expected, fault.found);
+// True if the text ends with what a user copies: a flag, or the unquoted value of a flag or key.
+bool ends_with_bare_value(std::string_view text) {
+  const auto cut_word = [&text] {
+    const std::size_t space = text.rfind(' ');
+    const std::string_view word = text.substr(space + 1);  // all of it without a space
+    text = text.substr(0, space == std::string_view::npos ? 0 : space);
+    return word;
+  };
+  const std::string_view last = cut_word(), before = cut_word();
+  if (last.ends_with('"') || last.ends_with('\'')) return false;
+  return last.starts_with("--") || last.find('=') != std::string_view::npos || before.starts_with("--") ||
+         before == "=";
 }
 
-// "ss14.csv:17: column 'F_N': expected …", "case.toml:4: [rig] span is missing", "ss14.csv cannot be read: …".
+// The text with a capital letter at its beginning and a mark at its end.
+std::string as_sentence(std::string_view text) {
+  std::string out = capitalised(text);
+  const bool has_mark = std::string_view(".,:;?!").find(out.back()) != std::string_view::npos;
+  return has_mark ? out : out + ".";
+}
+
+// "ss14.csv:17: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,"
 std::string sentence(const InputFault& fault) {
-  std::string place = fault.file;
-  if (fault.line > 0) place += fmt::format("{}{}", fault.file.empty() ? "line " : ":", fault.line);
-  const bool has_subject = !fault.problem.empty();  // the field, or else the file, is what the problem is told of
-  std::string text = place;
-  if (!place.empty()) text += has_subject && fault.field.empty() ? " " : ": ";
-  if (!fault.field.empty()) text += fault.field + (has_subject ? " " : ": ");
-  text += problem_of(fault);
-  if (!fault.remedy.empty()) text += "; " + fault.remedy;
+  std::string text = fault.file;
+  if (fault.line > 0) text += fmt::format("{}{}", fault.file.empty() ? "line " : ":", fault.line);
+  if (!text.empty()) text += ": ";
+  if (!fault.field.empty()) text += fault.field + ": ";
+  if (!fault.problem.empty()) text += as_sentence(fault.problem);
+  if (!fault.remedy.empty())
+    text += " " + (ends_with_bare_value(fault.remedy) ? capitalised(fault.remedy) : as_sentence(fault.remedy));
   return escaped(text);
 }
 
@@ -98,20 +110,12 @@ void Faults::add(const InputError& error) {
 
 bool is_of_call(const InputFault& fault) { return fault.field.starts_with("--") && fault.key.empty(); }
 
-InputError unreadable(std::string file, std::string reason) {
-  std::string problem = "cannot be read: " + reason;
-  return InputError({.file = std::move(file),
-                     .expected = "a file that can be read",
-                     .found = std::move(reason),
-                     .problem = std::move(problem)});
+InputError unreadable(std::string file, std::string_view reason) {
+  return InputError({.file = std::move(file), .problem = fmt::format("The file cannot be read: {}", reason)});
 }
 
-InputError unwritable(std::string file, std::string reason) {
-  std::string problem = "cannot be written: " + reason;
-  return InputError({.file = std::move(file),
-                     .expected = "a file that can be written",
-                     .found = std::move(reason),
-                     .problem = std::move(problem)});
+InputError unwritable(std::string file, std::string_view reason) {
+  return InputError({.file = std::move(file), .problem = fmt::format("The file cannot be written: {}", reason)});
 }
 
 InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field) {

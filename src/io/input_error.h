@@ -1,4 +1,4 @@
-// What is wrong with an input, where it stands, and how to mend it. Thrown at the edge, caught once per front end.
+// Errors in an input: what is wrong, where, and what to do. Thrown where input is read, caught once per front end.
 #pragma once
 
 #include <cstddef>
@@ -11,54 +11,53 @@
 
 namespace flexslip {
 
-// What a program may want to know; a person reads the words.
+// The kind of an error, for programs; people read the sentences.
 enum class FaultKind {
-  wrong,     // it is there, and not as it should be
-  missing,   // it is not there
-  unknown,   // it is there, and nothing has this name
+  wrong,     // the value is invalid
+  missing,   // no value is given
+  unknown,   // there is nothing with this name
   too_much,  // a number beyond `limit`
 };
 
-// Of a table, what is at fault: what to advise depends on it.
+// The part of a table that is at fault. The remedy depends on it.
 enum class TablePart { none, title, cell };
 
-// The parts of the message; those that do not apply stay empty.
+// The parts of a message. Parts that do not apply are empty.
 struct InputFault {
-  std::string file{};      // as the user named it
-  std::size_t line{};      // 1-based; 0 where there is no line to point at
-  std::string field{};     // what the user would search for: "column 'F_N'", "[specimen] diameter"
-  std::string expected{};  // "a number"
-  std::string found{};     // "'12,5'"
-  std::string remedy{};    // "write decimal points, or pass --decimal ,"
-  std::string problem{};   // said instead of expected and found where these make no sentence: "is missing"
+  std::string file{};     // the name that the user gave
+  std::size_t line{};     // 1-based; 0 without a line
+  std::string field{};    // what the user would search for: "column 'F_N'", "[specimen] diameter"
+  std::string problem{};  // what is wrong, a sentence without its full stop: "'12,5' is not a number"
+  std::string remedy{};   // what to do, another sentence: "write decimal points, or pass --decimal ,"
 
   FaultKind kind = FaultKind::wrong;
-  std::string key{};                 // of a case file: "rig.stiffness"
-  std::optional<double> limit{};     // SI, or reduced
-  TablePart part = TablePart::none;  // title: no column has the one asked for; cell: one cell alone
+  std::string key{};                 // the key of a case file: "rig.stiffness"
+  std::optional<double> limit{};     // [SI, or reduced] the limit that `too_much` exceeds
+  TablePart part = TablePart::none;  // title: no column has the requested title; cell: a single cell
 };
 
-// The one exception type for bad input. what() is one line made of the fault, without control characters:
-//   ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,
-//   case.toml:4: [rig] span is missing; add span = "1278 um"
+// The only exception type for bad input. what() is one line without control characters, composed of the fault.
+// Both sentences begin with a capital letter there and end with a full stop, unless they end with another mark:
+//   ss14.csv:17: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,
+//   case.toml:4: [rig] span: This value is missing. Add span = "1278 um".
 struct InputError : std::runtime_error {
   explicit InputError(InputFault what_is_wrong);
   InputError(InputFault what_is_wrong, std::vector<InputFault> also_wrong);
   InputFault fault;
-  std::vector<InputFault> also;  // what was found to be wrong besides
+  std::vector<InputFault> also;  // further errors of the same input
 
-  // A line for each, what() first.
+  // One line for each error, what() first.
   std::vector<std::string> lines() const;
 };
 
-// All that is wrong with an input, so that it can be mended at once.
+// A collector of errors, so that one message lists all errors of an input.
 class Faults {
  public:
   bool empty() const { return faults_.empty(); }
 
   void add(const InputError& error);
 
-  // Takes a step, and notes the InputError in which it ends.
+  // Runs a step and collects the InputError that it throws, if any.
   template <class Step>
   void note(Step step) {
     try {
@@ -68,37 +67,38 @@ class Faults {
     }
   }
 
-  // Fails:      InputError, in the order of lines, if there are any.
+  // Throws all collected errors.
+  // Fails:      InputError, in the order of lines, if any error was collected.
   void raise() const;
 
  private:
   std::vector<InputFault> faults_;
 };
 
-// The same error with its place filled in: what a reader of text throws, told by the reader of the file it stands in.
+// An error with its place filled in. The reader of a file does this for errors of the reader of its text.
 InputError located(const InputError& error, std::string_view file, std::size_t line, std::string_view field);
 
-// Is it a flag of the call that is wrong, which stands in no file?
+// True if a flag of the call is wrong, which belongs to no file.
 bool is_of_call(const InputFault& fault);
 
-// A file that the system does not let us read or write, and the reason that it gives.
-InputError unreadable(std::string file, std::string reason);
-InputError unwritable(std::string file, std::string reason);
+// Errors for a file that cannot be read or written, with the reason that the system gives.
+InputError unreadable(std::string file, std::string_view reason);
+InputError unwritable(std::string file, std::string_view reason);
 
-// Text from a user's file made fit for a message: in quotes, control characters and broken UTF-8 as \xNN, clipped.
+// Text from a user's file for a message: in quotes, shortened, control characters and broken UTF-8 as \xNN.
 std::string in_quotes(std::string_view text);
 
-// Names for a message, each quoted: "'a', 'b' and 'c'"; a long list is clipped and says how many more there are.
+// Names for a message, each quoted: "'a', 'b' and 'c'"; a long list is shortened and ends with a count.
 std::string listed(const std::vector<std::string>& names);
 
-// Lines for a message, in their order: "line 3", "lines 3 to 9", "lines 3, 5, 8 and 20 more".
+// Line numbers for a message, in their order: "line 3", "lines 3 to 9", "lines 3, 5, 8 and 20 more".
 std::string on_lines(std::span<const std::size_t> lines);
 
-// The candidate the user probably meant, "" if none is near.
-// Method:     optimal string alignment distance, letters of either case alike; near is at most a third of the letters.
+// The candidate that the user probably meant; "" if no candidate is similar.
+// Method:     optimal string alignment distance, ignoring case; similar means at most a third of the letters.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-// A remedy that names it: "did you mean 'F_N'?"; where none is near, another remedy.
+// The remedy "did you mean 'F_N'?"; without a similar candidate, another remedy.
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates, std::string otherwise = "");
 
 }  // namespace flexslip

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <fast_float/fast_float.h>
+#include <fmt/format.h>
 
 #include "io/input_error.h"
 #include "io/quantity.h"
@@ -203,9 +204,8 @@ std::optional<char> NumberEvidence::decimal() const {
     return std::nullopt;
   }
   if (std::min(points, commas) > std::max(points, commas) / damaged_share)
-    throw InputError({.expected = "one decimal mark",
-                      .found = std::to_string(points) + " numbers with a decimal point and " + std::to_string(commas) +
-                               " with a decimal comma",
+    throw InputError({.problem = fmt::format("The file has {} numbers with a decimal point and {} with a decimal comma",
+                                             points, commas),
                       .remedy = "say which it is with --decimal"});
   return points > commas ? '.' : ',';
 }

@@ -1,4 +1,4 @@
-// How a file writes its numbers: the decimal mark and the separator of thousands, which only all of them together tell.
+// The number format of a file: decimal mark and thousands separator, determined from all its numbers together.
 #pragma once
 
 #include <cstddef>
@@ -15,18 +15,19 @@ struct NumberFormat {
   bool operator==(const NumberFormat&) const = default;
 };
 
-// A text that is all one number with a decimal point: "-1.5e3", "+2", also "nan", "-inf" and "1e999". nullopt if it is none.
+// The number that a text with a decimal point consists of: "-1.5e3", "+2", also "nan", "-inf" and "1e999".
+// nullopt for other text.
 // Max error:  correctly rounded.
 std::optional<double> plain_number(std::string_view text);
 
-// A cell as a number, NaN if it is none: digits with at most one decimal mark, in groups of three if at all in groups.
-// Cells that are 'nan', or empty, are none.
+// The number in a cell: digits with at most one decimal mark, ungrouped or in groups of three. NaN for other text, for
+// 'nan' and for an empty cell.
 // Also "−1.5" with a minus or dash of any kind, "(1.5)" and "1.5-" for -1.5, "1.5D+01" for 15.
 // Max error:  correctly rounded.
 double number_in(std::string_view cell, const NumberFormat& format);
 
-// A cell with a number in some country's notation (digits with a sign, marks . , ' and spaces, an exponent), and perhaps
-// its unit: "12.5 N".
+// A number in the notation of any country (sign, digits, marks . , ' and spaces, exponent)
+// and its optional unit: "12.5 N".
 struct NumberCell {
   std::string_view number, unit;
 };
@@ -34,30 +35,30 @@ struct NumberCell {
 // Both parts are empty if the cell holds no number.
 NumberCell number_cell(std::string_view cell);
 
-// Is there something in the cell that says that there is no number: nothing, a dash, "nan", "N/A"?
+// True for a cell without a reading: empty, a dash, "nan", "N/A".
 bool says_missing(std::string_view cell);
 
-// Does the cell say that a sensor or its amplifier was at its end: "OVER", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf"?
+// True for a cell that reports an overloaded sensor: "OVER", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf".
 bool says_overload(std::string_view cell);
 
-// What the cells of a file say about its number format. Each is worth looking at: "1,234" may be either, "0,123" not.
+// Evidence on the number format from the cells of a file. "1,234" is ambiguous, "0,123" is not.
 class NumberEvidence {
  public:
-  // A cell that looks numeric.
+  // Adds a cell that looks numeric.
   void add(std::string_view text);
 
-  // The decimal mark that the cells prove; none if none does. A mark that fewer than a hundredth of those with any
-  // contradict is proven: damaged cells do not change how a file is read.
+  // The decimal mark that the cells prove; nullopt without a proof. Damaged cells do not matter: a mark is
+  // proven if fewer than 1 % of the cells with a mark contradict it.
   // Fails:      InputError, without a place, if both marks are used as decimal marks.
   std::optional<char> decimal() const;
 
-  // Are there cells that only the decimal mark would explain, with no proof of it?
+  // True if some cells depend on the decimal mark and no cell proves it.
   bool undecidable() const;
 
-  // Is the comma the only mark?
+  // True if the comma is the only mark.
   bool only_commas() const { return point_.as_decimal + point_.as_group + point_.either == 0; }
 
-  // The separator of thousands, once the decimal mark is known: that mark itself where numbers have several.
+  // The thousands separator for a known decimal mark; the decimal mark itself if numbers have several of it.
   char thousands(char decimal) const;
 
  private:

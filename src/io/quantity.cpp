@@ -165,13 +165,13 @@ class UnitReader {
     }
     bool divided = false;
     for (std::size_t factors = 1; skip_spaces(), !rest_.empty(); ++factors) {
-      if (factors == most_factors) refuse("a shorter unit", "");
+      if (factors == most_factors) refuse(fmt::format("a unit of at most {} factors", most_factors), "");
       if (take(rest_, "/")) {
         divided = true;
         multiply_by_factor(-1);
         continue;
       }
-      if (divided) refuse("one reading", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
+      if (divided) refuse("a unit with one meaning", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
       take(rest_, "*");  // a product needs no sign; a space has already been passed
       multiply_by_factor(1);
     }
@@ -180,7 +180,8 @@ class UnitReader {
 
  private:
   [[noreturn]] void refuse(std::string expected, std::string remedy) const {
-    throw InputError({.expected = std::move(expected), .found = in_quotes(whole_), .remedy = std::move(remedy)});
+    throw InputError(
+        {.problem = fmt::format("{} is not {}", in_quotes(whole_), expected), .remedy = std::move(remedy)});
   }
 
   void skip_spaces() {
@@ -205,7 +206,8 @@ class UnitReader {
 
   [[noreturn]] void refuse_symbol(std::string_view symbol) const {
     if (symbol.empty()) refuse("a unit", "");
-    throw InputError({.expected = "a unit", .found = in_quotes(symbol), .remedy = remedy_for_symbol(symbol)});
+    throw InputError(
+        {.problem = fmt::format("{} is not a unit", in_quotes(symbol)), .remedy = remedy_for_symbol(symbol)});
   }
 
   std::string_view take_symbol() {
@@ -344,8 +346,7 @@ std::string with_typeset_unit(const std::string& number, std::string_view unit) 
 
 double within(Range range, double value, std::string_view text, const Kind& kind) {
   const auto refuse = [&](std::string_view adjective, std::string_view remedy) {
-    throw InputError({.expected = fmt::format("a {} {}", adjective, noun(kind)),
-                      .found = in_quotes(text),
+    throw InputError({.problem = fmt::format("{} is not a {} {}", in_quotes(text), adjective, noun(kind)),
                       .remedy = std::string(remedy)});
   };
   if (std::isnan(value)) refuse("known", "");
@@ -365,27 +366,25 @@ double parse_quantity(std::string_view text, const Kind& kind, Range range) {
   const std::string_view body = trimmed(text);
   const std::optional<LeadingNumber> number = leading_number(body);
   if (!number)
-    throw InputError({.expected = fmt::format("{} with its unit", kind.name),
-                      .found = body.empty() ? "nothing" : in_quotes(body),
+    throw InputError({.problem = fmt::format("{} is not {} with its unit",
+                                             body.empty() ? "An empty text" : in_quotes(body), kind.name),
                       .remedy = fmt::format("write a number and a unit, \"{}\"", kind.example)});
   const std::string_view symbol = trimmed(number->rest);
   if (std::isinf(number->value) && !spells_infinity(number->text))
-    throw InputError({.expected = fmt::format("{} that a computer can hold", kind.name), .found = in_quotes(body)});
+    throw InputError({.problem = fmt::format("{} is not {} that a computer can hold", in_quotes(body), kind.name)});
   if (symbol.starts_with(','))
     throw InputError(
-        {.expected = std::string(kind.name),
-         .found = in_quotes(body),
+        {.problem = fmt::format("{} is not {}", in_quotes(body), kind.name),
          .remedy = fmt::format("write a decimal point and no thousands separators, \"{}\"", kind.example)});
   const bool needs_no_unit = !std::isfinite(number->value) || kind.dimension == Dimension{} ||
                              kind.dimension == kind::angle.dimension;  // radians
   if (symbol.empty() && !needs_no_unit)
-    throw InputError({.expected = fmt::format("{} with its unit", kind.name),
-                      .found = fmt::format("the bare number {}", in_quotes(number->text)),
-                      .remedy = "write " + in_units(number->text, kind)});
+    throw InputError(
+        {.problem = fmt::format("The number {} has no unit, but {} needs one", in_quotes(number->text), kind.name),
+         .remedy = "write " + in_units(number->text, kind)});
   const Unit unit = symbol.empty() ? Unit{} : parse_unit(symbol);
   if (!symbol.empty() && unit.dimension != kind.dimension)
-    throw InputError({.expected = std::string(kind.name),
-                      .found = fmt::format("{} {}", name_of(unit.dimension), in_quotes(body)),
+    throw InputError({.problem = fmt::format("{} is {}, not {}", in_quotes(body), name_of(unit.dimension), kind.name),
                       .remedy = fmt::format("write it as in \"{}\"", kind.example)});
   return within(range, with_decimal_shift(*number, unit.exponent) * unit.factor, body, kind);
 }
@@ -405,12 +404,13 @@ Unit parse_unit(std::string_view text, const Kind& kind) {
   const std::string_view body = trimmed(text);
   if (is_number && (body.empty() || body == "1" || body == "-")) return {};
   const auto wanted = [&] { return is_number ? std::string("no unit") : fmt::format("a unit of {}", noun(kind)); };
-  const auto remedy = [&] { return is_number ? std::string() : "such as " + in_units("", kind); };
-  if (body.empty()) throw InputError({.expected = wanted(), .found = "none", .remedy = remedy()});
+  const auto remedy = [&] { return is_number ? std::string() : "write " + in_units("", kind); };
+  if (body.empty())
+    throw InputError({.problem = fmt::format("No unit is stated, but {} is needed", wanted()), .remedy = remedy()});
   const Unit unit = parse_unit(body);
   if (unit.dimension != kind.dimension)
-    throw InputError({.expected = wanted(),
-                      .found = fmt::format("{}, the unit of {}", in_quotes(body), name_of(unit.dimension)),
+    throw InputError({.problem = fmt::format("The unit {} measures {}, but {} is needed", in_quotes(body),
+                                             name_of(unit.dimension), wanted()),
                       .remedy = remedy()});
   return unit;
 }

@@ -2,7 +2,7 @@
 //
 // A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c d k M G T),
 // micron, sec, min, h, in, ft, mil, lbf, ozf, kip, psi, ksi, Msi, gf, kgf and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
-// Names are units as well, whatever their letters' case: "seconds", "Newton", "lbs", "kp", "inches".
+// Names of units are read as well, ignoring case: "seconds", "Newton", "lbs", "kp", "inches".
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace flexslip {
 
-// Exponents of the base units. The angle is one of them, so that a phase is not taken for a friction coefficient.
+// Exponents of the base units. The angle has one, so that a phase is not taken for a friction coefficient.
 struct Dimension {
   int metre{};
   int kilogram{};
@@ -23,8 +23,8 @@ struct Dimension {
   bool operator==(const Dimension&) const = default;
 };
 
-// A unit of measurement: 1 unit = factor 10^exponent in SI. The power of ten is apart, so that "34.8 um" is read as
-// the double nearest to 34.8e-6, and not as a rounded product.
+// A unit of measurement: 1 unit = factor 10^exponent in SI. The power of ten is separate, so that "34.8 um"
+// is read as the double nearest to 34.8e-6.
 struct Unit {
   Dimension dimension{};
   int exponent{};
@@ -32,15 +32,15 @@ struct Unit {
   bool operator==(const Unit&) const = default;
 };
 
-// What a quantity is: its dimension, and how people write it.
+// A kind of quantity: its dimension and its usual notation.
 struct Kind {
   std::string_view name;  // with its article, "a length"
   Dimension dimension;
-  std::span<const std::string_view> units;  // decimal ones, rising: what a value is shown in; empty where it has none
+  std::span<const std::string_view> units;  // decimal units for display, ascending; empty if dimensionless
   std::string_view example;                 // "1278 um"
 };
 
-// Its name without the article, "length".
+// The name without the article, "length".
 constexpr std::string_view noun(const Kind& kind) { return kind.name.substr(kind.name.find(' ') + 1); }
 
 namespace kind {
@@ -72,53 +72,54 @@ inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
 inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
 }  // namespace kind
 
-// The same kind as people show it who measure in inches and pounds; a plain number, an angle and a time are as they were.
+// The kind in inches and pounds. A plain number, an angle and a time remain unchanged.
 const Kind& in_inches(const Kind& kind);
 
-// Which values make sense. Infinity is written "inf" and nothing else; NaN never makes sense.
+// The range of valid values. Infinity must be written "inf"; NaN is never valid.
 enum class Range { any, non_negative, positive, positive_or_infinite };
 
 // A quantity of the given kind from text.
 // Units:      the result is in SI, radians.
 // Max error:  correctly rounded where the unit is decimal; 1 ulp otherwise (deg, in, lbf, psi, min, h).
-// Fails:      InputError, without a place, for a missing, unknown or wrong unit, a value out of range or, unless 0 or infinite, of [1e-60, 1e60],
-//             no number.
+// Fails:      InputError, without a place, for text without a number; for a missing, unknown or wrong unit; for a value out
+//             of range; and for a finite value other than 0 outside [1e-60, 1e60].
 double parse_quantity(std::string_view text, const Kind& kind, Range range = Range::any);
 
-// What parse_quantity does once the number is known: refuses it, as an InputError quoting `text`, if out of range.
+// The range check of parse_quantity. Returns the value.
+// Fails:      InputError that quotes `text`, if the value is out of range.
 double within(Range range, double value, std::string_view text, const Kind& kind);
 
 // A unit from text.
 // Fails:      InputError, without a place, if the text is no unit.
 Unit parse_unit(std::string_view text);
 
-// The same; nullopt if the text is no unit.
+// A unit from text; nullopt if the text is no unit.
 std::optional<Unit> unit_named(std::string_view text);
 
 // A unit from text that must be one of the given kind; kind::number also takes "", "1" and "-".
 // Fails:      InputError, without a place.
 Unit parse_unit(std::string_view text, const Kind& kind);
 
-// A unit as testing machines write it: what parse_unit knows, and "p" for pond. nullopt for what is none of these: a unit is never guessed.
+// A unit as testing machines write it: the units of parse_unit, and "p" for pond. nullopt for other text; no unit is guessed.
 std::optional<Unit> machine_unit(std::string_view text);
 
-// The units of a kind that may be meant by a text that is none of it: "KN" by kN, "g" by gf, "mn" by mN or MN. Empty if none is.
+// The units that an invalid text may mean: kN for "KN", gf for "g", mN or MN for "mn". Empty if no unit is similar.
 std::vector<std::string_view> meant_units(std::string_view text, const Kind& kind);
 
-// Volts, of a transducer whose calibration the file does not hold: "V", "mV", "Volts"; how many volts one of it is [V].
+// [V] The size of a voltage unit, "V", "mV" or "Volts", as of a transducer without calibration. nullopt for other text.
 std::optional<double> volts_in(std::string_view text);
 
-// Does it name a unit or a voltage, or none with "-" or "1"? So in brackets or without.
+// True for a unit, a voltage, "-" or "1", with or without brackets.
 bool names_a_unit(std::string_view text);
 
 // A value in a unit, in SI.
 // Max error:  1 ulp (one rounding for the power of ten, where |exponent| <= 22; one for a factor other than 1).
 double to_si(double value, const Unit& unit);
 
-// A value in SI, in a unit. Max error as to_si.
+// A value in SI, converted to a unit. Max error as to_si.
 double from_si(double value, const Unit& unit);
 
-// The unit in which a value [SI] of this size reads best: the largest that does not exceed it.
+// The best unit for a value [SI] of this size: the largest unit that does not exceed it.
 std::string_view best_unit(double magnitude, const Kind& kind);
 
 // A unit in typeset form: "um" as "µm", "N mm^2" as "N mm²".
@@ -127,14 +128,14 @@ std::string typeset(std::string_view unit);
 // A value [SI] for people: up to four significant digits in its best unit, "10.9 µm".
 std::string readable(double value, const Kind& kind);
 
-// The same with its standard uncertainty [SI], of which two digits are shown, the value to match: "10.90 ± 0.20 µm".
-// An uncertainty that is not known (NaN) is said to be so, and so is one below a millionth of the value, as readings without noise have.
+// A value with its standard uncertainty [SI], which has two digits: "10.90 ± 0.20 µm". The text reports an uncertainty that is
+// unknown (NaN), or below a millionth of the value, as for readings without noise.
 std::string readable(double value, double uncertainty, const Kind& kind);
 
 // A difference [1] as "+2.1 %".
 std::string signed_percent(double share);
 
-// A value [SI] as text in its best unit that parse_quantity reads back to the same bits: "34.8 um". In inches and pounds it need not: to 1 ulp.
+// A value [SI] as text in its best unit that parse_quantity reads back exactly: "34.8 um". In inches and pounds it reads back to 1 ulp.
 std::string exact_text(double value, const Kind& kind);
 
 }  // namespace flexslip

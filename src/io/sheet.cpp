@@ -113,7 +113,7 @@ bool is_dated(CellKind kind) {
 
 Sheet::Sheet(std::string text, char separator, std::size_t most) : text_(std::move(text)), separator_(separator) {
   if (text_.size() > most_bytes)
-    throw InputError({.expected = "at most 2 GiB of text", .found = "more", .remedy = remedy_for_large});
+    throw InputError({.problem = "The text has more than 2 GiB", .remedy = remedy_for_large});
   if (!text_.empty() && text_.back() != '\n' && text_.back() != '\r') text_ += '\n';
   const bool may_be_quoted = text_.find('"') != std::string::npos;
   for (std::string_view rest = text_; !rest.empty();) {
@@ -133,8 +133,7 @@ void Sheet::cut(std::string_view line, bool may_be_quoted, std::size_t most) {
   const auto add = [&](std::size_t begin, std::size_t /*end*/) {
     if (begins_.size() == most)
       throw InputError({.line = size(),
-                        .expected = fmt::format("at most {} cells", most),
-                        .found = "more",
+                        .problem = fmt::format("The table has more than {} cells", most),
                         .remedy = remedy_for_large});
     begins_.push_back(at + static_cast<std::uint32_t>(begin));
   };

@@ -93,10 +93,9 @@ std::optional<std::string> with_semicolons(std::string_view text) {
   if (least < most || most < 2 * titles || !are_pairs)
     throw InputError({.line = 1 + static_cast<std::size_t>(std::count(
                                       text.begin(), text.begin() + static_cast<std::ptrdiff_t>(above), '\n')),
-                      .expected = "one mark between cells and another for decimals",
-                      .found = fmt::format("{} titles above rows of {}{} whole numbers, as where commas separate cells "
-                                           "and decimals alike",
-                                           titles, least < most ? fmt::format("{} to ", least) : "", most),
+                      .problem = fmt::format(
+                          "Commas separate cells and decimals alike: {} titles stand above rows of {}{} whole numbers",
+                          titles, least < most ? fmt::format("{} to ", least) : "", most),
                       .remedy = "export it with semicolons or tabs between cells, or with decimal points"});
   std::string out(text);
   bool is_decimal = true;  // the next comma behind one that is none
@@ -113,8 +112,8 @@ SheetFile sheet_of_text(std::string text, SheetOrigin origin, const SheetOptions
   static constexpr std::string_view known = ",;\t ";
   if (options.separator && known.find(*options.separator) == std::string_view::npos)
     throw InputError({.field = "separator",
-                      .expected = "a comma, a semicolon, a tab or a space",
-                      .found = in_quotes(std::string_view(&*options.separator, 1))});
+                      .problem = fmt::format("{} is not a comma, a semicolon, a tab or a space",
+                                             in_quotes(std::string_view(&*options.separator, 1)))});
   make_formulas_words(text);
   const bool has_titles = purpose != SheetFor::readings;
   origin.separator = options.separator ? *options.separator
@@ -141,9 +140,8 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
        {std::pair{options.encoding.has_value(), "--encoding"}, std::pair{options.separator.has_value(), "--separator"}})
     if (is_given && !origin.has_delimiters)
       throw InputError({.field = flag,
-                        .expected = "a text file",
-                        .found = "a workbook, which needs no such choice",
-                        .remedy = fmt::format("leave {} out", flag)});
+                        .problem = "The file is a workbook, which needs no such choice",
+                        .remedy = fmt::format("leave out {}", flag)});
   SheetFile file = sheet.text ? sheet_of_text(std::move(*sheet.text), std::move(origin), options, purpose)
                               : SheetFile{std::move(origin), std::move(sheet.cells), {}};
   file.notes = std::move(sheet.notes);
@@ -153,8 +151,7 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
 // Files that hold no table as text, told by their first bytes.
 void refuse_other_kinds(std::string_view bytes) {
   const auto refuse = [](std::string found, std::string remedy) {
-    throw InputError({.expected = "a table as text, or an Excel workbook (.xlsx)",
-                      .found = std::move(found),
+    throw InputError({.problem = fmt::format("The file is {}, not a table as text or an Excel workbook (.xlsx)", found),
                       .remedy = std::move(remedy)});
   };
   if (bytes.starts_with("\x1f\x8b"))
@@ -175,8 +172,7 @@ SheetFile sheet_in_bytes(std::string bytes, const std::string& source, const She
   if (is_packed(bytes)) return sheet_of_workbook(bytes, std::move(origin), options, purpose);
   if (options.sheet)
     throw InputError({.field = "--sheet",
-                      .expected = "a workbook (.xlsx), as this names a sheet",
-                      .found = "a text file",
+                      .problem = "The file is a text file, which has no sheets",
                       .remedy = "leave it out",
                       .key = "record.sheet"});
   DecodedText decoded = decode(std::move(bytes), options.encoding);
@@ -203,14 +199,14 @@ SheetFile open_sheet(const std::string& path, const SheetOptions& options, Sheet
 InputError dated(const SheetFile& file, std::size_t line, std::size_t column, std::string_view expected) {
   const CellKind kind = file.cells.kind(line, column);
   const char* what = kind == CellKind::clock ? "clock time" : kind == CellKind::date ? "date" : "date and clock time";
-  return InputError({.file = file.origin.source,
-                     .line = line + 1,
-                     .field = fmt::format("sheet {}, cell {}", in_quotes(file.origin.sheet.value_or("")),
-                                          cell_name(line + 1, column + 1)),
-                     .expected = std::string(expected),
-                     .found = fmt::format("the {} {}", what, file.cells.shown(line, column)),
-                     .remedy = "format the cell as a number and type it again, or delete the row",
-                     .part = TablePart::cell});
+  return InputError(
+      {.file = file.origin.source,
+       .line = line + 1,
+       .field =
+           fmt::format("sheet {}, cell {}", in_quotes(file.origin.sheet.value_or("")), cell_name(line + 1, column + 1)),
+       .problem = fmt::format("The cell holds the {} {}, not {}", what, file.cells.shown(line, column), expected),
+       .remedy = "format the cell as a number and type it again, or delete the row",
+       .part = TablePart::cell});
 }
 
 InputError with_other_sheets(const InputError& error, const SheetOrigin& origin) {

@@ -85,12 +85,14 @@ struct Opened {
   }
 
   // Lines count from 0.
-  [[noreturn]] void refuse(std::size_t line, std::string field, std::string expected, std::string found,
-                           std::string remedy, TablePart part = TablePart::none) const {
-    InputFault fault{file.origin.source,  line + 1,         std::move(field),
-                     std::move(expected), std::move(found), std::move(remedy)};
-    fault.part = part;
-    throw InputError(std::move(fault));
+  [[noreturn]] void refuse(std::size_t line, std::string field, std::string problem, std::string remedy,
+                           TablePart part = TablePart::none) const {
+    throw InputError({.file = file.origin.source,
+                      .line = line + 1,
+                      .field = std::move(field),
+                      .problem = std::move(problem),
+                      .remedy = std::move(remedy),
+                      .part = part});
   }
 };
 
@@ -99,7 +101,7 @@ std::optional<std::size_t> next_row(const Opened& opened, std::size_t line) {
   while (line < opened.sheet().size() && !opened.is_row(line)) ++line;
   if (line == opened.sheet().size()) return std::nullopt;
   if (const std::size_t cell = opened.sheet().stray_quote(line); cell > 0)
-    opened.refuse(line, "", "quotes in pairs around a whole cell", fmt::format("a stray quote in cell {}", cell),
+    opened.refuse(line, "", fmt::format("Cell {} holds a stray quote: quotes stand in pairs around a whole cell", cell),
                   "delete it");
   return line;
 }
@@ -108,8 +110,7 @@ Header header_of(const Opened& opened) {
   const std::optional<std::size_t> line = next_row(opened, 0);
   if (!line)
     throw InputError({.file = opened.file.origin.source,
-                      .expected = "a header line and rows of numbers",
-                      .found = opened.sheet().size() == 0 ? "an empty file" : "no line with content"});
+                      .problem = opened.sheet().size() == 0 ? "The file is empty" : "No line of the file has content"});
   Header header{*line, {}};
   bool all_numbers = true;
   const auto cells = opened.sheet().cells(*line);
@@ -124,7 +125,7 @@ Header header_of(const Opened& opened) {
     header.cells.push_back({text, title_in_header(text)});
   }
   if (all_numbers)
-    opened.refuse(*line, "", "a header line that names the columns", "numbers",
+    opened.refuse(*line, "", "This line holds numbers, where the names of the columns are needed",
                   "add one above, such as \"w_s [m],F [N]\"");
   while (header.cells.back().text.empty())
     header.cells.pop_back();  // a delimiter at the end of the line begins no column
@@ -138,8 +139,8 @@ InputError missing_column(const Opened& opened, const Header& header, const std:
   return InputError({.file = opened.file.origin.source,
                      .line = header.line + 1,
                      .field = field,
+                     .problem = "No column has this name; the file has " + listed(names),
                      .remedy = did_you_mean(name, names),
-                     .problem = "is missing: the file has " + listed(names),
                      .part = TablePart::title});
 }
 
@@ -175,10 +176,9 @@ std::vector<Source> sources_of(const Opened& opened, const Header& header, const
     const std::string field = "column " + in_quotes(asked.name);
     if (found.empty()) throw missing_column(opened, header, asked.name, field);
     if (found.size() > 1)
-      opened.refuse(header.line, field, "one column", std::to_string(found.size()) + " of this name", "rename them");
+      opened.refuse(header.line, field, fmt::format("{} columns have this name", found.size()), "rename them");
     for (const Source& other : sources)
-      if (other.cell == found[0])
-        opened.refuse(header.line, field, "another column for each quantity", "the same one asked for twice", "");
+      if (other.cell == found[0]) opened.refuse(header.line, field, "The same column is asked for twice", "");
     Source source{found[0], field, each.kind, {}};
     for (const std::string& unit : {asked.unit, header.cells[found[0]].title.unit})
       if (!unit.empty()) source.units.push_back(unit);
@@ -217,16 +217,15 @@ AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source&
     if (unit->dimension == source.kind.dimension)
       return {*unit, fmt::format("the unit of '{}' is the end of its name, {}", name, end)};
     if (unit->dimension == kind::length.dimension || unit->dimension == kind::force.dimension)
-      opened.refuse(header.line, source.field, fmt::format("{} and its unit", source.kind.name),
-                    fmt::format("a name that ends in {}", in_quotes(end)),
+      opened.refuse(header.line, source.field,
+                    fmt::format("The name ends in {}, which is not a unit of {}", in_quotes(end), noun(source.kind)),
                     fmt::format("if it is {} all the same, name it with its unit, {}", source.kind.name, as_in()));
   }
   try {
     const Unit unit = parse_unit(source.units.empty() ? "" : source.units.front(), source.kind);
     for (const std::string& other : source.units)
       if (parse_unit(other, source.kind) != unit)
-        throw InputError({.expected = "one unit",
-                          .found = listed(source.units),
+        throw InputError({.problem = fmt::format("The units {} contradict each other", listed(source.units)),
                           .remedy = "the file and the title asked for must agree"});
     return {unit};
   } catch (const InputError& error) {
@@ -239,7 +238,8 @@ AgreedUnit agreed_unit(const Opened& opened, const Header& header, const Source&
             : std::string(without_brackets(std::string_view(cell.text).substr(cell.text.find_last_of("[("))));
     const std::vector<std::string_view> meant =
         meant_units(stated.empty() && !source.units.empty() ? source.units.front() : stated, source.kind);
-    if (!stated.empty()) fault.found = in_quotes(stated);
+    if (!stated.empty() && source.units.size() < 2 && source.kind.dimension != Dimension{})
+      fault.problem = fmt::format("{} is not a unit of {}", in_quotes(stated), noun(source.kind));
     if (source.units.empty() || !meant.empty())
       fault.remedy = fmt::format("{}name it with its unit, such as \"{} [{}]\"",
                                  meant.empty() ? "" : fmt::format("if {} is meant, ", fmt::join(meant, " or ")),
@@ -262,8 +262,10 @@ std::string remedy_for_cell(std::string_view cell, char decimal) {
 [[noreturn]] void refuse_cell(const Opened& opened, std::size_t line, const Source& source) {
   const std::string_view cell = opened.sheet().at(line, source.cell);
   const bool is_infinite = is_not_finite(cell);
-  opened.refuse(line, source.field, is_infinite ? "a finite number" : "a number",
-                cell.empty() ? "an empty cell" : in_quotes(cell),
+  opened.refuse(line, source.field,
+                cell.empty()
+                    ? "The cell is empty"
+                    : fmt::format("{} is not {}", in_quotes(cell), is_infinite ? "a finite number" : "a number"),
                 cell.empty()  ? "fill it in or delete the line"
                 : is_infinite ? "delete the line"
                               : remedy_for_cell(cell, opened.decimal),
@@ -278,8 +280,9 @@ void require_count(const Opened& opened, const Header& header, std::size_t line)
   for (std::size_t i = count; i < cells.size(); ++i) has_surplus = has_surplus || !cells[i].empty();
   if (cells.size() >= count && !has_surplus) return;
   const bool perhaps_commas = opened.file.origin.separator == ',' && cells.size() > count;
-  opened.refuse(line, "", fmt::format("{} cells as in the header on line {}", count, header.line + 1),
-                std::to_string(cells.size()),
+  opened.refuse(line, "",
+                fmt::format("The line has {} cell{}, but the header on line {} has {}", cells.size(),
+                            cells.size() == 1 ? "" : "s", header.line + 1, count),
                 perhaps_commas
                     ? "if these are decimal commas, write decimal points, or separate cells by ; and pass --decimal ,"
                     : "");
@@ -317,7 +320,7 @@ NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const
     out.lines.push_back(*row);
     for (std::size_t i = 0; i < values.size(); ++i) out.columns[i].push_back(to_si(values[i], units[i]));
   }
-  if (out.lines.empty()) opened.refuse(header.line, "", "rows of numbers", "a header only", "");
+  if (out.lines.empty()) opened.refuse(header.line, "", "The file has a header only, and no rows of numbers", "");
   return out;
 }
 
@@ -389,8 +392,8 @@ ColumnTitle parse_column_title(std::string_view title) {
   const std::size_t open = body.ends_with(']') ? body.rfind('[') : std::string_view::npos;
   const std::string_view name = trimmed(body.substr(0, open));
   if (name.empty())
-    throw InputError(
-        {.expected = "the name of a column", .found = in_quotes(title), .remedy = "write it as in \"F_N [N]\""});
+    throw InputError({.problem = fmt::format("{} is not the name of a column", in_quotes(title)),
+                      .remedy = "write it as in \"F_N [N]\""});
   if (open == std::string_view::npos) return {std::string(name), ""};
   const std::string_view unit = without_brackets(body.substr(open));
   if (!names_unit(unit)) parse_unit(unit);  // says what is wrong with it
@@ -423,8 +426,8 @@ TextTable read_text_table(const std::string& path) {
   const SheetFile file = open_sheet(path, {}, SheetFor::words);
   const Opened opened{file, '.'};
   TextTable table{.source = file.origin.source, .header_line = 0, .titles = {}, .rows = {}};
-  const auto refuse = [&](std::size_t line, std::string expected, std::string found, std::string remedy) {
-    throw InputError({table.source, line, "", std::move(expected), std::move(found), std::move(remedy)});
+  const auto refuse = [&](std::size_t line, std::string problem, std::string remedy) {
+    throw InputError({.file = table.source, .line = line, .problem = std::move(problem), .remedy = std::move(remedy)});
   };
   for (auto row = next_row(opened, 0); row; row = next_row(opened, *row + 1)) {
     std::vector<std::string> cells;
@@ -439,16 +442,16 @@ TextTable read_text_table(const std::string& path) {
       continue;
     }
     if (cells.size() > table.titles.size())
-      refuse(*row + 1, fmt::format("{} cells, as the header has", table.titles.size()), std::to_string(cells.size()),
+      refuse(*row + 1, fmt::format("The line has {} cells, but the header has {}", cells.size(), table.titles.size()),
              "put a cell that holds the delimiter in quotes");
     cells.resize(table.titles.size());
     table.rows.push_back({*row + 1, std::move(cells)});
   }
-  if (table.titles.empty()) refuse(0, "a header line that names the columns", "an empty file", "");
+  if (table.titles.empty()) refuse(0, "The file is empty", "");
   for (auto title = table.titles.begin(); title != table.titles.end(); ++title) {
-    if (title->empty()) refuse(table.header_line, "a title for every column", "an empty one", "");
+    if (title->empty()) refuse(table.header_line, "A column has no title", "");
     if (std::find(table.titles.begin(), title, *title) != title)
-      refuse(table.header_line, "each title once", in_quotes(*title) + " twice", "");
+      refuse(table.header_line, fmt::format("The title {} stands twice", in_quotes(*title)), "");
   }
   return table;
 }
@@ -475,7 +478,7 @@ void write_table(std::ostream& out, const std::vector<std::string>& titles, cons
   }
   out.write(text.data(), static_cast<std::streamsize>(text.size()));
   out.flush();
-  if (!out) throw InputError({.expected = "room to write a table", .found = "an error while writing"});
+  if (!out) throw InputError({.problem = "The table could not be written"});
 }
 
 void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next) {

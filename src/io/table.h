@@ -1,5 +1,5 @@
-// Tables whose columns are known by their titles: of readings, which are columns that a user names, or of words. One header line, units in it or
-// in a line below; empty lines and comments, which start with #, are none of it.
+// Tables of readings or of words, whose columns have titles. A table has one header line, with units in this line or in the
+// line below. Empty lines and comments, which start with #, are skipped.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ struct ColumnTitle {
 // Fails:      InputError, without a place, if there is no name or the brackets hold no unit.
 ColumnTitle parse_column_title(std::string_view title);
 
-// A column to read. The unit may stand in the title asked for, in the file's header, or in a line of units below it:
-// at least one of them, unless the kind is kind::number, and they must agree.
+// A column to read. Its unit is given in the requested title, in the header, or in a line of units below the header. At
+// least one of them must give it, unless the kind is kind::number, and all must agree.
 struct WantedColumn {
   std::string title;
   Kind kind;
@@ -35,57 +35,56 @@ struct WantedColumn {
 
 struct Column {
   std::string name;
-  std::vector<double> values;  // [SI unit of the kind wanted]
+  std::vector<double> values;  // [SI unit of the requested kind]
 };
 
-// Columns of readings, one row each on a line.
+// Columns of readings, one row per line.
 struct Table {
-  std::string source;              // the file as the user named it
-  std::vector<Column> columns;     // those wanted, in that order; all of the same length, at least 1
-  std::vector<std::size_t> lines;  // of the file, counted from 1, on which each row stands
-  std::vector<std::string>
-      notes{};  // what was decided about it: a unit at the end of a name; rows left out; of a workbook, the sheet
-  std::vector<std::size_t>
-      missing_rows{};  // of a record: rows of the file without a number, which are left out; from 0, rising
+  std::string source;                // the file as the user named it
+  std::vector<Column> columns;       // the requested columns, in order; all of the same length, at least 1
+  std::vector<std::size_t> lines;    // the line of each row in the file, counted from 1
+  std::vector<std::string> notes{};  // decisions: a unit at the end of a name; omitted rows; the sheet of a workbook
+  std::vector<std::size_t> missing_rows{};  // omitted rows of a record, which have no number; from 0, ascending
 
   std::size_t rows() const { return columns.front().values.size(); }
 
-  // Those of the file, with the missing ones.
+  // The number of rows of the file, including the missing rows.
   std::size_t rows_of_file() const { return rows() + missing_rows.size(); }
 
-  // The row of the file that a row is, and how many rows lie before one of the file; from 0.
+  // The row of the file for a row, and the number of rows before a row of the file; from 0.
   std::size_t file_row(std::size_t row) const;
   std::size_t rows_before(std::size_t file_row) const;
 };
 
-// Reads the wanted columns of a table; other columns may hold anything. Every value is finite. Rows of statistics (statistics_rows.h) are left out.
-// The decimal mark of a workbook is that of its numbers kept as words. A date or clock time in a column wanted is refused.
+// Reads the requested columns of a table; other columns may hold anything. Every value is finite. Rows of statistics
+// (statistics_rows.h) are omitted. In a workbook, `decimal` applies to numbers that are stored as words.
 // Domain:     at least one wanted column; decimal is '.' or ',' (std::invalid_argument otherwise).
-// Fails:      InputError with file, line and column, for anything that is not such a table.
+// Fails:      InputError with file, line and column, for any other content, and for a date or clock time in these columns.
 // Cost:       10^7 rows of two columns in about 1.3 s; memory for the file, 4 bytes a cell of it, and 12 a row and 8 a number wanted.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
                  const std::optional<SheetChoice>& sheet = {});
 
-// The same from the bytes of a file.
+// Reads a table from the bytes of a file.
 Table table_in(std::string bytes, const std::string& source, const std::vector<WantedColumn>& wanted,
                char decimal = '.');
 
 struct TextRow {
   std::size_t line;                // of the file, counted from 1
-  std::vector<std::string> cells;  // one for each title; those that the line lacks are empty
+  std::vector<std::string> cells;  // one for each title; empty where the line is too short
 };
 
-// A table of words: what a person keeps in a spreadsheet.
+// A table of words, as people keep it in a spreadsheet.
 struct TextTable {
   std::string source;  // the file as the user named it
   std::size_t header_line;
-  std::vector<std::string> titles;  // none empty, none twice
+  std::vector<std::string> titles;  // not empty, and all different
   std::vector<TextRow> rows;
 };
 
-// Reads a table separated by commas, semicolons or tabs, or the first sheet with a number of a workbook. A cell is what without_formula was given:
-// '=a is =a.
-// Fails:      InputError with file and line: no header, a title that is missing or there twice, more cells than titles, a stray quote, a date.
+// Reads a table separated by commas, semicolons or tabs, or the first sheet of a workbook that has a number. A cell '=a is
+// read as =a, the inverse of without_formula.
+// Fails:      InputError with file and line: no header, a missing or repeated title, more cells than titles, a stray quote,
+//             a date.
 TextTable read_text_table(const std::string& path);
 
 // What stands in a table that is written: a number, or words.

@@ -20,7 +20,7 @@ std::shared_ptr<std::istream> open_to_read(const std::string& path) {
   if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
-    throw InputError({.file = path, .expected = "a file", .found = "a directory"});
+    throw InputError({.file = path, .problem = "This is a directory, not a file"});
   errno = 0;
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
   if (!*file) throw unreadable(path, std::generic_category().message(errno));
@@ -36,8 +36,7 @@ std::string bytes_of(const std::string& path) {
   const auto require_at_most = [&](std::uintmax_t size) {
     if (size > most)
       throw InputError({.file = source,
-                        .expected = "a file of at most 2 GiB",
-                        .found = "a longer one",
+                        .problem = "The file has more than 2 GiB",
                         .remedy = "split it, or export fewer readings a second"});
   };
   std::error_code unknown;
@@ -56,8 +55,7 @@ std::string bytes_of(const std::string& path) {
     require_at_most(bytes.size());
     if (before == 0 && got == piece && bytes.find_first_not_of('\0') == std::string::npos)
       throw InputError({.file = source,
-                        .expected = "a table",
-                        .found = "nothing but NUL characters in its first MiB",
+                        .problem = "The first MiB of the file holds nothing but NUL characters",
                         .remedy = "copy the file again from where it was recorded"});
   }
   return bytes;

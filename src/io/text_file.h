@@ -1,4 +1,4 @@
-// Files read and text written; "-" is standard input, or output.
+// Reading files and writing text. "-" is standard input or standard output.
 #pragma once
 
 #include <iosfwd>
@@ -9,20 +9,20 @@
 
 namespace flexslip {
 
-// A file to read from.
+// Opens a file for reading.
 // Fails:      OutputClash if the call writes it; InputError if it is missing, a directory or cannot be opened.
 std::shared_ptr<std::istream> open_to_read(const std::string& path);
 
-// All that a file holds.
-// Fails:      as open_to_read; InputError for more than 2 GiB, before it is read if the file says its size; for a MiB of NUL characters, as
-//             /dev/zero has without end; for an error while reading.
+// The content of a file.
+// Fails:      as open_to_read; InputError for more than 2 GiB, for a first MiB of NUL characters (as in /dev/zero), and
+//             for an error while reading.
 std::string bytes_of(const std::string& path);
 
-// The whole of a file of the program's own; none if it cannot be read.
+// The content of a file of the program itself; empty if the file cannot be read.
 std::optional<std::string> read_text(const std::string& path);
 
-// Writes a file, whole or not at all (OutputFile).
-// Fails:      InputError if not all could be written.
+// Writes a file completely or not at all (OutputFile).
+// Fails:      InputError if the file could not be written completely.
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace flexslip

@@ -82,20 +82,18 @@ int nothing_to_close(void* /*opaque*/, void* /*stream*/) { return 0; }
 int no_error(void* /*opaque*/, void* /*stream*/) { return 0; }
 
 [[noreturn]] void refuse_damaged(const std::string& found) {
-  throw InputError({.expected = "a whole workbook",
-                    .found = found,
+  throw InputError({.problem = fmt::format("The workbook is damaged: {}", found),
                     .remedy = "copy or download the file again, or save it anew in the spreadsheet program"});
 }
 
 [[noreturn]] void refuse_odd(const std::string& found) {
-  throw InputError({.expected = "a workbook as spreadsheet programs write it",
-                    .found = found,
+  throw InputError({.problem = fmt::format("The workbook is not as spreadsheet programs write it: {}", found),
                     .remedy = "save it anew in the spreadsheet program"});
 }
 
 [[noreturn]] void refuse_large(const std::string& part) {
-  throw InputError({.expected = fmt::format("parts of at most {} MiB, unpacked", largest_part >> 20),
-                    .found = fmt::format("more in {}", in_quotes(part)),
+  throw InputError({.problem = fmt::format("The part {} of the workbook has more than {} MiB, unpacked",
+                                           in_quotes(part), largest_part >> 20),
                     .remedy = "save the sheet with the measurement as CSV"});
 }
 
@@ -119,13 +117,12 @@ class ZipArchive {
   template <class Take>
   void read(const std::string& part, const Take& take) const {
     unz_file_info64 info{};
-    if (!has(part)) refuse_damaged("none with the part " + in_quotes(part));
+    if (!has(part)) refuse_damaged("no part " + in_quotes(part));
     if (unzGetCurrentFileInfo64(archive_, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK)
       refuse_damaged("damage in its table of contents");
     if ((info.flag & 1U) != 0)
-      throw InputError({.expected = "a workbook without a password",
-                        .found = "an encrypted archive",
-                        .remedy = "save it without a password, or the sheet as CSV"});
+      throw InputError(
+          {.problem = "The workbook is encrypted", .remedy = "save it without a password, or the sheet as CSV"});
     if (info.uncompressed_size > largest_part) refuse_large(part);
     if (unzOpenCurrentFile(archive_) != UNZ_OK) refuse_damaged("damage at the part " + in_quotes(part));
 
@@ -220,8 +217,8 @@ class XmlStream {
       if (fed_ > begun + longest_token) refuse_odd("a name or an attribute in its XML without an end");
       return;
     }
-    throw InputError({.expected = "a whole workbook",
-                      .found = fmt::format("broken XML in it ({})", XML_ErrorString(XML_GetErrorCode(parser_))),
+    throw InputError({.problem = fmt::format("The workbook is damaged: its XML is broken ({})",
+                                             XML_ErrorString(XML_GetErrorCode(parser_))),
                       .remedy = "save it anew in the spreadsheet program"});
   }
 
@@ -320,11 +317,10 @@ std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::str
 
 // ---- the cells of a sheet
 
-[[noreturn]] void refuse(std::size_t row, std::string field, std::string expected, std::string found) {
+[[noreturn]] void refuse(std::size_t row, std::string field, std::string problem) {
   throw InputError({.line = row,
                     .field = std::move(field),
-                    .expected = std::move(expected),
-                    .found = std::move(found),
+                    .problem = std::move(problem),
                     .remedy = "save the workbook anew in the spreadsheet program"});
 }
 
@@ -377,7 +373,7 @@ class Words {
   }
   void text(std::string_view piece) {
     if (in_text_) words_ += piece;
-    if (words_.size() > most_text) refuse(0, "", "words of at most 512 MiB", "more in a cell");
+    if (words_.size() > most_text) refuse(0, "", "A cell holds more than 512 MiB of words");
   }
   std::string take() { return std::exchange(words_, {}); }
 
@@ -441,7 +437,7 @@ class SheetReader {
   void begin_row(const XmlAttributes& attributes) {
     const auto stated = attributes.find("r");
     const std::size_t row = stated ? whole(*stated).value_or(0) : row_ + 1;
-    if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "rows in their order", "one out of place");
+    if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "A row stands out of order");
     row_ = row;
     const std::string_view hidden = attributes.find("hidden").value_or("0");
     is_hidden_ = hidden == "1" || hidden == "true";
@@ -450,11 +446,11 @@ class SheetReader {
   }
 
   void begin_cell(const XmlAttributes& attributes) {
-    if (row_ == 0 || in_cell_) refuse(row_, "", "cells in rows", "one out of place");
+    if (row_ == 0 || in_cell_) refuse(row_, "", "A cell stands outside a row");
     const auto stated = attributes.find("r");
     const std::size_t column = stated ? column_in(*stated) : column_ + 1;
     if (column <= column_ || column > most_columns)
-      refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "cells in their order", "one out of place");
+      refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "A cell stands out of order");
     next_column_ = column;
     type_ = attributes.find("t").value_or("n");
     style_ = whole(attributes.find("s").value_or("0")).value_or(0);
@@ -488,8 +484,8 @@ class SheetReader {
     std::string number(trimmed(value_));
     if (number.empty()) return {};
     if (!plain_number(number))
-      refuse(row_, fmt::format("column {}", next_column_), "a number, as the cell says that it holds",
-             in_quotes(number));
+      refuse(row_, fmt::format("column {}", next_column_),
+             fmt::format("The cell says that it holds a number, but it holds {}", in_quotes(number)));
     ++out_.numbers;
     return {std::move(number), style_ < styles_.size() ? styles_[style_] : CellKind::number};
   }
@@ -503,7 +499,7 @@ class SheetReader {
     const auto index = whole(trimmed(value_));
     if (!index || *index >= shared_.size())
       refuse(row_, fmt::format("column {}", next_column_),
-             fmt::format("one of the {} strings of the workbook", shared_.size()), in_quotes(value_));
+             fmt::format("The cell names the string {}, but the workbook has {}", in_quotes(value_), shared_.size()));
     return shared_[*index];
   }
 
@@ -524,8 +520,7 @@ class SheetReader {
 
   [[noreturn]] void refuse_large() const {
     throw InputError({.line = row_,
-                      .expected = "a sheet of at most 512 MiB of text and 67 million cells",
-                      .found = "a larger one",
+                      .problem = "The sheet has more than 512 MiB of text or 67 million cells",
                       .remedy = "save the columns of the measurement as CSV"});
   }
 
@@ -553,7 +548,7 @@ std::vector<std::string> read_shared_strings(const ZipArchive& archive, const st
            if (name != "si") return;
            strings.push_back(words.take());
            size += sizeof(std::string) + strings.back().size();
-           if (size > most_text) refuse(0, "", "words of at most 512 MiB", "more in the workbook");
+           if (size > most_text) refuse(0, "", "The workbook holds more than 512 MiB of words");
          },
          [&](std::string_view piece) { words.text(piece); }});
   return strings;
@@ -562,8 +557,7 @@ std::vector<std::string> read_shared_strings(const ZipArchive& archive, const st
 // ---- the workbook
 
 [[noreturn]] void refuse_kind(std::string found, std::string remedy) {
-  throw InputError({.expected = "an Excel workbook (.xlsx) or a table as text",
-                    .found = std::move(found),
+  throw InputError({.problem = fmt::format("The file is {}, not an Excel workbook (.xlsx) or a table as text", found),
                     .remedy = std::move(remedy)});
 }
 
@@ -683,9 +677,8 @@ class Workbook {
       }
       if (with_number) return std::move(*with_number);
     }
-    throw InputError({.expected = "rows of numbers",
-                      .found = sheets_.size() == 1 ? fmt::format("none on the sheet {}", in_quotes(sheets_[0].name))
-                                                   : "none on the sheets " + listed(names()),
+    throw InputError({.problem = fmt::format("There are no rows of numbers on the sheet{} {}",
+                                             sheets_.size() == 1 ? "" : "s", listed(names())),
                       .remedy = "save the table with the measurement in the workbook"});
   }
 
@@ -723,14 +716,13 @@ class Workbook {
       if (std::to_string(i + 1) == number) return i;
     const bool is_name =
         std::any_of(sheets_.begin(), sheets_.end(), [&](const ListedSheet& each) { return each.name == number; });
-    throw InputError(
-        {.field = "--sheet",
-         .expected = (sheets_.size() == 1 ? "the sheet " : "one of the sheets ") + listed(names()) + ", or its number",
-         .found = name != nullptr ? in_quotes(*name) : number,
-         .remedy = is_name           ? fmt::format("write the name as text: {}", in_quotes(number))
-                   : name != nullptr ? did_you_mean(*name, names())
-                                     : "",
-         .key = "record.sheet"});
+    throw InputError({.field = "--sheet",
+                      .problem = fmt::format("There is no sheet {}; the workbook has {}",
+                                             name != nullptr ? in_quotes(*name) : number, listed(names())),
+                      .remedy = is_name           ? fmt::format("write the name as text: {}", in_quotes(number))
+                                : name != nullptr ? did_you_mean(*name, names())
+                                                  : "",
+                      .key = "record.sheet"});
   }
 
   [[noreturn]] void refuse_other(const std::string& main) const {

@@ -403,8 +403,7 @@ void require_own_files(const Plot& plot, const fs::path& base) {
   for (const std::string& file : files)
     if (fs::exists(base / file))
       throw InputError({.file = (base / file).string(),
-                        .expected = "no file, or that of a figure, as the data of the figure go there",
-                        .found = "another",
+                        .problem = "The data of the figure go into a file of this name, and there is another",
                         .remedy = "give the figure another name"});
 }
 
@@ -452,12 +451,12 @@ Drawing draw(Plot plot, const std::string& picture) {
   const std::string format = path.extension().empty() ? "" : path.extension().string().substr(1);
   if (format != "svg" && format != "pdf" && format != "png")
     throw InputError({.file = picture,
-                      .expected = "a picture whose name ends in .svg, .pdf or .png",
-                      .found = in_quotes(path.extension().string())});
+                      .problem = fmt::format("A picture ends in .svg, .pdf or .png, not in {}",
+                                             in_quotes(path.extension().string()))});
   plot.name = path.stem().string();
   if (std::any_of(plot.name.begin(), plot.name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; }))
     throw InputError(
-        {.file = picture, .expected = "a file name without control characters", .found = in_quotes(plot.name)});
+        {.file = picture, .problem = fmt::format("The file name {} holds control characters", in_quotes(plot.name))});
   require_own_files(plot, path.parent_path());
   return draw(plot, path.parent_path().string(), {format});
 }

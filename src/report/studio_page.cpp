@@ -35,8 +35,7 @@ std::string content_of(const std::string& file) {
     bytes.append(piece.data(), static_cast<std::size_t>(in->gcount()));
     if (bytes.size() > largest)
       throw InputError({.file = file,
-                        .expected = "a file of at most 300 MB",
-                        .found = "a greater one",
+                        .problem = "The file has more than 300 MB",
                         .remedy = "open the studio without it, and fit it with flexslip fit"});
   }
   return bytes;
@@ -100,8 +99,7 @@ GivenTest with_its_files(Test input, const std::string& test) {
 }
 
 GivenTest with_its_files(const std::string& file) {
-  if (file == "-")
-    throw InputError({.expected = "files to put into the page", .found = "standard input", .remedy = "name a file"});
+  if (file == "-") throw InputError({.problem = "Standard input cannot be put into the page", .remedy = "name a file"});
   const fs::path path = normal(file);
   if (!file.ends_with(".toml")) return {path.filename().string(), {{path.filename().string(), content_of(file)}}};
   const std::string test = name_of_test(file);
@@ -120,8 +118,7 @@ void write_studio_page(const std::string& path, const fs::path& built, const std
   const std::size_t place = page.find(fmt::format("{}{}<", place_begins, nothing_given));
   if (place == std::string::npos)
     throw InputError({.file = built.string(),
-                      .expected = "the studio's page",
-                      .found = "another one, or one with tests inside",
+                      .problem = "This is not the studio's page, or it has tests inside",
                       .remedy = "build it with tools/build-studio"});
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const GivenTest& test : tests) {

@@ -111,7 +111,7 @@ void write_workbook(const std::string& path, const std::string& title,
   Workbook book(file.name().string(), title);
   for (const auto& [name, table] : sheets) book.add(table, name);
   if (const lxw_error error = book.close(); error != LXW_NO_ERROR)
-    throw InputError({.file = path, .expected = "a workbook that can be written", .found = lxw_strerror(error)});
+    throw InputError({.file = path, .problem = fmt::format("The workbook cannot be written: {}", lxw_strerror(error))});
   file.finish();
 }
 

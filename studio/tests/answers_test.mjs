@@ -109,9 +109,9 @@ test("a unit that is wrong in a title: the file is in the list, it is said what 
   await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "wrong");
   assert.match(await errorOf(tab), /does not say which column is the force/);
   await tab.locator("#card select[aria-label=force]").selectOption({ label: "force, in mm" });
-  await tab.waitForFunction(() => document.querySelector("#answer").innerText.includes("expected a column"));
+  await tab.waitForFunction(() => document.querySelector("#answer").innerText.includes("The column"));
   const words = await tab.locator("#answer").innerText();
-  assert.match(words, /expected a column in units of a force, found 'force' in 'mm'/);
+  assert.match(words, /The column 'force' is in 'mm', not in a unit of a force/);
   assert.doesNotMatch(words, /--[a-z]/);
   assert.equal(await tab.locator("#fit").innerText(), "Fit");
   assert.deepEqual(tab.said, []);

@@ -107,7 +107,7 @@ TEST_CASE("outside: JSON restores its content, in the documented form") {
   CHECK(json["categories"]["all"]["with_suspects"]["tests"] == 5);
   REQUIRE(json["failures"].size() == 1);
   CHECK(json["failures"][0]["name"] == "SS99");
-  CHECK(json["failures"][0]["reason"] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
+  CHECK(json["failures"][0]["reason"] == "99.csv: <nothing> & \"nothing\" is not a number.");
   const auto& between = json["categories"]["all"]["between_specimens"]["mu0"];
   CHECK(between["tests"] == 4);
   const double typical = between["typical"]["value"];

@@ -36,7 +36,7 @@ TEST_CASE("table: a folder gives its case files by path, unreadable ones with th
   CHECK(case_in(plan[0]).record.value().file == (folder.path() / "a" / "a.csv").string());
   CHECK(plan[1].name == "b");
   CHECK(plan[2].name == "broken");
-  CHECK(error_in(plan[2]).find("broken.toml:2: [rig] span: expected") != std::string::npos);
+  CHECK(error_in(plan[2]).find("broken.toml:2: [rig] span: ") != std::string::npos);
   CHECK(plan[3].name == "b-2");
 }
 
@@ -162,14 +162,16 @@ TEST_CASE("table: a bad cell fails its test, named by line and column; a column 
       folder.file("cells.csv", head + "\na.csv,12,90 N/m,w [mm],F [N]\nb.csv,1 mm,90 N/m,w [mm],F [N]\n");
   const auto plan = plan_campaign(bad_cell, std::nullopt).tests;
   REQUIRE(plan.size() == 2);
-  CHECK(error_in(plan[0]).find("cells.csv:2: column 'span': expected") != std::string::npos);
+  CHECK(error_in(plan[0]).find("cells.csv:2: column 'span': The number '12' has no unit") != std::string::npos);
   CHECK(std::holds_alternative<Test>(plan[1].input));
 
   const auto bad_column = folder.file("columns.csv", head + ",diametr\na.csv,1 mm,90 N/m,w [mm],F [N],1 um\n");
   const auto message = message_of([&] { plan_campaign(bad_column, std::nullopt); });
   CHECK(message.find("columns.csv:1: column 'diametr'") != std::string::npos);
   const auto empty = folder.file("empty.csv", head + "\n");
-  CHECK(message_of([&] { plan_campaign(empty, std::nullopt); }).find("a row for each test") != std::string::npos);
+  CHECK(message_of([&] {
+          plan_campaign(empty, std::nullopt);
+        }).find("The table has a header only, and no row for a test") != std::string::npos);
 }
 
 TEST_CASE("table: names are unchanged; their folders are valid, and differ also if upper and lower case are equal") {
@@ -201,7 +203,7 @@ TEST_CASE("table: a reduced case fails, as the tables and figures of a campaign 
   folder.file("a.toml",
               "reduced = true\n[rig]\nstiffness = 90\n[record]\nfile = \"a.csv\"\nstage = \"w\"\nforce = \"F\"\n");
   const auto plan = plan_campaign(folder.path().string(), std::nullopt).tests;
-  CHECK(error_in(plan.at(0)).find("a.toml:1: reduced: expected a test in physical units") != std::string::npos);
+  CHECK(error_in(plan.at(0)).find("a.toml:1: reduced: The test is reduced") != std::string::npos);
 }
 
 TEST_CASE("table: a folder without tests says what to do") {

@@ -77,7 +77,7 @@ TEST_CASE("identity: a test that fails is listed with its reason, and the others
   const auto& broken = campaign.tests.back();
   CHECK(broken.name == "broken");
   CHECK(broken.status == "failed");
-  CHECK(broken.reason.find("broken.csv: column 'force [N]': expected a column of numbers") != std::string::npos);
+  CHECK(broken.reason.find("broken.csv: column 'force [N]': The column 'force' holds words") != std::string::npos);
   CHECK(!broken.summary);
   for (std::size_t i = 0; i + 1 < campaign.tests.size(); ++i) CHECK(campaign.tests[i].status == "ok");
 }
@@ -138,7 +138,7 @@ TEST_CASE("identity: the files of a test exist before it counts as done, and a f
 
   presenting.folder = (folder.path() / "other").string();
   presenting.present = [](const FittedTest&, const std::string& into) {
-    throw InputError({.file = into, .expected = "a file that can be written", .found = "no space left"});
+    throw InputError({.file = into, .problem = "The file cannot be written: no space left"});
   };
   CHECK(message_of([&] { run_campaign(plan, presenting); }).find("no space left") != std::string::npos);
 }

@@ -53,7 +53,7 @@ TEST_CASE("table: the key of a change, or why it is none") {
   struct Row {
     std::string change, says;
   };
-  for (const Row& row : {Row{"rig.stiffness", "expected SECTION.KEY=VALUE"}, Row{"rig.stifness=3", "rig.stiffness"},
+  for (const Row& row : {Row{"rig.stiffness", "SECTION.KEY=VALUE"}, Row{"rig.stifness=3", "rig.stiffness"},
                          Row{"stiffness=3", "rig.stiffness"}, Row{".span=3", "flexslip keys"},
                          Row{"rig.=3", "flexslip keys"}, Row{"rig.nose_radius.uncertainty=1 %", "flexslip keys"}}) {
     CAPTURE(row.change);
@@ -61,5 +61,5 @@ TEST_CASE("table: the key of a change, or why it is none") {
     CHECK(has(told, "--set"));
     CHECK(has(told, row.says));
   }
-  CHECK(has(message_of([] { changed({"rig.span="}); }), "write a value after the ="));
+  CHECK(has(message_of([] { changed({"rig.span="}); }), "Write a value after the ="));
 }

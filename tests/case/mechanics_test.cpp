@@ -221,8 +221,9 @@ TEST_CASE(
     return fibre_of(test, scales_of(test)).supports().half_depth;
   };
   CHECK(fibre_of_diameter("2.1 nm", "") == to(1e-9, 1.05e-6));
-  CHECK(message_of([&] { fibre_of_diameter("1.9 nm", ""); }).find("of at least 2 nm, found 1.9 nm") !=
-        std::string::npos);
+  CHECK(message_of([&] {
+          fibre_of_diameter("1.9 nm", "");
+        }).find("The specimen is 1.9 nm thick, less than the limit of 2 nm") != std::string::npos);
   CHECK(fibre_of_diameter("1.9 nm", "friction_at = \"axis\"\n") == 0);
 }
 
@@ -283,33 +284,31 @@ TEST_CASE("table: friction beyond what is computed is refused with key, value, l
   const auto drifting = [](const std::string& keys) {
     return at_the_axis(with_friction("model = \"constant\"\n" + keys));
   };
-  CHECK(
-      refusal_of(drifting("mu0 = 21\n")) ==
-      "case.toml:10: [friction] mu0: expected friction of at most 20, its waves and drift included, found 21; write a "
-      "smaller mu0");
+  CHECK(refusal_of(drifting("mu0 = 21\n")) ==
+        "case.toml:10: [friction] mu0: Friction reaches 21, its waves and drift included, and the limit is 20. Write a "
+        "smaller mu0.");
   // 700 um are 0.548 spans: the specimen is at most 1 + 2.4 0.548^2 = 1.72 spans long.
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"40 1/mm\"\n")) ==
-        "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found 40 1/mm, "
-        "which takes friction from 19 at 1.278 mm to 55.8075 at 2.198 mm; check its unit, or bend less far");
+        "case.toml:11: [friction] drift: The drift of 40 1/mm takes friction from 19 at 1.278 mm to 55.8075 at 2.198 "
+        "mm, and the limit is 20. Check its unit, or bend less far.");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\n")) == "");
-  CHECK(
-      refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
-      "case.toml:11: [friction] drift: expected friction of at most 20, its waves and drift included, found -40 1/mm, "
-      "which takes friction from 19 at 1.4 mm to 23.88 at 1.278 mm; check its unit, and that of reference");
+  CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
+        "case.toml:11: [friction] drift: The drift of -40 1/mm takes friction from 19 at 1.4 mm to 23.88 at 1.278 mm, "
+        "and the limit is 20. Check its unit, and that of reference.");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"1 1/mm\"\nreference = \"2.5 mm\"\n")) == "");
-  CHECK(
-      refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
-      "case.toml:11: [friction] static_excess: expected static friction of at most 20, found 19.8, which raises it to "
-      "20.1; write a smaller one");
+  CHECK(refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
+        "case.toml:11: [friction] static_excess: An excess of 19.8 raises static friction to 20.1, and the limit is "
+        "20. Write a smaller one.");
   CHECK(begins(refusal_of(drifting("mu0 = 0.3\ndrift = \"1 1/mm\"\nstatic_excess = 19\n")),
-               "case.toml:12: [friction] static_excess: expected static friction of at most 20"));
+               "case.toml:12: [friction] static_excess: An excess of 19 raises static friction to "));
   const auto rough = [](const std::string& mu0) {
     return with_friction("model = \"rough\"\nmu0 = " + mu0 + "\nrms = 1\ncorrelation_length = \"5 um\"\nseed = 1\n");
   };
-  CHECK(begins(refusal_of(at_the_axis(rough("19"))),
-               "case.toml:10: [friction] mu0: expected friction of at most 20, its roughness included"));
-  CHECK(begins(refusal_of(rough("1.9")),
-               "case.toml:9: [friction] mu0: expected friction of at most 2 at the surface, its roughness included"));
+  const std::string along = refusal_of(at_the_axis(rough("19")));
+  CHECK(begins(along, "case.toml:10: [friction] mu0: Friction reaches "));
+  CHECK(has(along, ", its roughness included, and the limit is 20. Write a smaller mu0 or rms."));
+  CHECK(begins(refusal_of(rough("1.9")), "case.toml:9: [friction] mu0: Friction reaches "));
+  CHECK(has(refusal_of(rough("1.9")), ", its roughness included, and the limit at the surface is 2."));
 }
 
 TEST_CASE("table: a reference that is no length between the supports is refused") {
@@ -318,9 +317,10 @@ TEST_CASE("table: a reference that is no length between the supports is refused"
         with_friction("model = \"constant\"\nmu0 = 0.3\ndrift = \"0.8 1/mm\"\nreference = \"" + reference + "\"\n"));
   };
   CHECK(refusal("1.4 um") ==
-        "case.toml:11: [friction] reference: expected a length between the supports, from the span of 1.278 mm to 100 "
-        "spans, found 1.4 µm; check its unit");
-  CHECK(begins(refusal("1.4 m"), "case.toml:11: [friction] reference: expected"));
+        "case.toml:11: [friction] reference: The reference length of 1.4 µm is not between the span of 1.278 mm and "
+        "100 spans. Check its unit.");
+  CHECK(begins(refusal("1.4 m"),
+               "case.toml:11: [friction] reference: The reference length of 1.4 m is not between the span of"));
   CHECK(refusal("1.277 mm") == "");  // the span, to four digits
 }
 

@@ -65,7 +65,7 @@ TEST_CASE("one loading, identity: a flat specimen set to another section equals 
   const auto read = design_of(flat("width = \"50 um\"\nheight = \"25 um\""));
   CHECK(design_of(varied).units.scales.bending_stiffness() == read.units.scales.bending_stiffness());
   set(varied, "height", 300e-6);
-  CHECK(has(message_of([&] { design_of(varied); }), "height: expected less than a fifth of the span"));
+  CHECK(has(message_of([&] { design_of(varied); }), "height: The specimen is "));
 }
 
 TEST_CASE("one loading, limit: it has the parameters that its kind of case can vary") {
@@ -113,14 +113,13 @@ TEST_CASE(
     "name") {
   Test design = loading_of(with("phase = 1.0", "drift = \"0.8 1/mm\"\nreference = \"1.4 mm\""));
   set(design, "span", 2e-3);
-  CHECK(
-      message_of([&] { design_of(design); }) ==
-      "case.toml:13: [friction] reference: expected a length between the supports, from the span of 2 mm to 100 spans, "
-      "found 1.4 mm; check its unit");
+  CHECK(message_of([&] { design_of(design); }) ==
+        "case.toml:13: [friction] reference: The reference length of 1.4 mm is not between the span of 2 mm and 100 "
+        "spans. Check its unit.");
   Test steep = loading_of(with("phase = 1.0", "drift = \"1 1/mm\""));
   CHECK(message_of([&] { design_of(steep); }) == "");
   set(steep, "mu0", 1.5);
-  CHECK(has(message_of([&] { design_of(steep); }), "drift: expected friction of at most 2 at the surface"));
+  CHECK(has(message_of([&] { design_of(steep); }), "drift: The drift of "));
 }
 
 TEST_CASE("one loading, contract: a case that is no single loading is refused at its line") {
@@ -134,12 +133,10 @@ TEST_CASE("one loading, contract: a case that is no single loading is refused at
 
 TEST_CASE("one loading, contract: a parameter out of range is refused with its name") {
   Test input = loading_of(spicule);
-  CHECK(message_of([&] {
-          set(input, "amplitude", 1.5);
-        }).find("amplitude: expected a number of at least 0 and at most 1") == 0);
-  CHECK(message_of([&] { set(input, "stiffness", 0); }).find("stiffness: expected") == 0);
+  CHECK(message_of([&] { set(input, "amplitude", 1.5); }).find("amplitude: 1.5 is not ") == 0);
+  CHECK(message_of([&] { set(input, "stiffness", 0); }).find("stiffness: 0") == 0);
   set(input, "diameter", 300e-6);
-  CHECK(has(message_of([&] { design_of(input); }), "diameter: expected less than a fifth of the span"));
+  CHECK(has(message_of([&] { design_of(input); }), "diameter: The specimen is "));
 }
 
 TEST_CASE("design result, table: impossible tests differ from tests beyond the limits of FlexSlip") {
@@ -208,13 +205,13 @@ TEST_CASE("limit: a design or a map that is stopped gives nothing, on any thread
 
 TEST_CASE("design map, contract: a range that makes no sense is refused with a remedy") {
   const Test input = loading_of(spicule);
-  CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("did you mean 'stiffness'?") !=
+  CHECK(message_of([&] { map_axis(input, "stiffnes=1 N/m:2 N/m", 5); }).find("Did you mean 'stiffness'?") !=
         std::string::npos);
   CHECK(message_of([&] { map_axis(input, "stiffness=1:2", 5); }).find("unit") != std::string::npos);
   CHECK(grid_inputs({map_axis(input, "phase=0:90 deg", 5)}, 4)[0] == to(1e-15, std::numbers::pi / 2));
   CHECK(grid_inputs({map_axis(input, "phase=0:6.25", 5)}, 4)[0] == 6.25);  // radians
   CHECK(message_of([&] { map_axis(input, "mu0=0:1:1", 5); }).find("points") != std::string::npos);
-  CHECK(message_of([&] { map_axis(input, "mu0", 5); }).find("write it as") != std::string::npos);
+  CHECK(message_of([&] { map_axis(input, "mu0", 5); }).find("Write it as") != std::string::npos);
 }
 
 }  // namespace flexslip

@@ -43,7 +43,7 @@ TEST_CASE(
   CHECK(said_of(ramp, hum).empty());
   for (const char* name : {"Axial cmd", "Command", "Sollwert", "Temperature"}) CHECK(said_of(ramp, cell, name).empty());
   CHECK(has(message_of([&] { export_in("Stroke [mm],Aux [V]\n0.1,0.5\n0.2,0.6\n0.3,0.7\n", "e.csv"); }),
-            "column 'Aux' in V; if it is the force, state its calibration"));
+            "column 'Aux' in V. If it is the force, state its calibration"));
 }
 
 TEST_CASE("column decisions: of two times the one counts whose unit is stated, and nothing is asked of the other") {

@@ -404,19 +404,20 @@ TEST_CASE(
   const std::string kept = "Time;Displacement\ns;mm\n0;0,9966\n0,02;10,043\n0,1;1,01\n";
   CHECK(complaint(kept) == "");
   const std::string said = complaint(kept + "0,12;1,000,292\n");
-  CHECK(has(said, "e.csv:6: expected numbers with one decimal comma, found several in one number"));
+  CHECK(has(said, "e.csv:6: A number has several decimal commas"));
   CHECK(has(said, "without opening it in a spreadsheet"));
-  CHECK(has(complaint(kept, {.decimal = ',', .thousands = ','}), "found ',' for both"));
+  CHECK(has(complaint(kept, {.decimal = ',', .thousands = ','}),
+            "The decimal mark and the mark between thousands are both ','"));
   const auto path = campaign_exports / "bluehill_decimal_comma/Tensile_test_PE.csv";
   if (std::filesystem::exists(path))
-    CHECK_THROWS_WITH_AS(read_export(path.string()), doctest::Contains("one decimal comma"), InputError);
+    CHECK_THROWS_WITH_AS(read_export(path.string()), doctest::Contains("several decimal commas"), InputError);
 }
 
 TEST_CASE("export: the file with a byte order mark and nothing else is refused as empty") {
-  CHECK(has(complaint("\xEF\xBB\xBF"), "an empty file: a byte order mark and nothing else"));
-  CHECK(has(complaint(""), "an empty file"));
-  CHECK(has(complaint(" \r\n\t\n"), "an empty file"));
-  CHECK(has(complaint("Time,Load\nno,numbers\n"), "no line with numbers"));
+  CHECK(has(complaint("\xEF\xBB\xBF"), "The file holds a byte order mark and nothing else"));
+  CHECK(has(complaint(""), "The file is empty"));
+  CHECK(has(complaint(" \r\n\t\n"), "The file is empty"));
+  CHECK(has(complaint("Time,Load\nno,numbers\n"), "No line of the file holds numbers"));
 }
 
 TEST_CASE("export: a force in volts is refused until it is calibrated, and never replaced by another silently") {
@@ -523,10 +524,10 @@ TEST_CASE(
     }
     return std::string();
   };
-  CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "found none; state it with --force-unit"));
+  CHECK(has(refused("Stroke [mm],Load\n0.1,0.2\n0.2,0.3\n"), "but the column has none. State it with --force-unit"));
   CHECK(has(refused("Stroke [mm],Load [Q]\n0.1,0.2\n0.2,0.3\n"), "'Q', which is unknown"));
-  CHECK(has(refused("Stroke [mm],Load (Q)\n0.1,0.2\n0.2,0.3\n"), "found none, as 'Q' is none"));
-  CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "'kg'; if kgf is meant, state it"));
+  CHECK(has(refused("Stroke [mm],Load (Q)\n0.1,0.2\n0.2,0.3\n"), "the column has none: 'Q' is not a unit"));
+  CHECK(has(refused("Stroke [mm],Load [kg]\n0.1,0.2\n0.2,0.3\n"), "the column has 'kg'. If kgf is meant, state it"));
   CHECK(has(refused("Stroke [mm],Load [KN]\n0.1,0.2\n0.2,0.3\n"), "as in --force-unit kN"));
   CHECK(refused("Stroke [mm],Load [N]\n0.1,0.2\n0.2,0.3\n").empty());
 }
@@ -549,13 +550,12 @@ TEST_CASE("export: rows without a number are left out and said, few of them, and
     CHECK(left_out(some).rows == std::vector<std::size_t>{9, 10});
     CHECK(has(left_out(some).words, "2 rows without a number in 'Load' are left out: lines 11, 12"));
     for (std::size_t row = 20; row < 24; ++row) some[row] = says;
-    CHECK(
-        has(message_of([&] { left_out(some); }), "expected a number in nine rows of ten, found none in 6 of 40 rows"));
+    CHECK(has(message_of([&] { left_out(some); }), "6 of 40 rows have no number here"));
   }
   for (const std::string says : {"OVER", "+OL", ">>>", "Overflow", "> 50"}) {
     std::vector<std::string> some = forces;
     some[9] = says;
-    CHECK(has(message_of([&] { left_out(some); }), "e.csv:11: column 'Load': expected readings within the range"));
+    CHECK(has(message_of([&] { left_out(some); }), "e.csv:11: column 'Load': The sensor was overloaded"));
     CHECK(left_out(some, 9).rows == std::vector<std::size_t>{9});  // the record ends before
     some = forces;
     some.back() = says;
@@ -571,7 +571,7 @@ TEST_CASE("export: a name with a unit in brackets states the unit of its column,
   CHECK(has(message_of([&] {
               export_in(text, "e.csv", {.columns = {{force, "Aux [kN]"}}});
             }),
-            "the unit 'N' of 'Aux'"));
+            "The unit of 'Aux' is 'N' in the file, not 'kN'"));
   CHECK(has(message_of([&] { export_in(text, "e.csv", {.columns = {{force, "Load [mm]"}}}); }), "a unit such as N"));
 }
 
@@ -587,7 +587,8 @@ TEST_CASE("export: the questions are about the specimen that was chosen") {
 }
 
 TEST_CASE("export: contradictions are refused: units of title and row, and a stated maximum against the numbers") {
-  CHECK(has(complaint("Stroke (mm),Load (N)\nmm,kN\n0.1,0.2\n0.2,0.3\n"), "expected one unit"));
+  CHECK(has(complaint("Stroke (mm),Load (N)\nmm,kN\n0.1,0.2\n0.2,0.3\n"),
+            "The units 'kN' and 'N' contradict each other"));
   const std::string body = "Time,Extension,Load\n(s),(mm),(kN)\n\"0.1\",\"0.1\",\"2.5\"\n\"0.2\",\"0.2\",\"6.5\"\n";
   CHECK(has(complaint("Maximum Load : Maximum Load,\"6.5\",N\n\n" + body), ":1: column 'Load'"));
   CHECK(complaint("Maximum Load : Maximum Load,\"6.5\",kN\n\n" + body).empty());
@@ -606,7 +607,7 @@ TEST_CASE("export: rows of another length are left out and said; many of them, a
   CHECK(has(middle.notes.front(), "line 42"));
   std::string bad = text;
   for (int i = 0; i < 10; ++i) bad += "0.9\n0.9,0.5\n";
-  CHECK(has(complaint(bad), "rows of 2 cells"));
+  CHECK(has(complaint(bad), "lines do not have 2 cells"));
 }
 
 TEST_CASE("export: a row that says of every cell that it is missing ends no table") {

@@ -131,7 +131,7 @@ void read_damaged(const std::vector<Base>& from, std::size_t mutants) {
     try {
       file = export_in(bytes, base.name);
     } catch (const InputError& error) {
-      const bool explained = !error.fault.expected.empty() && std::string(error.what()).find('\n') == std::string::npos;
+      const bool explained = !error.fault.problem.empty() && std::string(error.what()).find('\n') == std::string::npos;
       if (!explained) FAIL_CHECK(error.what());
       continue;
     }

@@ -61,24 +61,25 @@ TEST_CASE("trace file: columns by name, number and unit as a user says them (tab
   CHECK(read_trace(fixture("profilometer.csv"), options).height == "Raw");
   options.height = "Raw [nm]";
   CHECK(has(message_of([&] { read_trace(fixture("profilometer.csv"), options); }),
-            "expected the unit 'nm', as you say, found 'um'"));
+            "The unit in the file is 'um', not 'nm'"));
   options.height = "Hight";
-  CHECK(has(message_of([&] { read_trace(fixture("profilometer.csv"), options); }), "did you mean 'Height'?"));
+  CHECK(has(message_of([&] { read_trace(fixture("profilometer.csv"), options); }), "Did you mean 'Height'?"));
   CHECK(refusal("a,b\n", "#,1#", {.position = "a [um]", .height = "b [nm]"}).empty());
 }
 
 TEST_CASE("trace file: bad input is refused with place and remedy (limit)") {
-  CHECK(has(refusal("x [um],z [um]\n", "#,1", {}, 20), "expected 64 heights or more, found 20"));
-  CHECK(has(refusal("x,z\n", "#,1"), "write height = \"z [um]\" into [friction]"));
-  CHECK(has(refusal("x [um],z [N]\n", "#,1"), "column 'z': expected a unit of length, found 'N'"));
-  CHECK(has(refusal("x [um],z [um]\n0,5\n3,5\n", "#,1"), "trace.csv:4: column 'x': expected positions that rise"));
+  CHECK(has(refusal("x [um],z [um]\n", "#,1", {}, 20), "The trace has 20 heights; at least 64 are needed"));
+  CHECK(has(refusal("x,z\n", "#,1"), "Write height = \"z [um]\" into [friction]"));
+  CHECK(has(refusal("x [um],z [N]\n", "#,1"), "column 'z': A unit of length is needed, but the column has 'N'"));
+  CHECK(
+      has(refusal("x [um],z [um]\n0,5\n3,5\n", "#,1"), "trace.csv:4: column 'x': Positions must increase throughout"));
   CHECK(has(refusal("x [um],z [um]\n", "#,\n"), "trace.csv"));
-  CHECK(has(refusal("z [um]\n", "#"), "write trace_step = \"0.1 um\" into [friction]"));
-  CHECK(has(refusal("a [um],b [um],c [um]\n", "#,1,2"), "write position = "));
-  CHECK(has(refusal("x [um],b [um],c [um]\n", "#,1,2"), "write height = "));
+  CHECK(has(refusal("z [um]\n", "#"), "Write trace_step = \"0.1 um\" into [friction]"));
+  CHECK(has(refusal("a [um],b [um],c [um]\n", "#,1,2"), "Write position = "));
+  CHECK(has(refusal("x [um],b [um],c [um]\n", "#,1,2"), "Write height = "));
   TraceOptions twice;
   twice.position = twice.height = "1";
-  CHECK(has(refusal("x [um],z [um]\n", "#,1", twice), "'x' for both"));
+  CHECK(has(refusal("x [um],z [um]\n", "#,1", twice), "'x' is chosen for both"));
   CHECK(has(message_of([] { read_trace("/no/such/file.csv", {}); }), "no/such/file.csv"));
 }
 

@@ -11,26 +11,22 @@ TEST_CASE("table: an error is one line made of its parts, and those that are not
   const InputError full({.file = "ss14.csv",
                          .line = 17,
                          .field = "column 'F_N'",
-                         .expected = "a number",
-                         .found = "'12,5'",
+                         .problem = "'12,5' is not a number",
                          .remedy = "write decimal points, or pass --decimal ,"});
   CHECK(std::string(full.what()) ==
-        "ss14.csv:17: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,");
-  CHECK(std::string(InputError({.file = "a.csv", .expected = "a file", .found = "a directory"}).what()) ==
-        "a.csv: expected a file, found a directory");
-  CHECK(std::string(InputError({.file = "a\nb", .found = "x\ty"}).what()) == R"(a\x0ab: found x\x09y)");
-  CHECK(std::string(InputError({.line = 3, .found = "nothing"}).what()) == "line 3: found nothing");
-  CHECK(std::string(InputError({.field = "--span", .expected = "a length", .remedy = "add a unit"}).what()) ==
-        "--span: expected a length; add a unit");
-  CHECK(
-      std::string(
-          InputError({.file = "a.toml", .line = 4, .field = "[rig] span", .remedy = "add it", .problem = "is missing"})
-              .what()) == "a.toml:4: [rig] span is missing; add it");
-  CHECK(std::string(unreadable("a.csv", "Permission denied").what()) == "a.csv cannot be read: Permission denied");
+        "ss14.csv:17: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,");
+  CHECK(std::string(InputError({.file = "a.csv", .problem = "this is a directory"}).what()) ==
+        "a.csv: This is a directory.");
+  CHECK(std::string(InputError({.file = "a\nb", .problem = "x\ty"}).what()) == R"(a\x0ab: X\x09y.)");
+  CHECK(std::string(InputError({.line = 3, .problem = "is this it?"}).what()) == "line 3: Is this it?");
+  CHECK(std::string(InputError({.field = "--span", .problem = "a unit is missing", .remedy = "add one"}).what()) ==
+        "--span: A unit is missing. Add one.");
+  CHECK(std::string(unreadable("a.csv", "Permission denied").what()) ==
+        "a.csv: The file cannot be read: Permission denied.");
 }
 
 TEST_CASE("identity: locating an error fills in its place and changes nothing else") {
-  const InputError error({.expected = "a length", .found = "'x'", .remedy = "write one"});
+  const InputError error({.problem = "'x' is not a length", .remedy = "write one"});
   const InputError there = located(error, "case.toml", 4, "[rig] span");
   CHECK(std::string(there.what()) == "case.toml:4: [rig] span: " + std::string(error.what()));
 }

@@ -107,40 +107,40 @@ TEST_CASE("table: infinity where it means something, and nowhere else") {
   const double infinity = std::numeric_limits<double>::infinity();
   CHECK(parse_quantity("inf", kind::stiffness, Range::positive_or_infinite) == infinity);
   CHECK(parse_quantity("inf N/m", kind::stiffness, Range::positive_or_infinite) == infinity);
-  CHECK(has(complaint("inf", kind::length), "expected a finite length, found 'inf'"));
+  CHECK(has(complaint("inf", kind::length), "'inf' is not a finite length"));
   CHECK(has(complaint("-inf", kind::stiffness, Range::positive_or_infinite), "finite stiffness"));
   CHECK(has(complaint("1e999 m", kind::length, Range::positive_or_infinite), "a computer can hold"));
   CHECK(has(complaint("1e300 Gm^9", {"a length", {.metre = 9}, {}, ""}, Range::any), "finite length"));
-  CHECK(has(complaint("nan um", kind::length), "expected a known length, found 'nan um'"));
+  CHECK(has(complaint("nan um", kind::length), "'nan um' is not a known length"));
 }
 
 TEST_CASE("table: values out of range are refused with the value") {
-  CHECK(complaint("0 um", kind::length, Range::positive) == "expected a positive length, found '0 um'");
-  CHECK(complaint("-1 GPa", kind::pressure, Range::positive) == "expected a positive modulus, found '-1 GPa'");
-  CHECK(complaint("-0.1 um", kind::length, Range::non_negative) == "expected a non-negative length, found '-0.1 um'");
-  CHECK(has(complaint("-3 N/m", kind::stiffness, Range::positive_or_infinite), "a positive stiffness, found '-3 N/m'"));
+  CHECK(complaint("0 um", kind::length, Range::positive) == "'0 um' is not a positive length.");
+  CHECK(complaint("-1 GPa", kind::pressure, Range::positive) == "'-1 GPa' is not a positive modulus.");
+  CHECK(complaint("-0.1 um", kind::length, Range::non_negative) == "'-0.1 um' is not a non-negative length.");
+  CHECK(has(complaint("-3 N/m", kind::stiffness, Range::positive_or_infinite), "'-3 N/m' is not a positive stiffness"));
   CHECK(parse_quantity("0 um", kind::length, Range::non_negative) == 0);
   CHECK(parse_quantity("-1 um", kind::length) == -1e-6);
   CHECK(complaint("1e200 m", kind::length, Range::positive) ==
-        "expected a possible length, found '1e200 m'; no test has one of that size; look at its exponent");
+        "'1e200 m' is not a possible length. No test has one of that size; look at its exponent.");
   CHECK(has(complaint("1e-100 N", kind::force, Range::any), "a possible force"));
 }
 
 TEST_CASE("table: what is not a quantity is refused with the way to mend it") {
   CHECK(complaint("1278", kind::length) ==
-        "expected a length with its unit, found the bare number '1278'; "
-        "write \"1278 nm\", \"1278 um\", \"1278 mm\" or \"1278 m\"");
-  CHECK(complaint("29.6 GPa", kind::length) ==
-        "expected a length, found a modulus '29.6 GPa'; write it as in \"1278 um\"");
-  CHECK(has(complaint("3 kg", kind::length), "found another quantity '3 kg'"));
-  CHECK(has(complaint("0.5 rad", kind::number), "expected a plain number, found an angle"));
-  CHECK(has(complaint("1,278 um", kind::length), "write a decimal point and no thousands separators"));
-  CHECK(has(complaint("", kind::length), "found nothing; write a number and a unit, \"1278 um\""));
-  CHECK(has(complaint("um", kind::length), "found 'um'"));
-  CHECK(has(complaint("12 MM", kind::length), "did you mean 'mm'?"));
-  CHECK(has(complaint("12 GPA", kind::pressure), "did you mean 'GPa'?"));
-  CHECK(has(complaint("2.1e-12 Nm^2", kind::bending_stiffness), "a product of units needs a space, \"N m\""));
-  CHECK(has(complaint("5 V", kind::force), "expected a unit, found 'V'; known are m, g, s, N"));
+        "The number '1278' has no unit, but a length needs one. Write \"1278 nm\", \"1278 um\", \"1278 mm\" or \"1278 "
+        "m\".");
+  CHECK(complaint("29.6 GPa", kind::length) == "'29.6 GPa' is a modulus, not a length. Write it as in \"1278 um\".");
+  CHECK(has(complaint("3 kg", kind::length), "'3 kg' is another quantity, not a length"));
+  CHECK(has(complaint("0.5 rad", kind::number), "'0.5 rad' is an angle, not a plain number"));
+  CHECK(has(complaint("1,278 um", kind::length), "Write a decimal point and no thousands separators"));
+  CHECK(has(complaint("", kind::length),
+            "An empty text is not a length with its unit. Write a number and a unit, \"1278 um\""));
+  CHECK(has(complaint("um", kind::length), "'um' is not a length with its unit"));
+  CHECK(has(complaint("12 MM", kind::length), "Did you mean 'mm'?"));
+  CHECK(has(complaint("12 GPA", kind::pressure), "Did you mean 'GPa'?"));
+  CHECK(has(complaint("2.1e-12 Nm^2", kind::bending_stiffness), "A product of units needs a space, \"N m\""));
+  CHECK(has(complaint("5 V", kind::force), "'V' is not a unit. Known are m, g, s, N"));
 }
 
 TEST_CASE("table: units that can be read in two ways, or not at all, are refused") {
@@ -184,12 +184,13 @@ TEST_CASE("table: a unit alone must suit its kind") {
   CHECK(parse_unit("", kind::number) == Unit{});
   CHECK_THROWS_WITH_AS(
       parse_unit("m", kind::force),
-      "expected a unit of force, found 'm', the unit of a length; such as \"nN\", \"uN\", \"mN\", \"N\" or \"kN\"",
+      "The unit 'm' measures a length, but a unit of force is needed. Write \"nN\", \"uN\", \"mN\", \"N\" or \"kN\".",
       InputError);
-  CHECK_THROWS_WITH_AS(parse_unit("", kind::force),
-                       "expected a unit of force, found none; such as \"nN\", \"uN\", \"mN\", \"N\" or \"kN\"",
+  CHECK_THROWS_WITH_AS(
+      parse_unit("", kind::force),
+      "No unit is stated, but a unit of force is needed. Write \"nN\", \"uN\", \"mN\", \"N\" or \"kN\".", InputError);
+  CHECK_THROWS_WITH_AS(parse_unit("m", kind::number), "The unit 'm' measures a length, but no unit is needed.",
                        InputError);
-  CHECK_THROWS_WITH_AS(parse_unit("m", kind::number), "expected no unit, found 'm', the unit of a length", InputError);
 }
 
 TEST_CASE("identity: to SI and back is the same but for two roundings") {

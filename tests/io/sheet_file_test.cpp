@@ -40,8 +40,7 @@ TEST_CASE("sheet file: commas that separate cells and decimals alike (table)") {
   CHECK(file.cells.at(2, 1) == "-0,019");
   CHECK(file.cells.cells(3).size() == 2);
   const auto refused = [&](const std::string& rows) { return message_of([&] { read(titles + rows); }); };
-  const char* of_three =
-      "e.csv:2: expected one mark between cells and another for decimals, found 2 titles above rows of 3 whole";
+  const char* of_three = "e.csv:2: Commas separate cells and decimals alike: 2 titles stand above rows of 3 whole";
   CHECK(refused("0,0,019\n1,1,469\n2,2,956\n").starts_with(of_three));
   CHECK(refused("0,0,0,019\n1,1,469\n1,5,2,956\n").find("rows of 3 to 4 whole") != std::string::npos);
   CHECK(read(titles + "1,0,19\n2,5,20\n").notes.empty());        // numbers of rows, and whole numbers
@@ -81,18 +80,19 @@ TEST_CASE("sheet file: where it comes from") {
 
 TEST_CASE("sheet file: choices that a file does not have are refused") {
   CHECK(message_of([] { text("a\n1\n", SheetFor::readings, {.sheet = "Data"}); }) ==
-        "a.csv: --sheet: expected a workbook (.xlsx), as this names a sheet, found a text file; leave it out");
-  CHECK(has(message_of([] { text("a\n1\n", SheetFor::readings, {.separator = '|'}); }), "a.csv: separator: expected"));
+        "a.csv: --sheet: The file is a text file, which has no sheets. Leave it out.");
+  CHECK(has(message_of([] { text("a\n1\n", SheetFor::readings, {.separator = '|'}); }),
+            "a.csv: separator: '|' is not a comma"));
   CHECK(has(message_of([] { open_sheet(workbook, {.encoding = Encoding::utf8}, SheetFor::readings); }),
-            "--encoding: expected a text file, found a workbook, which needs no such choice; leave --encoding out"));
+            "--encoding: The file is a workbook, which needs no such choice. Leave out --encoding"));
 }
 
 TEST_CASE("sheet file: an error in a sheet that nobody chose names the others, but for one in a cell") {
   SheetOrigin origin{.source = "a.xlsx", .sheet = "Notes", .sheets = {"Notes", "Data", "More"}};
-  const InputError error({.file = "a.xlsx", .expected = "rows of numbers", .found = "words"});
+  const InputError error({.file = "a.xlsx", .problem = "The rows hold words"});
   CHECK(with_other_sheets(error, origin).fault.remedy ==
         "this is the sheet 'Notes', and there are also 'Data' and 'More': read another with --sheet \"Data\"");
-  const InputError in_cell({.file = "a.xlsx", .expected = "a number", .part = TablePart::cell});
+  const InputError in_cell({.file = "a.xlsx", .problem = "'x' is not a number", .part = TablePart::cell});
   CHECK(with_other_sheets(in_cell, origin).fault.remedy.empty());
   origin.sheet_is_chosen = true;
   CHECK(with_other_sheets(error, origin).fault.remedy.empty());
@@ -100,6 +100,6 @@ TEST_CASE("sheet file: an error in a sheet that nobody chose names the others, b
   Sheet cells;
   cells.append(2, std::vector<SheetCell>{{"1"}, {"46054", CellKind::date}});
   CHECK(dated({{.source = "a.xlsx", .sheet = "Data"}, std::move(cells), {}}, 2, 1, "a number").what() ==
-        std::string("a.xlsx:3: sheet 'Data', cell B3: expected a number, found the date 2026-02-01; format the cell "
-                    "as a number and type it again, or delete the row"));
+        std::string("a.xlsx:3: sheet 'Data', cell B3: The cell holds the date 2026-02-01, not a number. Format the "
+                    "cell as a number and type it again, or delete the row."));
 }

@@ -70,7 +70,7 @@ TEST_CASE("sheet: a line that begins with what a spreadsheet could not compute i
 TEST_CASE("sheet: more cells than memory should be filled with are refused with their line") {
   CHECK(Sheet("1,2\n3\n", ',', 3).size() == 2);
   CHECK(message_of([] { Sheet("1,2\n3,4\n", ',', 3); }) ==
-        "line 2: expected at most 3 cells, found more; split the table, or leave out the columns that are not needed");
+        "line 2: The table has more than 3 cells. Split the table, or leave out the columns that are not needed.");
 }
 
 TEST_CASE("sheet: the separator of small tables whose separator is plain to see") {

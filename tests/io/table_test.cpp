@@ -136,69 +136,70 @@ TEST_CASE("table: a unit may be the end of a column's name, and it is said so") 
   CHECK(read("w_s_mm,F_mN\n1,2\n", {{"w_s", kind::length}, {"F", kind::force}}).columns[0].values == Values{1e-3});
   CHECK(read("F_N,F_mN\n1,2\n", {{"F_mN", kind::force}}).columns[0].values == Values{2e-3});
   CHECK(complaint("F_N,F_mN\n1,2\n", {{"F", kind::force}}) ==
-        "t.csv:1: column 'F': expected one column, found 2 of this name; rename them");
+        "t.csv:1: column 'F': 2 columns have this name. Rename them.");
   for (const char* other : {"w_s [m]", "w"})
     CHECK(complaint("w_s_mm,F_mN\n1,2\n", {{other, kind::length}}).find("the file has 'w_s_mm' and 'F_mN'") !=
           std::string::npos);
   CHECK(read("w_m\nmm\n1\n", {{"w_m", kind::length}}).columns[0].values == Values{1e-3});  // stated elsewhere
-  CHECK(has(complaint("w_s,F\n1,2\n", {{"w_s", kind::length}}), "expected a unit of length, found none"));
+  CHECK(has(complaint("w_s,F\n1,2\n", {{"w_s", kind::length}}), "No unit is stated, but a unit of length is needed"));
   CHECK(complaint("F_N,w_m\n1,2\n", {{"F_N", kind::length}}) ==
-        "t.csv:1: column 'F_N': expected a length and its unit, found a name that ends in 'N'; if it is a length all "
-        "the same, "
-        "name it with its unit, such as \"F_N [m]\"");
+        "t.csv:1: column 'F_N': The name ends in 'N', which is not a unit of length. If it is a length all the same, "
+        "name it with its unit, such as \"F_N [m]\".");
 }
 
 TEST_CASE("table: units that are missing, wrong or at odds are refused") {
   CHECK(complaint("w,F\n1,2\n", {{"w", kind::length}}) ==
-        "t.csv:1: column 'w': expected a unit of length, found none; name it with its unit, such as \"w [m]\"");
+        "t.csv:1: column 'w': No unit is stated, but a unit of length is needed. Name it with its unit, such as \"w "
+        "[m]\".");
   CHECK(complaint("w [N],F\n1,2\n", {{"w", kind::length}}) ==
-        "t.csv:1: column 'w': expected a unit of length, found 'N', the unit of a force; such as \"nm\", \"um\", "
-        "\"mm\" or \"m\"");
+        "t.csv:1: column 'w': The unit 'N' measures a force, but a unit of length is needed. Write \"nm\", \"um\", "
+        "\"mm\" or \"m\".");
   CHECK(complaint("w [mm],F\n1,2\n", {{"w [m]", kind::length}}) ==
-        "t.csv:1: column 'w': expected one unit, found 'm' and 'mm'; the file and the title asked for must agree");
-  CHECK(has(complaint("w,F\nmm,V\n1,2\n", {{"F", kind::force}}), "expected a unit, found 'V'"));
-  CHECK(has(complaint("w [m],F\n1,2\n", {{"w", kind::number}}), "expected no unit, found 'm'"));
-  CHECK(has(complaint("w,F\n1,2\n", {{"w [parsec]", kind::length}}), "expected a unit, found 'parsec'"));
+        "t.csv:1: column 'w': The units 'm' and 'mm' contradict each other. The file and the title asked for must "
+        "agree.");
+  CHECK(has(complaint("w,F\nmm,V\n1,2\n", {{"F", kind::force}}), "'V' is not a unit"));
+  CHECK(
+      has(complaint("w [m],F\n1,2\n", {{"w", kind::number}}), "The unit 'm' measures a length, but no unit is needed"));
+  CHECK(has(complaint("w,F\n1,2\n", {{"w [parsec]", kind::length}}), "'parsec' is not a unit"));
 }
 
 TEST_CASE("table: bad cells are refused with line and column") {
   CHECK(complaint("w_s_m;F_N\n0;0\n0;12,5\n", stage_and_force) ==
-        "t.csv:3: column 'F_N': expected a number, found '12,5'; write decimal points, or pass --decimal ,");
+        "t.csv:3: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,");
   CHECK(complaint("x,y\n1,2\n\n# note\n3,nan\n") ==
-        "t.csv:5: column 'y': expected a finite number, found 'nan'; delete the line");
-  CHECK(has(complaint("x,y\n1,-inf\n"), "t.csv:2: column 'y': expected a finite number, found '-inf'"));
-  CHECK(has(complaint("x,y\n1,1e999\n"), "expected a finite number, found '1e999'"));
-  CHECK(has(complaint("x,y\n1,2\n,3\n"), "t.csv:3: column 'x': expected a number, found an empty cell"));
-  CHECK(has(complaint("x,y\n1,2\n3,12 mm\n"), "t.csv:3: column 'y': expected a number, found '12 mm'"));
-  CHECK(has(complaint("x,y\n1,2\n3,\"1,234.5\"\n"), "write no thousands separators"));
-  CHECK(has(complaint("x;y\n1;1,000,292\n", x_and_y, ','), "write no thousands separators"));
-  CHECK(has(complaint("x;y\n1;1.234,5\n", x_and_y, ','), "write no thousands separators"));
-  CHECK(has(complaint("x;y\n1;1.234\n", x_and_y, ','), "write decimal commas, or leave out --decimal ,"));
+        "t.csv:5: column 'y': 'nan' is not a finite number. Delete the line.");
+  CHECK(has(complaint("x,y\n1,-inf\n"), "t.csv:2: column 'y': '-inf' is not a finite number"));
+  CHECK(has(complaint("x,y\n1,1e999\n"), "'1e999' is not a finite number"));
+  CHECK(has(complaint("x,y\n1,2\n,3\n"), "t.csv:3: column 'x': The cell is empty"));
+  CHECK(has(complaint("x,y\n1,2\n3,12 mm\n"), "t.csv:3: column 'y': '12 mm' is not a number"));
+  CHECK(has(complaint("x,y\n1,2\n3,\"1,234.5\"\n"), "Write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1,000,292\n", x_and_y, ','), "Write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1.234,5\n", x_and_y, ','), "Write no thousands separators"));
+  CHECK(has(complaint("x;y\n1;1.234\n", x_and_y, ','), "Write decimal commas, or leave out --decimal ,"));
   CHECK(complaint("x,y\n1,2\n0,5,1,5\n") ==
-        "t.csv:3: expected 2 cells as in the header on line 1, found 4; if these are decimal commas, write decimal "
+        "t.csv:3: The line has 4 cells, but the header on line 1 has 2. If these are decimal commas, write decimal "
         "points, or separate cells by ; and pass --decimal ,");
-  CHECK(has(complaint("x,y\n1,2\n3\n"), "t.csv:3: expected 2 cells as in the header on line 1, found 1"));
-  CHECK(has(complaint("x,y\n1,\"2\n3,4\n"), "t.csv:2: expected quotes in pairs"));
-  CHECK(has(complaint("x,y\n1,\"2\"3\n"), "expected quotes in pairs"));
+  CHECK(has(complaint("x,y\n1,2\n3\n"), "t.csv:3: The line has 1 cell, but the header on line 1 has 2"));
+  CHECK(has(complaint("x,y\n1,\"2\n3,4\n"), "t.csv:2: Cell 2 holds a stray quote"));
+  CHECK(has(complaint("x,y\n1,\"2\"3\n"), "Cell 2 holds a stray quote"));
 }
 
 TEST_CASE("table: what is no table is refused as what it is") {
-  CHECK(complaint("") == "t.csv: expected a header line and rows of numbers, found an empty file");
-  CHECK(complaint("\xEF\xBB\xBF") == "t.csv: expected a header line and rows of numbers, found an empty file");
-  CHECK(has(complaint("# only a comment\n\n"), "found no line with content"));
-  CHECK(complaint("x,y\n") == "t.csv:1: expected rows of numbers, found a header only");
-  CHECK(has(complaint("x,y\nmm,mm\n", {{"x", kind::length}}), "found a header only"));
-  CHECK(has(complaint("1,2\n3,4\n"), "t.csv:1: expected a header line that names the columns, found numbers"));
-  CHECK(has(complaint(std::string("x,y\n1,2\n\0\0\0", 11)), "t.csv:3: expected text, found binary data"));
+  CHECK(complaint("") == "t.csv: The file is empty.");
+  CHECK(complaint("\xEF\xBB\xBF") == "t.csv: The file is empty.");
+  CHECK(has(complaint("# only a comment\n\n"), "No line of the file has content"));
+  CHECK(complaint("x,y\n") == "t.csv:1: The file has a header only, and no rows of numbers.");
+  CHECK(has(complaint("x,y\nmm,mm\n", {{"x", kind::length}}), "The file has a header only"));
+  CHECK(has(complaint("1,2\n3,4\n"), "t.csv:1: This line holds numbers, where the names of the columns are needed"));
+  CHECK(has(complaint(std::string("x,y\n1,2\n\0\0\0", 11)), "t.csv:3: The file holds binary data"));
   CHECK(has(complaint(std::string("\x89PNG\r\n\x1a\n\0\0", 10)), "binary data"));
 }
 
 TEST_CASE("table: a column that is not there is refused with those that are") {
   CHECK(complaint("w_s_m,w0_m,F_N\n0,0,0\n", {{"F_M [N]", kind::force}}) ==
-        "t.csv:1: column 'F_M' is missing: the file has 'w_s_m', 'w0_m' and 'F_N'; "
-        "did you mean 'F_N'?");
-  CHECK(has(complaint("x,x,y\n1,2,3\n"), "column 'x': expected one column, found 2 of this name"));
-  CHECK(has(complaint("x,y\n1,2\n", {{"x", kind::number}, {"x", kind::number}}), "found the same one asked for twice"));
+        "t.csv:1: column 'F_M': No column has this name; the file has 'w_s_m', 'w0_m' and 'F_N'. Did you mean 'F_N'?");
+  CHECK(has(complaint("x,x,y\n1,2,3\n"), "column 'x': 2 columns have this name"));
+  CHECK(has(complaint("x,y\n1,2\n", {{"x", kind::number}, {"x", kind::number}}), "The same column is asked for twice"));
 }
 
 TEST_CASE("outside: files, folders and files that are not there") {
@@ -207,9 +208,9 @@ TEST_CASE("outside: files, folders and files that are not there") {
   std::ofstream(path) << "x,y\n1,2\n";
   CHECK(read_table(path, x_and_y).columns[1].values == Values{2});
   CHECK_THROWS_WITH_AS(read_table(folder.path().string(), x_and_y),
-                       (folder.path().string() + ": expected a file, found a directory").c_str(), InputError);
-  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y), (path + "x cannot be read: No such file or directory").c_str(),
-                       InputError);
+                       (folder.path().string() + ": This is a directory, not a file.").c_str(), InputError);
+  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y),
+                       (path + "x: The file cannot be read: No such file or directory.").c_str(), InputError);
   CHECK_THROWS_AS(write_table((folder.path() / "none" / "b.csv").string(), {"x"}, rows_of({})), InputError);
 }
 
@@ -286,12 +287,12 @@ TEST_CASE("outside: measured data, if the folder beside the repository has them"
   const std::vector<WantedColumn> universal{{"Displacement", kind::length}, {"Force", kind::force}};
   const std::string comma = folder + "instruments/bluehill_decimal_comma/Tensile_test_PE.csv";
   CHECK(complaint_about_file(comma, universal, '.')
-            .ends_with("Tensile_test_PE.csv:3: column 'Displacement': expected a number, found '0,1366'; write decimal "
-                       "points, or pass --decimal ,"));
+            .ends_with("Tensile_test_PE.csv:3: column 'Displacement': '0,1366' is not a number. Write decimal points, "
+                       "or pass --decimal ,"));
   // Where the displacement passes 1000 mm the machine itself wrote a thousands separator that is also its decimal mark.
   CHECK(complaint_about_file(comma, universal, ',')
-            .ends_with("Tensile_test_PE.csv:5998: column 'Displacement': expected a number, found '1,000,292'; write "
-                       "no thousands separators"));
+            .ends_with("Tensile_test_PE.csv:5998: column 'Displacement': '1,000,292' is not a number. Write no "
+                       "thousands separators."));
 
   const Table brass = read_table(folder + "instruments/pasco_brass/LA4_brass_file.csv",
                                  {{"Position (m) Run #1 [m]", kind::length}, {"Force (N) Run #1 [N]", kind::force}});
@@ -334,7 +335,7 @@ TEST_CASE("table: a title in brackets that is no unit is found without it, and a
   const std::string text = "w (mm),Force (KN)\n1,2\n2,3\n";
   CHECK(read(text, {{"w", kind::length}, {"Force [kN]", kind::force}}).columns[1].values[0] == 2000);
   CHECK(has(complaint(text, {{"w", kind::length}, {"Force", kind::force}}),
-            "expected a unit of force, found 'KN'; if kN is meant, name it with its unit, such as \"Force [kN]\""));
+            "'KN' is not a unit of force. If kN is meant, name it with its unit, such as \"Force [kN]\""));
 }
 
 TEST_CASE("table: what is no such table is refused with its line") {
@@ -342,9 +343,9 @@ TEST_CASE("table: what is no such table is refused with its line") {
     const TemporaryFolder folder;
     return message_of([&] { read_text_table(folder.file("table.csv", content)); });
   };
-  CHECK(says("").find("an empty file") != std::string::npos);
-  CHECK(says("a,b\n1,2,3\n").find(":2: expected 2 cells") != std::string::npos);
-  CHECK(says("a,a\n").find(":1: expected each title once, found 'a' twice") != std::string::npos);
-  CHECK(says("a,,b\n").find("an empty one") != std::string::npos);
-  CHECK(says("a,b\n\"x,y\n").find(":2: expected quotes in pairs") != std::string::npos);
+  CHECK(says("").find("The file is empty") != std::string::npos);
+  CHECK(says("a,b\n1,2,3\n").find(":2: The line has 3 cells, but the header has 2") != std::string::npos);
+  CHECK(says("a,a\n").find(":1: The title 'a' stands twice") != std::string::npos);
+  CHECK(says("a,,b\n").find(":1: A column has no title") != std::string::npos);
+  CHECK(says("a,b\n\"x,y\n").find(":2: Cell 1 holds a stray quote") != std::string::npos);
 }

@@ -53,7 +53,8 @@ TEST_CASE("table: the cells of a sheet, in all rows as many") {
 TEST_CASE("workbook: a sheet that is not there is refused with those that are") {
   CHECK_THROWS_WITH_AS(read_sheet(two_specimens(), "Specimen 7"),
                        doctest::Contains("'Notes', 'Specimen 1' and 'Specimen 2'"), InputError);
-  CHECK_THROWS_WITH_AS(read_sheet(two_specimens(), "4"), doctest::Contains("or its number"), InputError);
+  CHECK_THROWS_WITH_AS(read_sheet(two_specimens(), "4"),
+                       doctest::Contains("There is no sheet '4'; the workbook has 'Notes'"), InputError);
 }
 
 TEST_CASE("workbook: cut off anywhere it is refused") {

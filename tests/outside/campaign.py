@@ -206,7 +206,7 @@ step = "2 um"
         self.refused("campaign", self.file("t.csv", "file,spam\na.csv,1\n"), says=["t.csv:1", "column 'spam'"])
         folder = self.simulated(1)
         self.refused("campaign", folder, "--report", self.file("taken", ""), says=["taken"])
-        self.refused("campaign", folder, "--report", folder, says=["inputs outside", "--report"])
+        self.refused("campaign", folder, "--report", folder, says=["where no input may lie", "--report"])
 
 
 @unittest.skipUnless(DATA.is_dir(), "skipped: no campaign data")

@@ -156,13 +156,13 @@ class Design(InFolder):
         for text, arguments, said in (
             (CASE.replace('"700 um"', '"700 um", "10 um", "900 um"'), [], "case.toml:14: [stage] program[3]"),
             (CASE.replace("phase = 1.0", "static_excess = 0.1"), [], "[friction] static_excess"),
-            (CASE, ["--over", "stiffnes=1 N/m:2 N/m"], "did you mean 'stiffness'?"),
-            (CASE, ["--decide", "--over", "mu0=0:1"], "--decide: expected one planned test, found a range of them, --over; leave out one"),
+            (CASE, ["--over", "stiffnes=1 N/m:2 N/m"], "Did you mean 'stiffness'?"),
+            (CASE, ["--decide", "--over", "mu0=0:1"], "--decide: One planned test is decided on, but --over gives a range of them. Leave out one"),
             (CASE, ["--noise", "1 uN"], "--noise requires --decide"),
-            (CASE, ["--decide", "--noise", "0 N"], "--noise: expected"),
-            (CASE, ["--over", "stiffness=1:2"], "--over: expected a stiffness with its unit"),
-            (CASE, ["--over", "mu0=0:1", "--over", "mu0=0:1"], "the same twice"),
-            (CASE, ["--over", "mu0=0:1:2000", "--over", "span=1 mm:2 mm:2000"], "at most 1000000 designs"),
+            (CASE, ["--decide", "--noise", "0 N"], "--noise: '0 N' is not a positive force"),
+            (CASE, ["--over", "stiffness=1:2"], "--over: The number '1' has no unit, but a stiffness needs one"),
+            (CASE, ["--over", "mu0=0:1", "--over", "mu0=0:1"], "The same parameter is given twice"),
+            (CASE, ["--over", "mu0=0:1:2000", "--over", "span=1 mm:2 mm:2000"], "more than the limit of 1000000"),
             (CASE, ["--over", "mu0=0:1", "--over", "span=1 mm:2 mm", "--over", "step=1 um:2 um"], "flexslip sweep"),
         ):
             self.refused("design", self.file("case.toml", text), *arguments, says=[said])

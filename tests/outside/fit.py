@@ -365,7 +365,7 @@ step = "2 um"
         self.assertTrue(json.loads(run("fit", CASE, "--suspect-limit", "0.4", "--json").stdout)["suspect"])
 
     def test_wrong_calls(self):
-        self.refused("fit", DATA, says=["2 questions", "--stiffness", "--span"])
+        self.refused("fit", DATA, says=["2 more inputs are needed", "--stiffness", "--span"])
         self.refused("fit", DATA, "--diameter", "34.8 um", "--stiffness", "90 N/m", "--stage", "stage", "--force", "force", says=["span"])
         self.refused("fit", DATA, *FLAGS[2:], "--diameter", "34.8", says=["--diameter", "34.8 um"])
         self.refused("fit", CASE, "--span", "1 mm", says=["case file"])

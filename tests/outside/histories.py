@@ -125,7 +125,7 @@ class StaticFriction(InFolder):
 
     def test_more_than_the_mechanics_covers_is_refused(self):
         case = self.file("case.toml", STATIC.replace("0.1", "25") + LOOP)
-        self.refused("simulate", case, says=["case.toml:7", "[friction] static_excess", "at most 20"])
+        self.refused("simulate", case, says=["case.toml:7", "[friction] static_excess", "the limit is 20"])
 
 
 class Wear(InFolder):
@@ -298,22 +298,22 @@ class BadProgrammes(InFolder):
         self.refuses(stage, "run.csv", *says)
 
     def test_empty(self):
-        self.refuses("[stage]\n", "case.toml:7", "add program")
-        self.refuses("[stage]\nprogram = []\n", "case.toml:8", "at least two stage positions", "found 0")
-        self.refuses_run("", "expected")
+        self.refuses("[stage]\n", "case.toml:7", "Add program")
+        self.refuses("[stage]\nprogram = []\n", "case.toml:8", "at least two stage positions", "has 0")
+        self.refuses_run("", "The file is empty")
         self.refuses_run("t,w_s\n", "row")
 
     def test_nothing_above_zero(self):
-        self.refuses("[stage]\nprogram = [0, 0, 0]\n", "case.toml:8", "program[3]", "at least 1e-06 spans")
-        self.refuses_run("t,w_s\n0,0\n1,0\n", "run.csv:2", "'w_s'", "at least 1e-06 spans")
+        self.refuses("[stage]\nprogram = [0, 0, 0]\n", "case.toml:8", "program[3]", "less than 1e-06 spans")
+        self.refuses_run("t,w_s\n0,0\n1,0\n", "run.csv:2", "'w_s'", "less than 1e-06 spans")
 
     def test_negative(self):
         self.refuses("[stage]\nprogram = [0, 0.5, -0.1]\n", "case.toml:8", "program[3]", "non-negative")
-        self.refuses_run("t,w_s\n0,0\n1,0.5\n2,-0.1\n", "run.csv:4", "'w_s'", "at least 0", "-0.1")
+        self.refuses_run("t,w_s\n0,0\n1,0.5\n2,-0.1\n", "run.csv:4", "'w_s'", "before the point of contact", "-0.1")
 
     def test_beyond_every_specimen(self):
-        self.refuses("[stage]\nprogram = [0, 500, 0]\n", "case.toml:8", "program[2]", "within 100 spans", "check its unit")
-        self.refuses_run("t,w_s\n0,0\n1,500\n", "run.csv:3", "'w_s'", "within 100 spans", "check its unit")
+        self.refuses("[stage]\nprogram = [0, 500, 0]\n", "case.toml:8", "program[2]", "beyond 100 spans", "Check its unit")
+        self.refuses_run("t,w_s\n0,0\n1,500\n", "run.csv:3", "'w_s'", "beyond 100 spans", "Check its unit")
 
     def test_not_finite(self):
         self.refuses("[stage]\nprogram = [0, inf]\n", "case.toml:8", "program[2]", "finite")
@@ -322,10 +322,10 @@ class BadProgrammes(InFolder):
         self.refuses_run("t,w_s\n0,0\ninf,1\n", "run.csv:3", "'t'", "finite number")
 
     def test_time_running_back(self):
-        self.refuses_run("t,w_s\n0,0\n2,0.1\n1,0.2\n", "run.csv:4", "'t'", "no earlier than in the previous row", "sort the rows")
+        self.refuses_run("t,w_s\n0,0\n2,0.1\n1,0.2\n", "run.csv:4", "'t'", "is earlier than 2 in the previous row", "Sort the rows")
 
     def test_columns_and_files_that_are_not_there(self):
-        self.refuses_run("t,ws\n0,0\n1,0.1\n", "w_s", "did you mean 'ws'?")
+        self.refuses_run("t,ws\n0,0\n1,0.1\n", "w_s", "Did you mean 'ws'?")
         self.refuses_run("w_s\n0\n0.1\n", "'t'")
         self.refuses('[stage]\nfile = "none.csv"\nstage = "w_s"\n', "none.csv", "No such file")
 
@@ -336,7 +336,7 @@ class BadProgrammes(InFolder):
 
     def test_a_rig_too_soft_to_bend_the_specimen(self):
         case = self.file("case.toml", CONSTANT.replace("= 30", "= 1e-9") + LOOP)
-        self.refused("simulate", case, says=["case.toml:3", "[rig] stiffness", "bends the specimen"])
+        self.refused("simulate", case, says=["case.toml:3", "[rig] stiffness", "does not bend the specimen"])
 
 
 OTHER = '[friction.other]\nmodel = "sinusoid"\nmu0 = 0.52\namplitude = 0.25\nwavelength = 0.0154\nphase = 2.5\n'
@@ -599,15 +599,15 @@ class TwoSupports(InFolder):
         for friction, stage, says in (
             (with_free_nose(WAVY + "static_excess = 0.1\n" + OTHER), LOOP, ["[friction] static_excess", "the two supports differ and the nose is free"]),
             (with_free_nose(WAVY + OTHER), LOOP + 'snaps = "overshoot"\n', ["[stage] snaps", "the two supports differ and the nose is free"]),
-            (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction.other] mu0", "at most 20"]),
+            (WAVY + OTHER.replace("0.52", "20"), LOOP, ["[friction.other] mu0", "the limit is 20"]),
             (WAVY + OTHER.replace("0.0154", "1e-9"), LOOP, ["[friction.other] wavelength", "periods"]),
-            (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["[friction.other] static_excess", "delete it"]),
+            (WAVY + OTHER + "static_excess = 0.1\n", LOOP, ["[friction.other] static_excess", "Delete it"]),
             (WAVY + "other = 1\n", LOOP, ["[friction.other]", "the number 1"]),
-            (WAVY + "[friction.other]\n", LOOP, ["[friction.other] model", "is missing", "add model = "]),
+            (WAVY + "[friction.other]\n", LOOP, ["[friction.other] model", "This value is missing", "Add model = "]),
             (WAVY + '[friction.other]\nmodel = "roughness"\n', LOOP, ["[friction.other] model", "can only be fitted"]),
-            (WAVY + OTHER.replace("other", "othr"), LOOP, ["did you mean 'other'?"]),
-            (WAVY + '[friction.other]\nmodel = "constant"\n', LOOP, ["[friction.other] mu0", "add mu0 = 0.5"]),
-            (RIG + '[friction]\nmodel = "roughness"\n' + OTHER, LOOP, ["[friction.other]", "a model to fit", "write a model to compute with"]),
+            (WAVY + OTHER.replace("other", "othr"), LOOP, ["Did you mean 'other'?"]),
+            (WAVY + '[friction.other]\nmodel = "constant"\n', LOOP, ["[friction.other] mu0", "Add mu0 = 0.5"]),
+            (RIG + '[friction]\nmodel = "roughness"\n' + OTHER, LOOP, ["[friction.other]", "a model to fit", "Write a model to compute with"]),
         ):
             with self.subTest(says=says):
                 self.refused("simulate", self.file("case.toml", friction + stage), says=says)

@@ -152,7 +152,7 @@ class NothingLost(InFolder):
         self.campaign()
         report = self.folder / "report"
         (report / "tests").mkdir(parents=True)
-        self.nothing_is_written("campaign", "tests.csv", "--common", "common.toml", "--report", ".", says=["--report", "inputs outside"])
+        self.nothing_is_written("campaign", "tests.csv", "--common", "common.toml", "--report", ".", says=["--report", "where no input may lie"])
         for name in ("tests.csv", "tests/a/fit.json", "figures/x"):
             self.nothing_is_written("campaign", "tests.csv", "--common", "common.toml", "--report", "report", "-o", f"report/{name}",
                                     says=["--report", "--output", name])

@@ -122,7 +122,7 @@ class Simulated(CyclicRecords):
         peak = max(range(len(turned)), key=lambda i: turned[i][0])
         fit = self.json("fit", self.record(turned[peak:] + turned[1:peak]))
         self.assertEqual(fit["measurement"]["first_row"], len(turned) - peak + 1)
-        self.refused("fit", self.record(turned[peak:]), says=["record.csv", "unloads", "a record that has a loading"])
+        self.refused("fit", self.record(turned[peak:]), says=["record.csv", "only unloading", "The record contains no loading"])
 
     def test_text_and_report(self):
         case = self.record(self.readings())

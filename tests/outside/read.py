@@ -71,7 +71,7 @@ class Made(InFolder):
         listed = self.succeeds("read", path)
         for words in (", 2 specimens. ", "'1 _ 1'", "'1 _ 2'", "Columns of specimen 1:"):
             self.assertIn(words, listed)
-        self.refused("read", path, "--quiet", "--specimen", 3, says=["from 1 to 2"])
+        self.refused("read", path, "--quiet", "--specimen", 3, says=["Specimen 3 is asked for, but the file holds 2"])
         second = self.succeeds("read", "-o", "-", path, "--quiet", "--specimen", 2)
         self.assertIn("# Specimen: 1 _ 2\n", second)
         self.assertEqual([each["name"] for each in self.json("read", path)["specimens"]], ["1 _ 1", "1 _ 2"])
@@ -94,7 +94,7 @@ class Made(InFolder):
 
     def test_wrong_calls(self):
         path = FIXTURES / "zwick.csv"
-        self.refused("read", path, "--force", "Standardkrat", says=["did you mean 'Standardkraft'?"])
+        self.refused("read", path, "--force", "Standardkrat", says=["Did you mean 'Standardkraft'?"])
         self.refused("read", path, "--encoding", "latin9", says=["'cp1252'"])
         self.refused("read", path, "--decimal", ";", says=["--decimal"])
         self.refused("read", path, "--force-unit", "mm", says=["--force-unit", "'mm'"])
@@ -113,16 +113,16 @@ class Remedies(InFolder):
         path = self.record("Time (s),Deflection (mm),Force (KN)")
         bar = ["--span", "64 mm", "--width", "10 mm", "--height", "4 mm", "--stiffness", "inf"]
         for command in ("modulus", "fit"):
-            self.refused(command, path, *bar, says=["found 'KN'", "if kN is meant", '--force "Force [kN]"'])
+            self.refused(command, path, *bar, says=["'KN'", "If kN is meant", '--force "Force [kN]"'])
         self.assertIn('modulus', self.succeeds("modulus", path, *bar, "--force", "Force [kN]"))
         self.assertRegex(self.succeeds("read", path), r"which says 'KN': kN\?\n +--force-unit kN\n")
         self.assertIn("No question is open.", self.succeeds("read", path, "--force-unit", "kN"))
 
     def test_all_open_questions_come_at_once(self):
         path = self.record("Time,Extension,Load")
-        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["leaves 3 questions open", "(1) is 'Extension'", "(2) what is the unit of 'Extension'",
+        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["3 more inputs are needed", "(1) is 'Extension'", "(2) what is the unit of 'Extension'",
                                                               "(3) what is the unit of 'Load'"])
-        self.refused("fit", path, says=["leaves 5 questions open", "(4) how stiff is the load train, if", '--stiffness "', "(5) how far are the supports apart?", '--span "'])
+        self.refused("fit", path, says=["5 more inputs are needed", "(4) how stiff is the load train, if", '--stiffness "', "(5) how far are the supports apart?", '--span "'])
         case = self.file("case.toml", f'[record]\nfile = "{path}"\n')
         self.refused("fit", case, says=['write displacement = "crosshead|deflection" into [record]', 'write stiffness = "', 'write span = "'])
         self.assertNotIn("--", run("fit", case).stderr)
@@ -135,9 +135,9 @@ class Measured(InFolder):
         for path in measured():
             with self.subTest(file=path.name):
                 if path.parent.name == "mts_testsuite_empty":
-                    self.refused("read", path, says=["an empty file"])
+                    self.refused("read", path, says=["a byte order mark and nothing else" if "BOM_ONLY" in path.name else "The file is empty"])
                 elif path.parent.name == "bluehill_decimal_comma":
-                    self.refused("read", path, says=[":5998:", "numbers with one decimal comma", "without opening it in a spreadsheet"])
+                    self.refused("read", path, says=[":5998:", "A number has several decimal commas", "without opening it in a spreadsheet"])
                 elif path.parent.name == "mts_testsuite_femur":
                     self.refused("read", path, says=["'Aux Input 5' in V", "--calibration"])
                     self.succeeds("read", "-o", "-", path, "--force", 4, "--calibration", "73.1 N/V", "--quiet")

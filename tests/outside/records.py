@@ -247,13 +247,13 @@ class Remedies(InFolder):
 
     def test_a_missing_stiffness_is_asked_for_without_the_number_of_another_rig(self):
         said = self.says(READINGS, stiffness=None)
-        self.assertIn('pass --stiffness "… N/m"', said)
+        self.assertIn('Pass --stiffness "… N/m"', said)
         self.assertNotIn("90.65", said)
 
     def test_a_record_steeper_than_its_load_train_is_told_by_how_much(self):
         said = self.says(READINGS, stiffness="20 N/m")
-        self.assertIn("which yields by 634.2 µm under 12.68 mN, but the stage moved 536 µm", said)
-        self.assertIn("the stage moved 536 nm", self.says([(a / 1000, b) for a, b in READINGS]))
+        self.assertIn("yields by 634.2 µm under 12.68 mN, but the stage moved only 536 µm", said)
+        self.assertIn("but the stage moved only 536 nm", self.says([(a / 1000, b) for a, b in READINGS]))
 
     def test_a_deflection_that_is_named_as_the_stage_is_recognised_by_its_leaps(self):
         train = 0.09065  # mN/um
@@ -274,7 +274,7 @@ class Remedies(InFolder):
 
     def test_a_workbook_that_was_cut_off_is_told(self):
         (self.folder / "a.xlsx").write_bytes(b"PK\x03\x04\x14\x00\x06\x00\x08\xff\xfe")
-        self.refused("read", self.folder / "a.xlsx", says=["a.xlsx", "a whole workbook", "cut off", "download the file again"])
+        self.refused("read", self.folder / "a.xlsx", says=["a.xlsx", "The workbook is damaged", "cut off", "download the file again"])
 
     @unittest.skipUnless((SHARED / "instruments/mts793_pla").is_dir(), "no published bars of plastic")
     def test_a_plastic_bar_is_not_sound(self):

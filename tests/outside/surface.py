@@ -97,11 +97,11 @@ class Surface(InFolder):
     def test_bad_input_is_refused_with_place_and_remedy(self):
         self.file("wave.csv", wave(0.11, 10.9))
         self.refused("simulate", self.file("steep.toml", CASE.format(more="", back="", stiffness="5 kN/m").replace("mu0 = 0.5", "mu0 = 0.01")),
-                     says=["wave.csv", "slides by itself", "at the position"])
-        self.refused("simulate", self.case(more='level = 12\n'), says=["[friction] level", "at most 9"])
+                     says=["wave.csv", "would slide unaided", "at the position"])
+        self.refused("simulate", self.case(more='level = 12\n'), says=["[friction] level", "above the limit of 9"])
         self.refused("simulate", self.case(more='height = "q"\n'), says=["wave.csv", "'x' and 'z'"])
         self.refused("simulate", self.case(more='direction = "up"\n'), says=["direction", "outwards"])
-        self.refused("simulate", self.case(more='trace_begin = "1 um"\n'), says=["trace_begin", "beyond the support"])
+        self.refused("simulate", self.case(more='trace_begin = "1 um"\n'), says=["trace_begin", "before the support"])
         self.refused("simulate", self.case(more='file = "wave.csv"\n'), says=["file", "no meaning here"])
         self.refused("simulate", self.case(more='edge_radius = "-1 um"\n'), says=["edge_radius"])
         self.refused("simulate", self.case(more="wear = 0.9\n", back=', "100 um"'), says=["[friction] wear", "let the stage only load"])

@@ -178,9 +178,9 @@ class Sweep(InFolder):
         case = self.file("map.toml", grid(5, 4))
         for rows in ("0:3", "4:3", "1", "a:b", "1:3:4", "-1:3", "1:", ":9"):
             self.refused("sweep", case, f"--rows={rows}", "--output", self.folder / "map.csv", says=["--rows", "FIRST:LAST", rows])
-        self.refused("sweep", case, "--rows", "21:30", "--output", self.folder / "map.csv", says=["--rows", "1 to 20", "21"])
+        self.refused("sweep", case, "--rows", "21:30", "--output", self.folder / "map.csv", says=["--rows", "The first row is 21, but the sweep has 20"])
         self.refused("sweep", case, "--output", case, says=["--output", "map.toml"])
-        self.refused("sweep", self.file("plain.toml", WAVY), says=["plain.toml", "[sweep]", "add [sweep]"])
+        self.refused("sweep", self.file("plain.toml", WAVY), says=["plain.toml", "[sweep]", "Add [sweep]"])
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["map.toml", "plain.toml"])
 
 

@@ -20,7 +20,7 @@ class TenMillionRows(InFolder):
             file.write("1000.0,OVER\n1000.0,10\n")
         case = self.file("case.toml", (SOURCE / "examples/simulated/case.toml").read_text(encoding="utf-8"))
         # Of each row its text (18 bytes), 4 bytes a cell and a line, 8 a number and 8 for its line: 0.54 GB, and a tenth for the program.
-        self.refused("invert", case, says=["test.csv:10000002", "force", "'OVER'", "readings after"])
+        self.refused("invert", case, says=["test.csv:10000002", "force", "'OVER'", "and readings follow"])
         most = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024  # that of the largest call
         self.assertLess(most, 60 * ROWS)
 

@@ -59,7 +59,7 @@ class Cells(InFolder):
             changed = [list(row) for row in rows]
             changed[12][1] = value
             path = self.book(changed, formats={"B13": code})
-            self.refused("read", path, "--crosshead", "1", says=["test.xlsx:13", "sheet 'Data', cell B13", "'Load'", shown, "format the cell as a number and type it again"])
+            self.refused("read", path, "--crosshead", "1", says=["test.xlsx:13", "sheet 'Data', cell B13", "'Load'", shown, "Format the cell as a number and type it again"])
             self.refused("fit", self.file("case.toml", CASE.format(file="test.xlsx", more="").replace('"stage"', '"Extension [mm]"').replace('"force"', '"Load [N]"')),
                          says=["cell B13", shown])
         changed[12][1] = rows[12][1]
@@ -220,7 +220,7 @@ class Cells(InFolder):
         first = [["Temperature", "Humidity"], *([20 + i, 50 - i] for i in range(10))]
         self.book(first, Run=[["stage [mm]", "force [mN]"], *READINGS])
         case = self.file("case.toml", CASE.format(file="test.xlsx", more=""))
-        self.refused("fit", case, says=["column 'stage'", "this is the sheet 'Data'", "'Run'", '--sheet "Run"'])
+        self.refused("fit", case, says=["column 'stage'", "This is the sheet 'Data'", "'Run'", '--sheet "Run"'])
         self.assertNotIn("none of this name", run("fit", case, "--sheet", "Run").stderr)
         self.assertEqual(run("invert", case, "--set", "record.sheet=Run").returncode, 0)
 
@@ -233,7 +233,7 @@ class Cells(InFolder):
             self.assertEqual(done.returncode, 0, done.stderr)
             rows.append(json.loads(done.stdout)["preparation"][0]["rows"][1])
         self.assertEqual(rows, [len(STAGED) - 1, 20, 20])
-        self.refused("invert", self.file("case.toml", CASE.format(file="test.xlsx", more="sheet = 3")), says=["case.toml:", "[record] sheet", "found 3"])
+        self.refused("invert", self.file("case.toml", CASE.format(file="test.xlsx", more="sheet = 3")), says=["case.toml:", "[record] sheet", "There is no sheet 3"])
 
     # ---- titles
 

@@ -165,17 +165,17 @@ class Workbooks(InFolder):
         self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", " ".join(first.stderr.split()))
         bar = ("--span", "20 mm", "--width", "2 mm", "--height", "1 mm")
         self.refused("modulus", path, *bar, says=["which of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'", '--sheet "Specimen 1"'])
-        self.refused("modulus", path, *bar, "--displacement", "deflection", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
-        self.refused("modulus", path, *bar, "--deflection", "Extension", "--force", "Load", says=["--sheet", "one of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'"])
+        self.refused("modulus", path, *bar, "--displacement", "deflection", says=["--sheet", "The sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3' hold such a table each"])
+        self.refused("modulus", path, *bar, "--deflection", "Extension", "--force", "Load", says=["--sheet", "The sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3' hold such a table each"])
         for k in (1, 2, 3):
             for name in (f"Specimen {k}", str(k + 1)):
                 said = run("read", "-o", "-", path, "--crosshead", "1", "--sheet", name, "--full")
                 self.assertEqual(numbers(said.stdout, "Load [N]"), [float(k * i) for i in range(10)])
                 again = said.stderr.split("the same way again: flexslip read ")[1].split(" --", 1)[1].strip()
                 self.assertIn(f'sheet "Specimen {k}"', again)
-        self.refused("read", path, "--sheet", "Specimen 4", says=["'Specimen 1', 'Specimen 2' and 'Specimen 3'", "did you mean 'Specimen"])
-        self.refused("read", self.file("a.csv", "Extension (mm),Load (N)\n1,2\n2,3\n"), "--sheet", "1", says=["--sheet", "a text file", "leave it out"])
-        self.refused("read", path, "--separator", ";", says=["--separator", "a workbook", "leave --separator out"])
+        self.refused("read", path, "--sheet", "Specimen 4", says=["'Specimen 1', 'Specimen 2' and 'Specimen 3'", "Did you mean 'Specimen"])
+        self.refused("read", self.file("a.csv", "Extension (mm),Load (N)\n1,2\n2,3\n"), "--sheet", "1", says=["--sheet", "a text file", "Leave it out"])
+        self.refused("read", path, "--separator", ";", says=["--separator", "a workbook", "Leave out --separator"])
         case = self.file("case.toml", '[specimen]\ndiameter = "1 mm"\nmodulus = "fit"\n[rig]\nspan = "20 mm"\nstiffness = "inf"\n'
                                       '[record]\nfile = "test.xlsx"\nsheet = "Specimen 9"\ndisplacement = "crosshead"\n')
         self.refused("fit", case, says=["case.toml:9: [record] sheet", "'Specimen 9'"])
@@ -253,27 +253,27 @@ class Workbooks(InFolder):
         old = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(600)
         self.refused_as(ods.getvalue(), "an OpenDocument (.ods)", REMEDY_OF_OTHERS)
         self.refused_as(old, "Excel 97 to 2003 (.xls)", REMEDY_OF_OTHERS)
-        self.refused_as(old + "EncryptedPackage".encode("utf-16le") + bytes(64), "a workbook with a password", "save it without a password")
+        self.refused_as(old + "EncryptedPackage".encode("utf-16le") + bytes(64), "a workbook with a password", "Save it without a password")
         self.refused_as(raw({"a": NUMBERS}, main="xl/workbook.bin"), "a binary workbook (.xlsb)", REMEDY_OF_OTHERS)
-        self.refused_as(plain.getvalue(), "an archive without a workbook", "unpack it")
-        self.refused_as(raw({"a": rows_of([["just", "words"]])}), "rows of numbers", "none on the sheet 'a'")
-        self.refused_as(raw({"a": ""}), "rows of numbers", "none on the sheet 'a'")
+        self.refused_as(plain.getvalue(), "an archive without a workbook", "Unpack it")
+        self.refused_as(raw({"a": rows_of([["just", "words"]])}), "no rows of numbers on the sheet 'a'")
+        self.refused_as(raw({"a": ""}), "no rows of numbers on the sheet 'a'")
 
     def test_broken_files_are_refused_in_a_sentence(self):
         good = raw({"a": NUMBERS})
         self.assertEqual(run("read", "-o", "-", self.file("a.xlsx", good)).returncode, 0)
-        self.refused_as(good[: len(good) // 2], "a whole workbook", "cut off")
+        self.refused_as(good[: len(good) // 2], "The workbook is damaged", "cut off")
         encrypted = bytearray(good)
         for mark, at in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):
             place = encrypted.find(mark)
             while place >= 0:
                 encrypted[place + at] |= 1
                 place = encrypted.find(mark, place + 4)
-        self.refused_as(bytes(encrypted), "an encrypted archive", "without a password")
-        for rows, words in (('<row r="2"><c r="A2"><v>1</v></c></row><row r="1"/>', "out of place"), ('<row r="1"><c r="B1"><v>1</v></c><c r="A1"/></row>', "out of place"),
-                            ('<row r="9999999"><c><v>1</v></c></row>', "out of place"), ('<row><c r="ZZZZ1"><v>1</v></c></row>', "out of place"),
-                            ("<row><c><v>1.5.2</v></c></row>", "'1.5.2'"), ('<row><c t="s"><v>7</v></c></row>', "strings of the workbook"),
-                            ("<row><c><v>1</v></row>", "broken XML"), ("<row><c><v>1</c></row>", "broken XML"), ("&bomb;", "broken XML")):
+        self.refused_as(bytes(encrypted), "The workbook is encrypted", "without a password")
+        for rows, words in (('<row r="2"><c r="A2"><v>1</v></c></row><row r="1"/>', "out of order"), ('<row r="1"><c r="B1"><v>1</v></c><c r="A1"/></row>', "out of order"),
+                            ('<row r="9999999"><c><v>1</v></c></row>', "out of order"), ('<row><c r="ZZZZ1"><v>1</v></c></row>', "out of order"),
+                            ("<row><c><v>1.5.2</v></c></row>", "'1.5.2'"), ('<row><c t="s"><v>7</v></c></row>', "but the workbook has"),
+                            ("<row><c><v>1</v></row>", "its XML is broken"), ("<row><c><v>1</c></row>", "its XML is broken"), ("&bomb;", "its XML is broken")):
             self.refused_as(raw({"a": rows}), words)
         bomb = '<!DOCTYPE a [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;&a;">]>'
         self.refused_as(raw({"a": NUMBERS}, doctype=bomb), "a document type")
@@ -302,7 +302,7 @@ class Workbooks(InFolder):
                 sheet.write(f'<worksheet xmlns="{MAIN}"><sheetData>'.encode())
                 for _ in range(1 + (1 << 30) // (1 << 22)):
                     sheet.write(b" " * (1 << 22))
-        self.refused_as(out.getvalue(), "parts of at most 1024 MiB", "save the sheet with the measurement as CSV")
+        self.refused_as(out.getvalue(), "more than 1024 MiB, unpacked", "Save the sheet with the measurement as CSV")
         wide = "".join(f'<row r="{i}"><c r="XFD{i}"><v>1</v></c></row>' for i in range(1, 60000))
         self.refused_as(raw({"a": wide}), "512 MiB")
         self.refused_as(raw({"a": "<a>" * 3_000_000}), "elements more than 100 deep")

@@ -54,8 +54,8 @@ TEST_CASE("limit: no tests, none with an answer, all suspect") {
   CHECK(campaign_text(no_tests()) == "No tests.\n");
   CHECK(campaign_in_short(only_failures()) == "2 tests: 2 NO ANSWER.");
   for (const AnswerRow& row : rows_of(only_failures())) CHECK(row.words.empty());
-  CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': expected a number"));
-  CHECK(has(campaign_screen(only_failures()), "  no answer       SS1: a.csv:17: column 'F_N': expected a number"));
+  CHECK(has(campaign_text(only_failures()), "   SS1                 a.csv:17: column 'F_N': '12,5' is not a number"));
+  CHECK(has(campaign_screen(only_failures()), "  no answer       SS1: a.csv:17: column 'F_N': '12,5' is not a number"));
   const Campaign suspect = campaign_of({some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6)});
   CHECK(row_of(suspect, "friction") == "1.25, of one specimen, all tests are suspect, with no stiffness lost");
   CHECK(row_of(suspect, "suspect").empty());

@@ -26,7 +26,7 @@ TEST_CASE("outside: the report is well-formed, needs no other file, and links to
   CHECK(html.find("<script") == std::string::npos);
   CHECK(html.find("<img") == std::string::npos);
   CHECK(html.find("SS8, not in the means") != std::string::npos);
-  CHECK(html.find("found &lt;nothing&gt; &amp; &quot;nothing&quot;") != std::string::npos);
+  CHECK(html.find("99.csv: &lt;nothing&gt; &amp; &quot;nothing&quot; is not a number.") != std::string::npos);
   for (const std::string file : {"tests.csv", "categories.csv", "campaign.json", "campaign.xlsx"}) {
     INFO(file);
     CHECK(fs::file_size(folder.path() / file) > 100);

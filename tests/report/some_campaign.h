@@ -86,7 +86,7 @@ inline Campaign campaign_of(std::vector<CampaignTest> tests) {
 inline Campaign no_tests() { return campaign_of({}); }
 
 inline Campaign only_failures() {
-  return campaign_of({failed_test("SS1", "a.csv", "a.csv:17: column 'F_N': expected a number, found '12,5'"),
+  return campaign_of({failed_test("SS1", "a.csv", "a.csv:17: column 'F_N': '12,5' is not a number."),
                       failed_test(awkward_name, "b & c.csv", "b & c.csv: <no> numbers_ in 100 %")});
 }
 
@@ -96,7 +96,7 @@ inline Campaign some_campaign() {
                       some_test("SS5", SawtoothCategory::nominal, 0.75, 44.67e-6),
                       some_test("SS13", SawtoothCategory::none, 0.3, {}),
                       some_test("SS8", SawtoothCategory::clear, 1.25, 20e-6),
-                      failed_test("SS99", "99.csv", "99.csv: expected numbers, found <nothing> & \"nothing\"")});
+                      failed_test("SS99", "99.csv", "99.csv: <nothing> & \"nothing\" is not a number.")});
 }
 
 }  // namespace flexslip

@@ -98,7 +98,7 @@ TEST_CASE("outside: another reader finds numbers as numbers, unchanged names, an
   CHECK(tests[1][wavelength].get<double>() == doctest::Approx(10.9).epsilon(1e-15));  // one rounding, to micrometres
   CHECK(tests[4].at(wavelength).is_null());
   CHECK((*read)["sheets"]["Categories"][1][3] == 0.5);
-  CHECK((*read)["sheets"]["Failures"][1][3] == "99.csv: expected numbers, found <nothing> & \"nothing\"");
+  CHECK((*read)["sheets"]["Failures"][1][3] == "99.csv: <nothing> & \"nothing\" is not a number.");
   CHECK((*read)["sheets"]["Specimens"][1][1] == "mu0");
 }
 

@@ -14,8 +14,7 @@ void add(CLI::App& app, const std::string& name, const std::string& description)
   CLI::App* command = app.add_subcommand(name, description);
   command->allow_extras();
   command->callback([name] {
-    throw InputError({.expected = "a command that the studio can run",
-                      .found = in_quotes(name),
+    throw InputError({.problem = fmt::format("The studio cannot run {}", in_quotes(name)),
                       .remedy = "run the same command with the program flexslip, outside the studio"});
   });
 }
