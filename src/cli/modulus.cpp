@@ -39,13 +39,12 @@ void add_modulus_command(CLI::App& app) {
       add_command(app, "modulus", "Stiffness and flexural modulus as defined by the bending standards", run_modulus);
   add_test(command, request.test);
   add_option(command, "--window SHARE", request.window,
-             "Straight part of the curve, in shares of the greatest force at deflections below a tenth of the span; "
-             "without it, the steepest stretch that the noise allows, of a quarter or more")
+             "Linear region, in shares of the maximum force at deflections below a tenth of the span; "
+             "default: the steepest part that the noise allows, of a quarter or more")
       ->expected(2);
-  add_option(
-      command, "--friction NUMBER", request.friction,
-      "Friction at the supports, or its least and its greatest, whose part in modulus, strength and work is told; "
-      "without it, that of the case, or 0.1 to 0.5")
+  add_option(command, "--friction NUMBER", request.friction,
+             "Friction at the supports, or its range; its effect on modulus, strength and work is reported; "
+             "default: the friction of the case, or 0.1 to 0.5")
       ->expected(1, 2);
   add_output_options(command, request.output);
   command.footer(
@@ -54,7 +53,7 @@ void add_modulus_command(CLI::App& app) {
       "deflections, no friction and no shear. A modulus needs a span and a section; without a span there is only a\n"
       "stiffness. Crosshead displacement is corrected for the stiffness of the load train. Modulus and stress have\n"
       "three significant digits, as ISO 178 asks; --json has all. The exit code is 1 if the record has no straight\n"
-      "rising part, or cannot tell a modulus.\n\n"
+      "rising part, or if the modulus cannot be determined.\n\n"
       "Examples:\n"
       "  flexslip modulus examples/simulated/case.toml\n"
       "  flexslip modulus export.csv --displacement crosshead --stiffness \"2 kN/mm\" --span \"64 mm\" \\\n"

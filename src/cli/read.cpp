@@ -29,14 +29,14 @@ constexpr std::array flags_of_exports{
 
 struct ReadRequest {
   std::string file;
-  std::size_t specimen = 0;  // from 1; 0 where it is not said
+  std::size_t specimen = 0;  // from 1; 0: not given
   ReadingWords words;
-  Output output{.path = ""};  // none: no table is written
+  Output output{.path = ""};  // empty: no table is written
 };
 
 bool writes_table(const ReadRequest& request) { return !request.output.json && !request.output.path.empty(); }
 
-// The specimen that is told of, counted from 0.
+// The specimen that is described, from 0.
 std::size_t chosen_specimen(const ReadRequest& request, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (request.specimen > count)
@@ -58,7 +58,7 @@ std::string_view words_for(char mark) {
   return words[std::min(marks.find(mark), marks.size())];
 }
 
-// What was understood, what is open, and how to read it the same way again.
+// What was recognised, open questions, and the flags that repeat the decisions.
 std::string summary_of(const ReadRequest& request, const Export& file, std::size_t chosen) {
   const ExportedSpecimen& specimen = file.specimens[chosen];
   std::string text;
@@ -95,7 +95,7 @@ std::string summary_of(const ReadRequest& request, const Export& file, std::size
   return text;
 }
 
-// The summary goes to the screen: to standard output, unless the table goes there.
+// The summary goes to standard output, unless the table is written there.
 void run_read(const ReadRequest& request) {
   Export file = read_export(request.file, options_of(request.words));
   const std::size_t chosen = chosen_specimen(request, file);
