@@ -1,7 +1,8 @@
 // The commands of the program, one file each.
 //
-// A command reads its arguments in its callback. It throws an InputError for bad input, and CalculationFailed, once what
-// could be computed is written, if that is not all; main() turns these into messages and exit codes.
+// A command reads its arguments in its callback. It throws InputError for bad input. It throws
+// CalculationFailed for an incomplete result, after writing the part that could be computed. main()
+// turns both into messages and exit codes.
 #pragma once
 
 #include <stdexcept>
@@ -36,15 +37,15 @@ void add_keys_command(CLI::App& app);
 void add_results_command(CLI::App& app);
 void add_completions_command(CLI::App& app);
 
-// ---- The two lengths of help (help.cpp): -h shows the options that people use, --help all of them
+// ---- short and long help (help.cpp): -h shows the common options, --help all of them
 
-// `flexslip help [COMMAND]`: what --help says.
+// `flexslip help [COMMAND]`, the same as --help.
 void add_help_command(CLI::App& app);
 
-// What --help says of the program, or of one of its commands.
+// The long help of the program or of one of its commands.
 std::string whole_help(const CLI::App& command);
 
-// Gives the program, or one of its commands, the flag -h, which throws ShortHelp; main() prints it.
+// Gives the program or a command the flag -h, which throws ShortHelp; main() prints the short help.
 struct ShortHelp {
   std::string text;
 };

@@ -10,7 +10,7 @@
 namespace flexslip {
 namespace {
 
-// The program as its completions see it.
+// The program for the completion scripts.
 struct Flag {
   std::string name;         // with its dashes
   std::string description;  // one line
@@ -74,7 +74,7 @@ complete -o bashdefault -o default -F _flexslip flexslip
                      cases, shell_word(names_of(flags_of(app))), shell_word(names + names_of(flags_of(app))));
 }
 
-// The text of a description within the brackets of zsh's _arguments.
+// The text of a description inside the brackets of zsh's _arguments.
 std::string zsh_description(std::string_view text) {
   std::string out;
   for (const char c : text) {

@@ -76,9 +76,9 @@ void add_design_command(CLI::App& app) {
   add_repeated(command, "--over RANGE", request.over,
                "Write a table over a parameter and its range, NAME=FROM:TO[:POINTS], instead of the answer in "
                "words; given twice, a map over both");
-  CLI::Option* decide = command.add_flag(
-      "--decide", request.decide,
-      "Also say how far to load and unload for a second loading to tell whether the drops are slips or cracks");
+  CLI::Option* decide =
+      command.add_flag("--decide", request.decide,
+                       "Also say how far to load and unload so that a second loading distinguishes slips from cracks");
   add_option(command, "--noise FORCE", request.noise,
              "With --decide, standard deviation of the force readings; default: 0.1 % of the maximum force")
       ->needs(decide);
@@ -96,7 +96,7 @@ void add_design_command(CLI::App& app) {
       "modulus, stiffness, travel, step, reference or pin_friction.\n"
       "With --decide, simulates an unloading and a second loading, for eight travels and five depths of unloading, "
       "and\n"
-      "says which of them tell slips from cracks.\n\n"
+      "says which of them distinguish slips from cracks.\n\n"
       "Examples:\n"
       "  flexslip design case.toml --figure design.svg\n"
       "  flexslip design case.toml --decide --noise \"20 uN\"\n"

@@ -13,7 +13,7 @@
 namespace flexslip {
 namespace {
 
-// The options that -h shows of commands that have more than fit a glance; of all others it shows all.
+// The options in the short help of commands with many options. Other commands show all.
 struct Everyday {
   std::string_view command;
   std::vector<std::string_view> options;
@@ -42,7 +42,7 @@ std::string name_in_usage(const CLI::App& command) {
   return command.get_parent() ? "flexslip " + command.get_name() : command.get_name();
 }
 
-// Descriptions that are longer than a line go on below themselves; the footer has lines of its own.
+// Wraps descriptions and aligns their lines; the footer keeps its line breaks.
 std::string in_lines(std::string_view help, std::string_view footer, std::size_t column) {
   std::string out;
   const std::size_t end = footer.empty() ? help.size() : help.rfind(footer);
@@ -56,7 +56,8 @@ std::string in_lines(std::string_view help, std::string_view footer, std::size_t
   return out + std::string(help.substr(end));
 }
 
-// Changes the command, which is not run any more: what is left out goes into no group, and the footer is its examples.
+// Changes the command, which does not run afterwards: other options leave their groups, and the
+// footer is reduced to the examples.
 std::string short_help(CLI::App& command) {
   const auto known = std::find_if(everyday().begin(), everyday().end(),
                                   [&](const Everyday& each) { return each.command == command.get_name(); });

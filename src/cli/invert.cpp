@@ -23,18 +23,18 @@ namespace {
 struct InvertRequest {
   CaseRequest test;
   bool is_case = false;
-  std::optional<std::string> radius, thickness;  // of rollers, and of the specimen on them
+  std::optional<std::string> radius, thickness;  // of rollers; of the specimen on them
   Output output;
 
   bool on_supports() const { return radius || thickness; }
 };
 
-// A length in spans, of a flag.
+// The length of a flag, in spans.
 double spans_of(const std::string& text, const char* flag, const Kind& kind, const Scales& scales) {
   return scales.reduced_length(quantity_of_flag(flag, text, kind, Range::non_negative));
 }
 
-// The supports that the flags state; of a specimen whose section is known, with its thickness.
+// The supports from the flags, with the thickness of a specimen of known section.
 Supports supports_of(const InvertRequest& request, const Kind& kind, const Scales& scales,
                      const std::optional<Section>& section) {
   Supports supports{0, section ? 0.5 * scales.reduced_length(depth(*section)) : 0};
@@ -80,7 +80,7 @@ void invert_states(const InvertRequest& request) {
       "{}:{}: no friction between {:g} and {:g} explains w = {}, F = {}{}{}", table.source, table.lines[row], -most,
       most, w[row], F[row],
       w[row] < least_half_depths * supports.half_depth
-          ? "; friction cannot be read off deflections below twice the thickness"
+          ? "; friction cannot be determined at deflections below twice the thickness"
           : "",
       unexplained.size() == 1 ? ""
                               : fmt::format("; nor {} more rows, which are written as nan", unexplained.size() - 1)));
@@ -119,7 +119,7 @@ void add_invert_command(CLI::App& app) {
              "Case file (.toml), or CSV with the columns w,F; - is standard input")
       ->required();
   add_set_option(command, request.test.changes);
-  command.add_flag("--case", request.is_case, "Read the file as a case, whatever its name");
+  command.add_flag("--case", request.is_case, "Read the file as a case, with any name");
   add_option(command, "--roller-radius LENGTH", request.radius,
              "Radius of fixed rollers as supports, such as \"5 mm\"; without a case, in spans");
   add_option(command, "--thickness LENGTH", request.thickness,
@@ -130,14 +130,15 @@ void add_invert_command(CLI::App& app) {
       "From CSV, in reduced variables (w in spans, F in EI/L^2), it writes w,F,S,q. A point that no friction explains "
       "is\n"
       "written as nan, and the exit code is 1.\n"
-      "From a case, it writes friction along the specimen up to failure, in SI. drawn_in is the length pulled in, on\n"
-      "edges S - L. imaged is the length of the axis between the verticals through the supports, as a camera sees it.\n"
-      "position is that of the support, counted along the specimen from midspan. mu_error is the standard error. Its\n"
+      "From a case, it writes friction along the specimen up to failure, in SI. drawn_in is the sliding length, on\n"
+      "edges S - L. imaged is the length of the axis between the vertical planes through the supports, as in an "
+      "image.\n"
+      "position is the position of the support along the specimen, from midspan. mu_error is the standard error. Its\n"
       "parts come from the noise of the force, the bending stiffness and the contact point; the last two move all\n"
       "points together.\n"
       "Supports are knife edges and friction acts at the axis of the specimen, unless case or flags say otherwise.\n"
       "Then S is the length of the axis between the contacts, drawn_in includes the arc over the roller, and friction\n"
-      "cannot be read off below a deflection of twice the thickness.\n\n"
+      "cannot be determined at deflections below twice the thickness.\n\n"
       "Examples:\n"
       "  flexslip invert bar.toml --roller-radius \"5 mm\"\n"
       "  flexslip invert examples/simulated/case.toml --output profile.csv\n"

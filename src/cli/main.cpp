@@ -29,7 +29,7 @@ int complain(std::string_view message, int exit_code) {
   return exit_code;
 }
 
-// The command that was being given.
+// The command on the command line.
 const CLI::App& innermost(const CLI::App& app) {
   const std::vector<CLI::App*> given = app.get_subcommands();
   return given.empty() ? app : innermost(*given.front());
@@ -54,7 +54,7 @@ std::string with_guess(const std::string& message, std::string_view word, const 
   return guess.empty() ? message : fmt::format("{}; {}", message, guess);
 }
 
-// What is wrong with the call, and the remedy.
+// The error of the call, and the remedy.
 std::string explained(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& command = innermost(app);
   const bool is_program = &command == &app;
@@ -83,7 +83,7 @@ std::string explained(const CLI::App& app, const CLI::ParseError& error) {
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "What a sawtooth in a three-point bending test means: friction at the supports, read off the force curve");
+      "What a sawtooth in a three-point bending test means: friction at the supports, determined from the force curve");
   app.name("flexslip");
   app.set_help_flag("--help", "Print all options and exit");
   app.set_version_flag("--version", version_in_words());
@@ -114,7 +114,7 @@ int run(int argc, char** argv) {
     add_short_help(*command);
   }
 
-  // Where a shell sends it to a file.
+  // A shell can write it to a file.
   std::error_code elsewhere;
   if (const auto file = std::filesystem::canonical("/dev/stdout", elsewhere); !elsewhere)
     files_of_this_call().writes(file, "standard output");
@@ -149,7 +149,7 @@ int run(int argc, char** argv) {
 }  // namespace flexslip
 
 int main(int argc, char** argv) {
-  // Whoever reads our output has seen enough (head, a pager): nothing went wrong.
+  // The reader of our output has closed it (head, a pager): no error.
   std::signal(SIGPIPE, [](int) { std::_Exit(EXIT_SUCCESS); });
   try {
     return flexslip::run(argc, argv);

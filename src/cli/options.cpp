@@ -15,7 +15,7 @@
 namespace flexslip {
 namespace {
 
-// What a flag takes, as its help shows it.
+// The value of a flag in the help.
 std::string type_of(const CaseKey& key) {
   switch (key.holds) {
     case Holds::title:
@@ -45,7 +45,7 @@ bool has_flags(const TestRequest& request) {
                      [](const CaseFlag& flag) { return flag.value.has_value(); });
 }
 
-// Is it a case file that the call names? "-" is one if there are no flags.
+// True if the call names a case file; "-" is a case file if there are no flags.
 bool names_case_file(const TestRequest& request) {
   return request.file.ends_with(".toml") || (request.file == "-" && !has_flags(request));
 }
@@ -129,13 +129,13 @@ InputError in_words_of_call(const TestRequest& request, const InputError& error)
       if (fault.kind == FaultKind::missing)
         fault.remedy =
             fmt::format("add {} {}{}, or describe the test in a case file (.toml)", fault.field, type_of(*key),
-                        key->range == Range::positive_or_infinite ? " (\"inf\" for one that does not give way)" : "");
+                        key->range == Range::positive_or_infinite ? " (\"inf\" if rigid)" : "");
     }
     if (fault.file.empty()) fault.line = 0;
     return fault;
   };
   std::vector<InputFault> all{error.fault};
-  if (error.fault.key == "rig") {  // no flag states any of it: both are asked for at once
+  if (error.fault.key == "rig") {  // no flag states a whole section: ask for both keys at once
     all.front().key = "rig.span";
     all.push_back(all.front());
     all.back().key = "rig.stiffness";
@@ -211,7 +211,7 @@ void add_output_options(CLI::App& command, Output& output, std::string_view othe
 
 void add_figure_option(CLI::App& command, std::string& path) {
   add_output_file(command, "--figure", path,
-                  "Draw the result as FILE.svg, FILE.pdf or FILE.png, with its gnuplot script and data beside it")
+                  "Draw the result as FILE.svg, FILE.pdf or FILE.png, and write its gnuplot script and data next to it")
       ->each([](const std::string& file) {
         const std::filesystem::path picture(file);
         const std::string name = picture.stem().string();

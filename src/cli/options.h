@@ -1,5 +1,5 @@
-// Commands and their options as their help shows them, and those that several commands have: of a test, its case or its data file; of an analysis; of
-// what is written.
+// Commands and their options in the help, and options of several commands: tests, analyses, files,
+// output.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@
 
 namespace flexslip {
 
-// A command, and what its options fill in.
+// A command and the request that its options fill in.
 template <class Request>
 struct NewCommand {
   CLI::App& command;
@@ -38,14 +38,14 @@ NewCommand<Request> add_command(CLI::App& app, const std::string& name, const st
   return {*command, *request};
 }
 
-// An option, or an argument, with what it takes: "-j,--jobs NUMBER", "file FILE".
+// An option or argument with its value: "-j,--jobs NUMBER", "file FILE".
 template <class Value>
 CLI::Option* add_option(CLI::App& command, std::string_view option, Value& value, const std::string& meaning) {
   const std::size_t space = option.find(' ');
   return command.add_option(std::string(option.substr(0, space)), value, meaning)
       ->type_name(std::string(option.substr(space + 1)));
 }
-// One that may be repeated.
+// A repeatable option.
 template <class Value>
 CLI::Option* add_repeated(CLI::App& command, std::string_view option, std::vector<Value>& values,
                           const std::string& meaning) {
@@ -54,25 +54,25 @@ CLI::Option* add_repeated(CLI::App& command, std::string_view option, std::vecto
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
-// What numbers options take, beyond what CLI11 checks: NaN lies in each of its ranges, and -1 is a whole number without a sign.
+// Checks of numbers that CLI11 lacks: it accepts NaN in any range, and -1 as an unsigned number.
 CLI::Validator number_between(double low, double high);
 CLI::Validator whole_number();
-// A whole number in a range of which the help says nothing.
+// A whole number in a range that the help does not show.
 inline CLI::Validator count_between(std::size_t least, std::size_t most) {
   return CLI::Range(static_cast<int>(least), static_cast<int>(most)).description("");
 }
 
-// ---- The test that a command is about
+// ---- the test of a command
 
-// A case file, and what is changed of it.
+// A case file, and changes to it.
 struct CaseRequest {
   std::string file;
-  std::vector<std::string> changes{};  // of keys: --set
+  std::vector<std::string> changes{};  // values of --set
 
   Test read() const { return read_case(file, changes); }
 };
 
-// Gives a command the argument CASE, and --set; and --set alone.
+// Add the argument CASE and --set; or --set only.
 void add_case(CLI::App& command, CaseRequest& request, const std::string& meaning = "Case file; - is standard input");
 void add_set_option(CLI::App& command, std::vector<std::string>& changes);
 
@@ -81,16 +81,16 @@ struct CaseFlag {
   std::optional<std::string> value{};
 };
 
-// A case file, or a data file with flags, each of which says what a key of a case file says.
+// A case file, or a data file with a flag for each key of its case.
 struct TestRequest : CaseRequest {
-  std::vector<CaseFlag> flags{};  // of every key that has one, with the values given
+  std::vector<CaseFlag> flags{};  // every key with a flag, and the values given
 };
 
-// Gives a command the argument FILE, the flags and --set.
+// Adds the argument FILE, the flags and --set.
 void add_test(CLI::App& command, TestRequest& request);
 
-// What comes of the test, made by the reader of case files, which knows what is allowed. A complaint about it is in the words of the call.
-// Fails:      InputError as read_case and `use`; for flags beside a case file.
+// The test, read by the reader of case files. Errors name the flags of the call.
+// Fails:      InputError as read_case and `use`; for flags in addition to a case file.
 Test test_of(const TestRequest& request);
 InputError in_words_of_call(const TestRequest& request, const InputError& error);
 template <class Use>
@@ -102,20 +102,21 @@ auto with_test(const TestRequest& request, Use use) {
   }
 }
 
-// Supports in spans, as --roller-radius and --thickness state them, if they leave a span and beam theory holds between them.
-// Fails:      InputError, naming the flag, where they do not: as a case is refused (case/mechanics.h).
+// The supports in spans from --roller-radius and --thickness.
+// Fails:      InputError, naming the flag, if no span remains or beam theory does not hold (as in
+//             case/mechanics.h).
 const Supports& within_limits(const Supports& stated);
 
-// Gives a command the options --model, --false-alarms and --suspect-limit.
+// Adds --model, --false-alarms and --suspect-limit.
 void add_analysis_options(CLI::App& command, AnalysisChoice& choice);
 
-// ---- How a file of readings or of heights is read
+// ---- reading options of files
 
 struct ReadingFlag {
   const char *name, *meaning;  // "sheet SHEET"
 };
 
-// Those of any file.
+// The flags for any file.
 inline constexpr std::array flags_of_files{
     ReadingFlag{"sheet SHEET", "Sheet of a workbook (.xlsx), by name or number"},
     ReadingFlag{"encoding NAME", "Encoding of the text: utf-8, utf-16le, utf-16be, cp1252 or shift-jis"},
@@ -123,23 +124,24 @@ inline constexpr std::array flags_of_files{
     ReadingFlag{"decimal MARK", "Decimal mark: . or ,"},
     ReadingFlag{"thousands MARK", "Thousands separator: . , space ' or none"}};
 
-// Gives a command flags whose words are kept by their names. The words must stay where they are.
+// Adds flags whose values are stored under their names. `words` must not move.
 void add_reading_flags(CLI::App& command, ReadingWords& words, std::span<const ReadingFlag> flags,
                        const std::string& group);
 
-// ---- What is written
+// ---- output
 
-// Gives a command an option that names a file to write, and announces the file (CallFiles) before the command reads any.
+// Adds an option for an output file, and announces the file (CallFiles) before the command reads
+// any input.
 CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path,
                              const std::string& meaning);
 void add_output_option(CLI::App& command, std::string& path);
 
-// Gives a command the option --quiet; with --json, of this meaning; and with --output, where without --json it writes `otherwise`.
+// Add --quiet; --json with a meaning; --output for JSON or `otherwise`.
 void add_quiet_flag(CLI::App& command, Output& output);
 void add_output_flags(CLI::App& command, Output& output, const std::string& json);
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise = "text");
 
-// Gives a command the option --figure; --report, whose files are announced so; and a number of threads, as many as there are cores.
+// Add --figure; --report, and announce its files; --jobs, by default the number of cores.
 void add_figure_option(CLI::App& command, std::string& path);
 void add_report_option(CLI::App& command, std::string& folder, const std::string& meaning,
                        void (*announce)(CallFiles&, const std::string& folder, const std::string& option));

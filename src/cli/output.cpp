@@ -54,7 +54,7 @@ namespace {
 std::atomic<bool> is_interrupted = false;
 
 void request_to_stop(int) {
-  if (is_interrupted.exchange(true)) std::_Exit(exit_interrupted);  // asked twice
+  if (is_interrupted.exchange(true)) std::_Exit(exit_interrupted);  // a second request
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ std::string in_words(double seconds) {
   return minutes < 100 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
 }
 
-// What is said there of a progress, not more often than one reads.
+// A progress message, limited to a readable rate.
 class ShownProgress {
  public:
   explicit ShownProgress(bool is_terminal)
@@ -88,7 +88,7 @@ class ShownProgress {
   ShownProgress(const ShownProgress&) = delete;
   ShownProgress& operator=(const ShownProgress&) = delete;
 
-  // Says words(), if it is time; on any thread.
+  // Shows words() if it is time. Thread-safe.
   template <class Words>
   void say(const Words& words) {
     if (Clock::now() < next_.load(std::memory_order_relaxed)) return;
@@ -104,14 +104,14 @@ class ShownProgress {
  private:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds after{500}, often{200}, once_a_minute{60'000};
-  static constexpr std::string_view erase = "\x1b[K";  // what stands from here to the end of the line
+  static constexpr std::string_view erase = "\x1b[K";  // clears the rest of the line
 
   bool is_terminal_, is_shown_ = false;
   std::atomic<Clock::time_point> next_;
   std::mutex mutex_;
 };
 
-// Of works that are counted.
+// The progress of counted work.
 class Counted {
  public:
   Counted(std::string what, bool is_terminal) : what_(std::move(what)), shown_(is_terminal) {}
@@ -119,7 +119,7 @@ class Counted {
   void say(std::uint64_t done, std::uint64_t all) {
     std::call_once(begun_, [&] { start_ = Clock::now(); });
     shown_.say([&] {
-      most_ = std::max(most_, done);  // another thread may be faster
+      most_ = std::max(most_, done);  // other threads may be ahead
       const double seconds = std::chrono::duration<double>(Clock::now() - start_).count();
       const double left = seconds * static_cast<double>(all - most_) / static_cast<double>(most_);
       return fmt::format("{} of {} {}, {} left", most_, all, what_, in_words(left));
@@ -132,7 +132,7 @@ class Counted {
   std::string what_;
   ShownProgress shown_;
   std::once_flag begun_;
-  Clock::time_point start_;  // when the first was done
+  Clock::time_point start_;  // when the first item was done
   std::uint64_t most_ = 0;
 };
 

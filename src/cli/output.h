@@ -1,4 +1,4 @@
-// What a command writes, to a file or the terminal, the progress it shows there, and how it is interrupted.
+// Output of a command to files and the terminal, progress messages, and interruption.
 #pragma once
 
 #include <atomic>
@@ -17,12 +17,12 @@
 namespace flexslip {
 
 struct Output {
-  std::string path = "-";  // of the results; "-" is standard output
+  std::string path = "-";  // file of the results; "-" is standard output
   bool json = false;
   bool quiet = false;
 };
 
-// Writes an answer: all of it as JSON, or else in words; or as a table of rows.
+// Writes an answer in JSON or as text, or a table of rows.
 // Fails:      InputError if it cannot be written.
 void write_words(const Output& output, const std::function<Json()>& all, const std::function<std::string()>& words);
 template <class Answer, class Row>
@@ -34,22 +34,24 @@ void write_rows(const Output& output, const Fields<Answer>& all, const Answer& a
     write_csv(output.path, columns, rows, frame);
 }
 
-// Draws a figure; if that fails, a remark says why only its script and data are there. To be called after the answer is written.
+// Draws a figure, after the answer is written. If drawing fails, a remark says why only the script
+// and the data exist.
 void draw_for(const Output& output, const Plot& plot, const std::string& path);
-// Likewise of the pictures of a report.
+// Remarks on the pictures of a report that could not be drawn.
 void note_pictures(const Output& output, const Drawing& drawing);
 
-// As wide as the terminal, and in colour on one, unless NO_COLOR is set; of results that go into a file, as a file has them.
+// The width of the terminal, and colours unless NO_COLOR is set. Fixed for results written to a
+// file.
 ScreenStyle screen_style(const Output& output);
 
-// A remark on standard error: what was assumed, left out or cut short.
+// A remark on standard error: an assumption, an omission or an interruption.
 void note(const Output& output, std::string_view remark);
 
-// Ctrl-C and SIGTERM as a request to stop, so that what is done is kept.
+// Ctrl-C and SIGTERM as a request to stop that keeps finished results.
 
-inline constexpr int exit_interrupted = 130;  // whichever of the two it was
+inline constexpr int exit_interrupted = 130;  // for either signal
 
-// While one of these lives, a first request sets interrupted(), and a second one ends the program.
+// While it exists, the first request sets interrupted(), and a second one ends the program.
 class WhileInterruptible {
  public:
   WhileInterruptible();
@@ -59,26 +61,27 @@ class WhileInterruptible {
 
  private:
   using Handler = void (*)(int);
-  Handler on_interrupt_, on_terminate_;  // as they were
+  Handler on_interrupt_, on_terminate_;  // previous handlers
 };
 
 const std::atomic<bool>& interrupted();
 
-// How far a work is, on standard error: on a terminal one line, written over and over from half a second on and erased at the end; in a log a line a
-// minute. Nothing if the output is quiet.
+// Progress on standard error. A terminal shows one line, from half a second on, and erases it at
+// the end. A log gets a line a minute. Quiet output shows nothing.
 
-// How much of a work is done. May be called on any thread, as often as one likes.
+// Reports the finished share of the work. Thread-safe and cheap.
 using ProgressFunction = std::function<void(std::uint64_t done, std::uint64_t all)>;
 
 // "1200 of 5000 designs, 12 s left". Empty if the output is quiet.
 ProgressFunction progress_of(const std::string& what, const Output& output);
 
-// While it lives, what the work of this thread has reached: "Fitting, 43 %: friction with a wave"; on a terminal alone.
+// While it exists, a terminal shows the stage of this thread's work: "Fitting, 43 %: friction with
+// a wave".
 std::unique_ptr<Watch> shown_stages(const std::string& what, const Output& output);
 
-// Text as one word of a shell's command line.
+// Text as one word of a shell command.
 
-// As it is, if no shell would read it otherwise; else in single quotes.
+// Unchanged if that is safe, otherwise in single quotes.
 std::string shell_word(std::string_view text);
 
 }  // namespace flexslip

@@ -35,7 +35,7 @@ constexpr std::array flags_of_exports{
 
 struct ReadRequest {
   std::string file;
-  std::size_t specimen = 0;  // from 1; 0 where it is not said
+  std::size_t specimen = 0;  // from 1; 0: not given
   ReadingWords words;
   bool full = false;
   Output output{.path = ""};  // none: no table is written
@@ -174,7 +174,7 @@ std::string summary_of(const ReadRequest& request, const Export& file, std::size
   return text + how + (width_of(how) + width_of(again) < line_length ? " " : "\n") + again + "\n";
 }
 
-// The summary goes to the screen: to standard output, unless the table goes there.
+// The summary goes to standard output, unless the table is written there.
 void run_read(const ReadRequest& request) {
   Export file = read_export(request.file, options_of(request.words));
   const std::size_t chosen = chosen_specimen(request, file);

@@ -50,7 +50,7 @@ void add_results_command(CLI::App& app) {
   add_option(command, "command COMMAND", request.command, "Show only this command, such as fit");
   add_output_options(command, request.output);
   command.footer(
-      "In JSON an estimate holds value, standard_error, interval95 and unit; [] stands for each item of a list, * for\n"
+      "In JSON an estimate holds value, standard_error, interval95 and unit; [] is an item of a list, * is\n"
       "any name. In tables an estimate has four columns: NAME, NAME_standard_error, NAME_low and NAME_high.\n\n"
       "Examples:\n"
       "  flexslip results fit\n"

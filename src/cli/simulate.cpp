@@ -32,7 +32,7 @@ double noise_of(const SimulateRequest& request, const Test& input) {
   return quantity_of_flag("--noise", request.noise, kind_in(input, kind::force), Range::non_negative);
 }
 
-// The stage positions [L] at which the figure is to show all equilibria.
+// [L] The stage positions of all equilibria in the figure.
 std::vector<double> marked_stages(const SimulateRequest& request, const Test& input, const Scales& scales) {
   std::vector<double> stages;
   for (const std::string& text : request.equilibria_at)
@@ -92,7 +92,7 @@ void add_simulate_command(CLI::App& app) {
   command.footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"
       "how the specimen moved there, in SI, or reduced if the case is. motion is stick, slip_in, slip_out, snap,\n"
-      "crack or apart (the nose is off the specimen). The output is a record that `flexslip fit` reads.\n"
+      "crack or apart (no contact at the nose). The output is a record that `flexslip fit` reads.\n"
       "\n"
       "Some tests have more columns:\n"
       "  section known            strain and stress of bending, at the surface at midspan\n"

@@ -18,14 +18,15 @@ namespace {
 struct StateRequest {
   std::string file;
   std::optional<double> S, w, q;
-  std::optional<double> radius, thickness;  // of rollers, and of the specimen on them
+  std::optional<double> radius, thickness;  // of rollers; of the specimen on them
   bool slopes = false;
   Output output;
 
   bool on_supports() const { return radius || thickness; }
 };
 
-// States by their length S, on edges, or by their deflection w, on rollers; and q. Without a source where the command line states one.
+// States by length S (edges) or deflection w (rollers), and q. Without a source if the command line
+// gives the state.
 Table read_input(const StateRequest& request) {
   const std::string first = request.on_supports() ? "w" : "S";
   const auto& value = request.on_supports() ? request.w : request.S;
@@ -69,7 +70,7 @@ void require_domain(const Table& input) {
   }
 }
 
-// Writes the states of all rows, and complains of the first that has none, with what it lacks.
+// Writes the states of all rows. The error names the first row without a state, and the reason.
 template <class State, class Compute, class Why>
 void run_rows(const StateRequest& request, const Table& input, const Fields<State>& fields, Compute compute, Why why) {
   std::vector<State> states;
@@ -146,9 +147,9 @@ void add_state_command(CLI::App& app) {
       "strain. A state that does not exist is written as nan, and the exit code is 1.\n"
       "\n"
       "With --roller-radius or --thickness, a state is given by its deflection w, and the columns are w,q,F,theta0,\n"
-      "Pn,U,curvature,length,slid,imaged. The last three are lengths, and equal on edges: length is that of the axis\n"
-      "between the contacts, slid is what has slid past the contacts along the surface, and imaged is that of the\n"
-      "axis between the verticals through the supports.\n\n"
+      "Pn,U,curvature,length,slid,imaged. The last three are lengths, and equal on edges: length is the length of the\n"
+      "axis between the contacts, slid is the length of surface that has slid past the contacts, and imaged is the\n"
+      "length of the axis between the vertical planes through the supports.\n\n"
       "Examples:\n"
       "  flexslip state --S 1.2 --q 0.3\n"
       "  flexslip state --w 0.1 --q 0 --roller-radius 0.078 --thickness 0.0625\n"

@@ -21,7 +21,7 @@ struct StudioRequest {
   bool stay_closed = false;
 };
 
-// By whichever program this computer opens files with.
+// Opens a file with the default program of this computer.
 bool opened(const std::string& page) {
   for (const std::string program : {"xdg-open", "wslview", "open"}) {
     const ChildResult result = run_child({program, page});
@@ -34,8 +34,9 @@ void run_studio(const StudioRequest& request) {
   const auto built = built_studio_page();
   if (!built)
     throw InputError({.field = "studio",
-                      .problem = "The studio's page of version " FLEXSLIP_VERSION
-                                 ", flexslip-studio.html, is neither beside the program nor in share/flexslip",
+                      .problem =
+                          "The studio's page of version " FLEXSLIP_VERSION
+                          ", flexslip-studio.html, is neither in the folder of the program nor in share/flexslip",
                       .remedy = "take it from a release, or build it: tools/build-studio in FlexSlip's repository, "
                                 "which installs Emscripten and takes a few minutes"});
   if (request.output != "-") files_of_this_call().writes(request.output, "--output");

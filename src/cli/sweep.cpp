@@ -29,7 +29,7 @@ struct SweepRequest {
   Output output;
 };
 
-// The rows that --rows names, counted from 1 and both included; all of them without it.
+// The rows of --rows, counted from 1, both included; by default all rows.
 RowSpan rows_of(const std::string& text, const SweepPlan& plan) {
   if (text.empty()) return {0, plan.rows};
   std::uint64_t first = 0, last = 0;
@@ -47,7 +47,7 @@ RowSpan rows_of(const std::string& text, const SweepPlan& plan) {
   return {first - 1, std::min(last, plan.rows) - first + 1};
 }
 
-// The designs of some rows one after the other, computed a block at a time.
+// The designs of some rows, computed in blocks.
 class DesignsInOrder {
  public:
   DesignsInOrder(const SweepPlan& plan, RowSpan rows, const SweepRequest& request)
@@ -81,7 +81,7 @@ class DesignsInOrder {
 
  private:
   bool compute_block() {
-    constexpr std::uint64_t rows_of_thread = 256;  // [1] 50 ms: threads wait for each other for less than 1 % of it
+    constexpr std::uint64_t rows_of_thread = 256;  // [1] 50 ms of work: threads wait for less than 1 % of the time
     const std::uint64_t count = std::min(rows_.count - done_, rows_of_thread * threads_);
     if (count == 0) return false;
     block_ = points_of(plan_, {rows_.first + done_, count}, threads_);

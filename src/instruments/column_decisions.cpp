@@ -19,7 +19,7 @@
 namespace flexslip {
 namespace {
 
-constexpr double contradicts = 2;  // of a stated maximum over the measured one: no rounding, but another unit
+constexpr double contradicts = 2;  // ratio of stated and measured maximum; no rounding, but a wrong unit
 constexpr std::string_view calibration_hint = "--calibration \"… N/V\"";
 
 using Columns = std::vector<const ExportColumn*>;
@@ -45,7 +45,7 @@ Columns with_role(const std::vector<ExportColumn>& columns, ColumnRole role) {
 
 // ---- roles
 
-// What a unit that is none of its kind may be meant by, "gf" by "g", or the usual one.
+// The unit that an invalid unit probably means, "gf" for "g"; otherwise the usual unit.
 std::string_view meant_or_usual(std::string_view unit, const RoleWords& words) {
   const std::vector<std::string_view> meant = meant_units(unit, *words.kind);
   return meant.empty() ? words.usual_unit : meant.front();
@@ -55,21 +55,21 @@ bool is_of_kind(const std::optional<Unit>& unit, const RoleWords& words) {
   return unit && words.kind != nullptr && unit->dimension == words.kind->dimension;
 }
 
-// A column in a unit of another kind than its role is not the one that was meant.
+// A column with a unit of another kind than its role is the wrong column.
 void require_kind(const Export& file, const ExportColumn& column, ColumnRole role) {
   const RoleWords& words = words_for(role);
-  const std::optional<Unit> unit = machine_unit(column.unit);  // of an unknown one in_si says so where it is needed
+  const std::optional<Unit> unit = machine_unit(column.unit);  // in_si reports an unknown unit
   if (!unit || words.kind == nullptr || is_of_kind(unit, words)) return;
-  throw InputError(
-      {.file = file.origin.source,
-       .field = std::string(words.flag),
-       .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
-                              in_quotes(column.unit), words.kind->name),
-       .remedy = fmt::format("if it is the column that is meant, say its unit behind its name, as in \"{} [{}]\"",
-                             column.name, meant_or_usual(column.unit, words))});
+  throw InputError({.file = file.origin.source,
+                    .field = std::string(words.flag),
+                    .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
+                                           in_quotes(column.unit), noun(*words.kind)),
+                    .remedy = fmt::format("if it is the right column, give its unit after its name, as in \"{} [{}]\"",
+                                          column.name, meant_or_usual(column.unit, words))});
 }
 
-// The number of a column of another specimen, one beside this, is that of the same title here.
+// The number of the column with the same title here, if the number belongs to another specimen in
+// the same table.
 std::string of_this(const Export& file, const ExportedSpecimen& specimen, std::string_view wanted) {
   const auto numbered = [&](const ExportedSpecimen& each) {
     return std::find_if(each.columns.begin(), each.columns.end(),
@@ -83,7 +83,8 @@ std::string of_this(const Export& file, const ExportedSpecimen& specimen, std::s
   return std::string(wanted);
 }
 
-// A column that a user names, and the unit that it is said to be in, "Force [kN]", where that is not the name of one of the file.
+// The column that a user names. The text may add a unit in brackets, "Force [kN]", unless this is
+// the name of a column.
 ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) {
   const std::size_t open = wanted.ends_with(']') ? wanted.rfind('[') : std::string_view::npos;
   if (open == std::string_view::npos || trimmed(wanted.substr(0, open)).empty()) return {std::string(wanted), ""};
@@ -92,7 +93,8 @@ ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) 
   return {std::string(trimmed(wanted.substr(0, open))), std::string(without_brackets(wanted.substr(open)))};
 }
 
-// A column whose file states no unit of its kind, as of a force in grams, in the one that a user says beside its name.
+// A column without a valid unit in the file, such as a force in grams, with the unit that the user
+// states.
 ExportColumn said_in(const Export& file, ExportColumn column, const std::string& unit, const RoleWords& words) {
   const std::optional<Unit> said = machine_unit(unit), stated = machine_unit(column.unit);
   if (!is_of_kind(said, words))
@@ -120,7 +122,7 @@ Export with_columns(Export file, const std::map<ColumnRole, std::string>& column
       ExportColumn& chosen = specimen.columns[index];
       if (!asked.unit.empty()) chosen = said_in(file, std::move(chosen), asked.unit, words);
       require_kind(file, chosen, role);
-      // A displacement of which nothing is said remains what its words say.
+      // A displacement without an explicit choice keeps the role of its title.
       const bool keeps_role = role == ColumnRole::displacement && is_displacement(chosen.role);
       const ColumnRole now = keeps_role ? chosen.role : role;
       for (ExportColumn& column : specimen.columns)
@@ -146,8 +148,9 @@ Export with_roles_by_units(Export file) {
           candidates.push_back(&column);
       if (candidates.size() != 1) continue;
       candidates.front()->role = role;
-      std::string note = fmt::format("column {} is the {}: no other column has the unit of {}", in_quotes(candidates.front()->name),
-                                     words_for(role).name, words_for(role).kind->name);
+      std::string note =
+          fmt::format("column {} is the {}: no other column has the unit of {}", in_quotes(candidates.front()->name),
+                      words_for(role).name, words_for(role).kind->name);
       if (std::find(file.notes.begin(), file.notes.end(), note) != file.notes.end()) continue;
       file.row_notes.push_back(note);
       file.notes.push_back(std::move(note));
@@ -190,7 +193,8 @@ double step_of(const ExportColumn& column) {
   return numbers.empty() ? 0 : resolution_of(numbers);
 }
 
-// Is one column the other, counted from another zero or the other way, and rounded to a step? Then they differ by no more than that.
+// True if both columns are the same displacement with another zero or sign, rounded to a step: they
+// then differ by at most this step.
 bool is_rounded_to(std::span<const double> coarse, std::span<const double> fine, double step) {
   for (const double sign : {1.0, -1.0}) {
     double least = infinity, most = -infinity;
@@ -205,7 +209,8 @@ bool is_rounded_to(std::span<const double> coarse, std::span<const double> fine,
   return false;
 }
 
-// A position of the crosshead written with few digits, "1190.55", beside the same counted from the test's own zero: the finer is used.
+// If a position with few digits, "1190.55", is also given from the zero of the test, the finer
+// column is used.
 Export with_finest(Export file) {
   constexpr double finer = 1.5, least_steps = 10;
   for (ExportedSpecimen& specimen : file.specimens)
@@ -234,7 +239,7 @@ Export with_finest(Export file) {
   return file;
 }
 
-// Of several times the one counts whose unit is stated, or the first.
+// Of several times, the first with a stated unit is used, otherwise the first.
 Export with_one_time(Export file) {
   for (ExportedSpecimen& specimen : file.specimens) {
     ExportColumn* used = nullptr;
@@ -255,11 +260,11 @@ Export with_one_time(Export file) {
 
 // ---- voltages
 
-constexpr double follows = 0.9;  // |correlation|: two cells in one load train; empirical, a real pair gave 0.999
-constexpr double noise = 1;      // of the ratio below: white noise has 2, a curve sampled finely almost 0
+constexpr double follows = 0.9;  // |correlation|: two load cells in one load train; empirical, a real pair gave 0.999
+constexpr double noise = 1;      // of the ratio below: 2 for white noise, almost 0 for a finely sampled curve
 
 double correlation(std::span<const double> x, std::span<const double> y) {
-  double n = 0, mean_x = 0, mean_y = 0, sxx = 0, syy = 0, sxy = 0;  // Welford's sums: no cancellation
+  double n = 0, mean_x = 0, mean_y = 0, sxx = 0, syy = 0, sxy = 0;  // Welford's sums, without cancellation
   for (std::size_t i = 0; i < x.size(); ++i) {
     if (std::isnan(x[i]) || std::isnan(y[i])) continue;
     ++n;
@@ -290,17 +295,17 @@ double step_ratio(std::span<const double> values) {
   return sum > 0 ? steps / sum : 2;
 }
 
-// A force that is only there as a voltage: a load cell whose calibration the file does not hold.
+// A force that exists only as a voltage, of a load cell without a calibration.
 struct VoltageFinding {
   const ExportColumn* voltage;
-  const ExportColumn* force;  // nullptr if there is none
-  double correlation;         // with the force; NaN if there is none
-  bool force_is_noise;        // the force does not rise above its own scatter, and the voltage does
+  const ExportColumn* force;  // nullptr without a force
+  double correlation;         // with the force; NaN without a force
+  bool force_is_noise;        // true if the force does not exceed its scatter and the voltage does
 };
 
-// The column in volts that may be the force of the test: the words of none say otherwise. The file must not be evaluated
-// without a decision if it is the only voltage and there is no force beside it, or if it follows the force (a second load cell), or if the force is
-// noise and the voltage is not. nullopt if the voltages are something else.
+// The column in volts that may be the force, if no title excludes it. A decision of the user is
+// needed if the only voltage has no force column beside it, if the voltage follows the force (a second load cell), or if
+// the force is noise and the voltage is not. Otherwise nullopt.
 std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
   const ExportColumn* force = nullptr;
   for (const ExportColumn* column : columns)
@@ -346,7 +351,7 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   std::string found = fmt::format("column {} in {}", in_quotes(voltage->name), voltage->unit);
   if (force != nullptr) {
     remedy += fmt::format("; if {} is the force, pass --force {}", in_quotes(force->name), force->number);
-    found += force_is_noise ? fmt::format(" beside {}, which holds only noise", in_quotes(force->name))
+    found += force_is_noise ? fmt::format(", while {} holds only noise", in_quotes(force->name))
                             : fmt::format(", which follows {} (correlation {:.3f}) as a second load cell would",
                                           in_quotes(force->name), r);
   }
@@ -362,7 +367,7 @@ void require_force_in_newtons(const Export& file, std::size_t header_line) {
 
 // ---- units
 
-// A column as it is in another unit, and what is said of it; empty if there is nothing to say.
+// A column in another unit, and a note; no note if nothing needs to be reported.
 struct Restated {
   ExportColumn column;
   std::string note;
@@ -425,8 +430,8 @@ Export with_units(Export file, const std::map<ColumnRole, std::string>& units) {
   return file;
 }
 
-// A file that states the highest force contradicts a unit that is wrong. What is said if they differ a little: it was evaluated within limits, or
-// of smoothed values.
+// Refuses a unit that contradicts the maximum force stated in the file. A small difference only
+// gives a note: the program evaluated a range, or smoothed values.
 std::string beside_stated_maximum(const Export& file, const ExportOptions& options) {
   if (file.specimens.size() != 1) return "";
   const std::vector<Metadatum> metadata = all_metadata(file);
@@ -454,7 +459,7 @@ std::string beside_stated_maximum(const Export& file, const ExportOptions& optio
                     .remedy = "check that the file is complete, and the unit of the column"});
 }
 
-// ---- what is asked, and what repeats the decisions
+// ---- open questions, and flags that repeat the decisions
 
 OpenQuestion which_of(const Columns& columns) {
   const RoleWords& words = words_for(columns.front()->role);
@@ -466,7 +471,7 @@ OpenQuestion which_of(const Columns& columns) {
                                                            {"displacement_column", number}}};
 }
 
-// The unit of a column, and that which may be meant by what it says.
+// The question for the unit of a column, with the units that it may mean.
 OpenQuestion unit_of(const ExportColumn& column) {
   const RoleWords& words = words_for(column.role);
   const std::vector<std::string_view> meant = meant_units(column.unit, *words.kind);
@@ -481,7 +486,7 @@ OpenQuestion unit_of(const ExportColumn& column) {
                                                                     fmt::format("\"{} [{}]\"", column.name, unit)}}};
 }
 
-// What is said of columns whose titles mean the force, and whose cells are no numbers.
+// The note on columns that are titled as force and hold no numbers.
 std::string words_for_force(const std::vector<ExportColumn>& columns) {
   for (const ExportColumn& column : columns)
     if (!column.words.empty() && role_of(column.name) == ColumnRole::force)
@@ -490,7 +495,7 @@ std::string words_for_force(const std::vector<ExportColumn>& columns) {
   return "";
 }
 
-// A sheet as a shell takes it: its name, or its number where that would need more than quotes.
+// A sheet as a shell argument: its name, or its number if the name needs more than quotes.
 std::string sheet_word(const Export& file) {
   if (file.origin.sheet->find_first_of("\"$`\\!") == std::string::npos)
     return fmt::format("\"{}\"", *file.origin.sheet);
@@ -551,12 +556,12 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
   if (forces.size() > 1) asks.push_back(which_of(forces));
   if (!has_clear && unclear.empty()) asks.push_back({"which column is the displacement?", either, a_displacement});
   if (!has_clear && unclear.size() == 1)
-    asks.push_back({fmt::format("is {} that of the crosshead or the deflection of the specimen?",
+    asks.push_back({fmt::format("was {} measured at the crosshead or at the specimen's midpoint?",
                                 in_quotes(unclear.front()->name)),
                     which,
                     {which_displacement}});
   if (!has_clear && unclear.size() > 1)
-    asks.push_back({fmt::format("which of the columns {} is that of the crosshead, or the deflection of the specimen?",
+    asks.push_back({fmt::format("which of the columns {} was measured at the crosshead, or at the specimen's midpoint?",
                                 listed_columns(unclear)),
                     either, a_displacement});
   for (const Columns& several : clear)

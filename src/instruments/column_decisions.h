@@ -1,4 +1,4 @@
-// What the columns of an export are taken for: as its words say, or as the user does, and what remains to be asked.
+// The roles of an export's columns, from their titles and from the user, and the open questions.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,11 @@
 
 namespace flexslip {
 
-// The export whose columns have the roles and units that the options state, with questions for what neither they nor the file say, and the flags
-// that decide the same again. The header of its numbers stands on a line, counted from 1.
-// Fails:      InputError for options that name no such column, a force in volts without its calibration, a unit that what the file states of its
-//             greatest force contradicts.
+// The export whose columns have the roles and units of the options. Adds questions on what neither
+// the options nor the file state, and the flags that repeat the decisions. `header_line` counts
+// from 1.
+// Fails:      InputError for an option that names no such column, a force in volts without a
+//             calibration, or a unit that contradicts the maximum force stated in the file.
 Export decided(Export file, const ExportOptions& options, std::size_t header_line);
 
 }  // namespace flexslip

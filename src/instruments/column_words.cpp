@@ -10,33 +10,32 @@
 namespace flexslip {
 namespace {
 
-// Words of titles, in lower case, and what they say. Parts may stand within a word: "Standardkraft", "Prüfzeit". Whole words may be numbered:
-// "Load 2", "Force1", "LVDT30mm".
+// Words of titles, in lower case, and their meaning. Parts may be inside a word: "Standardkraft",
+// "Prüfzeit". Whole words may be numbered: "Load 2", "Force1", "LVDT30mm".
 struct Meaning {
   ColumnRole role;
   std::vector<std::string_view> whole, parts;
 };
 
-// In the order in which they are looked for: what excludes, then what is clear, then what is not.
+// In search order: exclusions, then clear words, then ambiguous ones.
 const std::vector<Meaning>& meanings() {
   static const std::vector<Meaning> all{
-      // not the quantity itself, or of another kind
+      // a derived quantity, or another kind
       {ColumnRole::other,
        {"rate", "work", "moment", "angle", "rotation", "count", "cycle", "command", "cmd", "target", "setpoint",
         "consigne", "error", "err", "drive", "drv"},
-       {"preload",  "vorkraft", "friction",   "reibung",  "frottement",      "demand",
-        "strain",   "stress",   "speed",      "velocity", "geschwindigkeit", "vitesse",
-        "dehnung",  "spannung", "contrainte", "energy",   "energie",         "arbeit",
-        "torque",   "winkel",   "temperatur", "pressure", "stiffness",       "modulus",
-        "sollwert", "ひずみ",   "応力",       "速度"}},
+       {"preload",    "vorkraft",  "friction", "reibung",         "frottement", "demand",  "strain",
+        "stress",     "speed",     "velocity", "geschwindigkeit", "vitesse",    "dehnung", "spannung",
+        "contrainte", "energy",    "energie",  "arbeit",          "torque",     "winkel",  "temperatur",
+        "pressure",   "stiffness", "modulus",  "sollwert",        "ひずみ",     "応力",    "速度"}},
       {ColumnRole::time,
        {"time", "timestamp", "temps", "elapsed", "tiempo", "tempo", "zaman", "süre", "czas", "tijd", "čas", "tid"},
        {"zeit", "時間", "时间", "시간"}},
-      // the specimen's midpoint
+      // at the specimen's midpoint
       {ColumnRole::deflection,
        {"defl", "flèche", "flexión", "flecha", "freccia", "sehim"},
        {"deflection", "deflectometer", "durchbiegung", "たわみ", "挠度"}},
-      // the machine's crosshead
+      // at the machine's crosshead
       {ColumnRole::crosshead,
        {"stroke", "course", "actuator", "stage"},
        {"crosshead", "travers", "standardweg", "standard travel", "grip separation", "ストローク", "クロスヘッド"}},
@@ -44,12 +43,12 @@ const std::vector<Meaning>& meanings() {
        {"force", "load", "loadcell", "charge", "carga", "fuerza", "força", "forza", "carico", "kuvvet", "yük", "last",
         "kracht", "síla", "siła", "obciążenie"},
        {"kraft", "荷重", "試験力", "力", "载荷", "하중"}},
-      // one or the other
+      // either
       {ColumnRole::displacement,
-       {"extension",    "position",     "travel", "lvdt",        "disp",           "displ",   "déplacement",
-        "deplacement",  "dépl",         "depl",   "allongement", "desplazamiento", "desplaz", "despl",
-        "alargamiento", "deslocamento", "desloc", "spostamento", "spost",          "uzama",   "deformation",
-        "elongation",   "depth",        "distance", "corsa",     "recorrido",      "przemieszczenie", "verplaatsing",
+       {"extension",    "position",     "travel",   "lvdt",        "disp",           "displ",           "déplacement",
+        "deplacement",  "dépl",         "depl",     "allongement", "desplazamiento", "desplaz",         "despl",
+        "alargamiento", "deslocamento", "desloc",   "spostamento", "spost",          "uzama",           "deformation",
+        "elongation",   "depth",        "distance", "corsa",       "recorrido",      "przemieszczenie", "verplaatsing",
         "förskjutning"},
        {"displacement", "weg", "verformung", "verschiebung", "変位", "伸び", "位移", "变形", "변위"}},
       // "Flexure" alone; before other words it only says what kind of test it is
@@ -84,7 +83,7 @@ bool has_any(std::string_view text, const Meaning& of) {
          std::any_of(of.parts.begin(), of.parts.end(), has(false));
 }
 
-// Symbols that the paper and people who write columns by hand use, told by their unit as well.
+// Symbols of the paper and of tables written by hand. Their unit must match.
 struct Symbol {
   std::string_view text;
   ColumnRole role;
@@ -94,7 +93,8 @@ constexpr std::array symbols{
     Symbol{"w_s", ColumnRole::crosshead}, Symbol{"ws", ColumnRole::crosshead},     Symbol{"w0", ColumnRole::deflection},
     Symbol{"w", ColumnRole::deflection},  Symbol{"delta", ColumnRole::deflection}, Symbol{"δ", ColumnRole::deflection}};
 
-// A unit behind a name, if it is of the kind that the name means, or a length, force or pressure behind an underscore.
+// A unit after a name, if its kind matches the name; after an underscore also any length, force or
+// pressure.
 std::optional<ColumnTitle> suffixed(std::string_view title, std::string_view mark) {
   const std::size_t at = title.rfind(mark);
   if (at == std::string_view::npos || at == 0 || at + mark.size() >= title.size()) return std::nullopt;
@@ -121,7 +121,7 @@ std::vector<std::string_view> tokens_of(std::string_view line) {
   return tokens;
 }
 
-// Tokens joined into titles, each of which ends with a token that `ends` says ends one.
+// Joins tokens into titles. Each title ends with a token for which `ends` is true.
 template <class Ends>
 std::vector<std::string> joined(const std::vector<std::string_view>& tokens, const Ends& ends) {
   std::vector<std::string> titles;
@@ -136,7 +136,7 @@ std::vector<std::string> joined(const std::vector<std::string_view>& tokens, con
   return titles;
 }
 
-// The groups of `size` columns each behind the first `shared` of those that have a title.
+// Groups of `size` columns with titles, after the first `shared` columns with titles.
 std::vector<ColumnGroup> groups_of(std::span<const std::string> titles, std::span<const std::size_t> titled,
                                    std::size_t shared, std::size_t size) {
   for (std::size_t i = shared + size; i < titled.size(); ++i)
@@ -189,7 +189,7 @@ ColumnTitle title_parts(std::string_view title) {
     const std::size_t close = body.find(body[open] == '(' ? ')' : ']', open);
     if (close == std::string_view::npos) break;
     const std::string_view unit = trimmed(body.substr(open + 1, close - open - 1));
-    if (!names_a_unit(unit) || unit == "1") continue;  // "Force (1)" is the first of several
+    if (!names_a_unit(unit) || unit == "1") continue;  // "Force (1)" is the first of several forces
     const std::string_view before = trimmed(body.substr(0, open));
     const std::string_view after = trimmed(body.substr(close + 1));
     if (before.empty() && after.empty()) continue;
@@ -198,7 +198,7 @@ ColumnTitle title_parts(std::string_view title) {
   }
   for (const std::string_view mark : {"_", " "})
     if (const auto parts = suffixed(body, mark)) return *parts;
-  // "Force (KN)": no unit, but one is meant.
+  // "Force (KN)": an invalid unit, but meant as one.
   if (const std::size_t open = body.ends_with(')') ? body.rfind('(') : 0; open != 0 && open != std::string_view::npos) {
     const std::string_view name = trimmed(body.substr(0, open)), unit = without_brackets(body.substr(open));
     const Kind* kind = words_for(role_of(name)).kind;

@@ -1,5 +1,5 @@
-// What columns of an export hold, as far as their titles say, in the languages of the machines: English, German, French, Spanish, Italian,
-// Portuguese, Turkish, Japanese.
+// The meaning of column titles in the languages of the machines: English, German, French, Spanish,
+// Italian, Portuguese, Turkish, Japanese.
 #pragma once
 
 #include <cstddef>
@@ -15,14 +15,14 @@ namespace flexslip {
 
 enum class ColumnRole {
   time,
-  displacement,  // of the crosshead, or of the specimen's midpoint: the words do not say which
-  crosshead,     // the words say that of the crosshead, stage or actuator
-  deflection,    // the words say that of the specimen's midpoint
+  displacement,  // at the crosshead or at the specimen's midpoint; the title does not say which
+  crosshead,     // at the crosshead, stage or actuator
+  deflection,    // at the specimen's midpoint
   force,
   other,
 };
 
-// How a role is told, and how a user names its column on the command line.
+// The words for a role, and the flags that name its column on the command line.
 struct RoleWords {
   std::string_view name;                         // "force"
   std::string_view flag, unit_flag, usual_unit;  // "--force", "--force-unit", "N"
@@ -32,35 +32,39 @@ struct RoleWords {
 const RoleWords& words_for(ColumnRole role);
 bool is_displacement(ColumnRole role);
 
-// What the words of a title mean.
+// The role that a title means.
 ColumnRole role_of(std::string_view name);
 
-// Do the words of a title mean another quantity, a rate, a stress, what a controller was told? It is none of ours, in whatever unit.
+// True if a title means another quantity: a rate, a stress, a command value. Such a column has no
+// role, with any unit.
 bool names_other_quantity(std::string_view name);
 
-// Does a column of words with this name tell the specimen: "SetName", "Specimen", "Probe", "試験片"?
+// True for the title of a column with names of specimens: "SetName", "Specimen", "Probe", "試験片".
 bool names_specimens(std::string_view name);
 
-// A title and the unit in it, "Position (m) Run #1", "Load [N]", "Displacement_mm", "Time sec". In square brackets at
-// the end anything is a unit, else what is known as one; behind a space or _ only one of the kind that the words mean.
+// Splits a title and its unit: "Position (m) Run #1", "Load [N]", "Displacement_mm", "Time sec".
+// Any text in square brackets at the end is a unit. In other brackets it must be a known unit;
+// after a space or _ its kind must match the title.
 ColumnTitle title_parts(std::string_view title);
 
-// The titles on a line without a separator of their own, "Ch 1 Displacement Ch 1 Force Time": cut at wider gaps, or behind
-// units in brackets, or behind the words that mean something; that of these ways which gives the number of columns.
-// Empty if none does.
+// The titles on a line without separators, "Ch 1 Displacement Ch 1 Force Time". The line is cut at
+// wide gaps, after units in brackets, or after words with a meaning. The result is the first with
+// the given number of columns, otherwise empty.
 std::vector<std::string> split_titles(std::string_view line, std::size_t columns);
 
-// Likewise, cut behind units in brackets only, the last of which ends the line; empty if there are none.
+// The titles on a line, cut after units in brackets. The last unit must end the line. Empty without
+// units.
 std::vector<std::string> titles_by_units(std::string_view line);
 
-// Tables of several specimens beside each other, the same titles again and again on one line: which columns, counted from 0, belong to one specimen.
+// The columns of one specimen in a table with several specimens side by side. Columns count from 0.
 struct ColumnGroup {
   std::size_t first;                 // of its own columns
-  std::vector<std::size_t> columns;  // those that all share, such as a time before the first, and its own
+  std::vector<std::size_t> columns;  // shared columns, such as a time before the first specimen, and its own
 };
 
-// The specimens on a line of titles: at least two with the same titles in the same order, a force among them, columns without a title
-// between them at will; before the first, one column may stand that all share. Empty if that is not so.
+// The specimens on a line of titles: at least two with the same titles in the same order, including
+// a force. Columns without a title may lie in between, and one shared column before the first.
+// Otherwise empty.
 std::vector<ColumnGroup> side_by_side(std::span<const std::string> titles);
 
 }  // namespace flexslip

@@ -17,17 +17,18 @@
 #include "io/text.h"
 #include "numerics/elementary.h"
 
-// Reading is a chain: bytes are opened as a sheet of cells, its lines are laid out as tables, all their numbers together say how numbers are
-// written, each table gives its columns, and these their specimens; last, column_decisions.h says what the columns are. What each link decided
-// is its result, and the next one's argument.
+// Reading is a chain: the bytes become a sheet of cells, its lines become tables, all numbers
+// together give the number format, each table gives columns, and these give specimens. Finally,
+// column_decisions.h gives the columns their roles. Each step returns its decisions, which are the
+// input of the next.
 namespace flexslip {
 namespace {
 
-constexpr std::size_t longest_summary = 50;  // rows of a table of results; what is longer was measured
+constexpr std::size_t longest_summary = 50;  // rows; a longer table holds readings
 
 using Notes = std::vector<std::string>;
 
-// What a link makes, and what is said of it.
+// The result of a step, and notes on it.
 template <class Value>
 struct Noted {
   Value value;
@@ -39,16 +40,17 @@ void append(std::vector<Value>& all, std::vector<Value> more) {
   all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-// ---- how numbers are written
+// ---- number format
 
 struct Marks {
   NumberFormat format;
-  bool apply = true;  // to any number: those of a workbook have a decimal point, unless they are words
+  bool apply = true;  // true if the marks apply to all numbers; in a workbook they apply to words only
 };
 
 Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& options, char separator) {
   NumberEvidence evidence;
-  std::size_t undecided = 0, with_commas = 0, with_points = 0;  // lines: of the last two with several in one number
+  std::size_t undecided = 0, with_commas = 0,
+              with_points = 0;  // lines; with_commas and with_points: with several marks in one number
   std::size_t numbers = 0, words = 0;
   for (const TableBlock& block : layout.blocks)
     for (const std::size_t line : block.rows)
@@ -96,14 +98,14 @@ Marks marks_in(const Sheet& sheet, const Layout& layout, const ExportOptions& op
 
 // ---- a column
 
-// What the links after the layout look at.
+// The input of the steps after the layout.
 struct Laid {
   const Sheet& sheet;
   const Layout& layout;
   NumberFormat format;
 };
 
-// Name and unit of a column, from its title, the row of units and its cells, which must agree.
+// Name and unit of a column from its title, the row of units and its cells, which must agree.
 ColumnTitle title_of(const std::string& title, const std::string& row_unit, std::string_view cell_unit,
                      std::size_t line) {
   const ColumnTitle parts = title_parts(title);
@@ -130,7 +132,7 @@ ColumnRole role_for(const ExportColumn& column) {
   const ColumnRole role = role_of(column.name);
   const std::optional<Unit> unit = machine_unit(column.unit);
   const Kind* wanted = words_for(role).kind;
-  const bool is_mass = unit && unit->dimension == Dimension{.kilogram = 1};  // in_si says what is wrong with it
+  const bool is_mass = unit && unit->dimension == Dimension{.kilogram = 1};  // in_si reports what is wrong with it
   const bool fits =
       !unit || wanted == nullptr || unit->dimension == wanted->dimension || (role == ColumnRole::force && is_mass);
   return fits ? role : ColumnRole::other;
@@ -142,7 +144,7 @@ struct Values {
   std::vector<CellWithoutNumber> missing{};
 };
 
-// The numbers of a column, without those in another unit, and what is said about those that are not there.
+// The numbers of a column, without numbers in another unit, and notes on missing ones.
 Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& of, std::string_view unit) {
   const std::size_t column = of.number - 1;
   Values out;
@@ -166,10 +168,11 @@ Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& 
   return out;
 }
 
-using ReadColumn = Noted<std::optional<ExportColumn>>;  // none of what is left out
+using ReadColumn = Noted<std::optional<ExportColumn>>;  // nullopt for an omitted column
 
-// A column of a workbook where so many cells hold numbers, and all of these are dates or clock times: as a time, whose numbers are in its unit or
-// in seconds; or, if it means nothing measured, as words. None of others: what they hold is refused where it is wanted.
+// A column of a workbook in which enough cells hold numbers and all numbers are dates or clock
+// times. It is read as a time, in its unit or in seconds, or as words if its title means no
+// reading. nullopt for other columns; their dates are refused where a number is needed.
 ReadColumn dated_column(const Laid& laid, const TableBlock& block, ExportColumn out, std::size_t numbers) {
   const std::size_t column = out.number - 1;
   const auto all_are = [&](const auto& is) {
@@ -181,7 +184,7 @@ ReadColumn dated_column(const Laid& laid, const TableBlock& block, ExportColumn 
   const bool is_clock = has_date || all_are([](CellKind kind) { return kind == CellKind::clock; });
   const std::optional<Unit> unit = machine_unit(out.unit.empty() ? "s" : out.unit);
   if (out.role == ColumnRole::time && is_clock && unit && unit->dimension == kind::time.dimension) {
-    double from = not_a_number;  // [days] the midnight before the first, of dates
+    double from = not_a_number;  // [days] midnight before the first date
     for (const std::size_t line : block.rows) {
       const double days = laid.sheet.days(line, column);
       if (std::isnan(from) && !std::isnan(days)) from = has_date ? std::floor(days) : 0;
@@ -202,7 +205,7 @@ ReadColumn dated_column(const Laid& laid, const TableBlock& block, ExportColumn 
 ReadColumn column_of(const Laid& laid, const TableBlock& block, const std::vector<std::string>& titles,
                      std::size_t column) {
   std::size_t numbers = 0, words = 0;
-  std::string_view unit;  // that follows the first number
+  std::string_view unit;  // after the first number
   bool has_dates = false;
   for (const std::size_t line : block.rows) {
     const std::string_view text = laid.sheet.at(line, column);
@@ -234,7 +237,7 @@ ReadColumn column_of(const Laid& laid, const TableBlock& block, const std::vecto
   return {std::move(out), std::move(notes)};
 }
 
-// Does a column hold the unit of the one before, in every row?
+// True if the column holds the unit of the previous column in every row.
 bool gives_unit(const ExportColumn& column, const ExportedSpecimen& specimen) {
   if (column.words.empty() || specimen.columns.empty()) return false;
   const ExportColumn& before = specimen.columns.back();
@@ -245,7 +248,8 @@ bool gives_unit(const ExportColumn& column, const ExportedSpecimen& specimen) {
 
 // ---- specimens
 
-// The rows of the block become the lines of the specimen. The first row remains, for what is said of the table.
+// Makes the lines of a specimen from the rows of the block. The first row remains for notes on the
+// table.
 Noted<ExportedSpecimen> specimen_of(const Laid& laid, TableBlock& block, const std::vector<std::string>& titles,
                                     const std::vector<std::size_t>& columns, std::vector<Metadatum> metadata) {
   Noted<ExportedSpecimen> out;
@@ -266,7 +270,7 @@ Noted<ExportedSpecimen> specimen_of(const Laid& laid, TableBlock& block, const s
   return out;
 }
 
-// The specimens whose names a column of words tells; the one that all are if there is no such column.
+// The specimens named by a column of words; one specimen without such a column.
 std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
   const auto splits = std::find_if(all.columns.begin(), all.columns.end(), [](const ExportColumn& each) {
     return !each.words.empty() && names_specimens(each.name);
@@ -278,7 +282,7 @@ std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
   }
   const std::vector<std::string>& names = splits->words;
   std::map<std::string_view, std::size_t> known;
-  std::vector<std::size_t> next(all.columns.size());  // of the cells without a number of each column
+  std::vector<std::size_t> next(all.columns.size());  // next cell without a number in each column
   for (std::size_t row = 0; row < names.size(); ++row) {
     const auto [at, is_new] = known.emplace(names[row], specimens.size());
     if (is_new) {
@@ -299,7 +303,8 @@ std::vector<ExportedSpecimen> split_by_name(ExportedSpecimen all) {
   return specimens;
 }
 
-// Another specimen has columns of the same names or meanings; a table of results or dimensions has not.
+// True for another specimen, with columns of the same names or meanings; false for a table of
+// results.
 bool is_specimen(const TableBlock& block, const TableBlock& main) {
   if (block.titles.empty() || block.titles == main.titles) return true;
   if (block.titles.size() != main.titles.size()) return false;
@@ -312,7 +317,8 @@ bool is_specimen(const TableBlock& block, const TableBlock& main) {
   return meant > 1;
 }
 
-// A number of a table beside those of the specimens: a metadatum, named by its column, and of several rows the first cell of its row.
+// A number of an additional table as a metadatum. It is named by its column and, if there are
+// several rows, by the first cell of its row.
 struct SummaryNumber {
   std::string row;
   Metadatum datum;
@@ -343,7 +349,8 @@ std::vector<Metadatum> metadata_on(const Sheet& sheet, const std::vector<std::si
   return metadata;
 }
 
-// What a table holds; its metadata are of the file if it is the first with specimens, or holds none.
+// The content of a table. Its metadata belong to the file if it is the first table with specimens
+// or has no specimens.
 struct ReadBlock {
   std::vector<ExportedSpecimen> specimens;
   std::vector<Metadatum> metadata;
@@ -376,7 +383,8 @@ ReadBlock block_of(const Laid& laid, TableBlock& block, const TableBlock& main, 
     out.notes = std::move(notes);
     return out;
   }
-  // Specimens beside each other, each with the rows in which it has a cell, named by what stands above the first of its titles.
+  // Specimens side by side, each with the rows in which it has a cell. The name is above its first
+  // title.
   for (const ColumnGroup& group : groups) {
     TableBlock rows = block;
     std::erase_if(rows.rows, [&](std::size_t line) {
@@ -391,12 +399,12 @@ ReadBlock block_of(const Laid& laid, TableBlock& block, const TableBlock& main, 
     out.specimens.push_back(std::move(specimen));
     append(out.notes, std::move(notes));
   }
-  out.notes.push_back(fmt::format("{} specimens stand beside each other, with the same titles", groups.size()));
+  out.notes.push_back(fmt::format("{} specimens are side by side, with the same titles", groups.size()));
   return out;
 }
 
-// The specimens with their names: those that the file says, or of several each its own on a line above its table. What summaries say of one of
-// several is its own, else it is the file's.
+// Names the specimens: by the file, or if there are several, by a line above each table. A summary
+// of one of several specimens becomes its metadata, otherwise metadata of the file.
 Export named(Export file, const std::vector<SummaryNumber>& summaries) {
   const bool several = file.specimens.size() > 1;
   for (std::size_t i = 0; i < file.specimens.size(); ++i) {
@@ -421,8 +429,8 @@ Export named(Export file, const std::vector<SummaryNumber>& summaries) {
 
 // ---- the whole file
 
-// "Instron Bluehill", ..., by the marks that the program that wrote it leaves; "table" if it bears none. Do its units stand in brackets on a line
-// of their own?
+// The format from the marks of the program, "Instron Bluehill", ...; otherwise "table".
+// `has_bracketed_units`: the units are in brackets on their own line.
 std::string program_of(const Export& file, bool has_bracketed_units) {
   const auto has = [](std::string_view text, std::string_view word) {
     return text.find(word) != std::string_view::npos;
@@ -447,7 +455,7 @@ std::string program_of(const Export& file, bool has_bracketed_units) {
   return "table";
 }
 
-// What is said of rows with more or fewer cells; empty if there are none.
+// The note on rows with another number of cells; empty without such rows.
 std::string misfits_of(const Layout& layout) {
   std::vector<std::size_t> lines;
   for (const TableBlock& block : layout.blocks)
@@ -455,7 +463,7 @@ std::string misfits_of(const Layout& layout) {
       for (const std::size_t line : apart) lines.push_back(line + 1);
   if (lines.empty()) return "";
   std::sort(lines.begin(), lines.end());
-  return fmt::format("left out, as they are not rows of {} cells: {}", layout.columns, on_lines(lines));
+  return fmt::format("left out, because they do not have {} cells: {}", layout.columns, on_lines(lines));
 }
 
 Notes notes_on(const Layout& layout) {
@@ -472,7 +480,7 @@ Notes notes_on(const Layout& layout) {
   return notes;
 }
 
-// Without names only columns of numbers are a table: others may be what is left of a preamble.
+// Without names, only columns of numbers are a table: others may be the rest of a preamble.
 void require_names(const Export& file, const TableBlock& main) {
   for (const ExportColumn& column : file.specimens.front().columns)
     if (main.titles.empty() && !column.words.empty())
@@ -483,7 +491,7 @@ void require_names(const Export& file, const TableBlock& main) {
                                                         : "add the title that is missing, or delete the one too many"});
 }
 
-// Dates are no numbers, where a column that means something holds them.
+// Refuses dates in a column with a meaning.
 void require_no_dates(const Export& file, const SheetFile& sheet) {
   for (const ExportedSpecimen& specimen : file.specimens)
     for (const ExportColumn& column : specimen.columns)
@@ -493,7 +501,7 @@ void require_no_dates(const Export& file, const SheetFile& sheet) {
                       fmt::format("a number in the column {}", in_quotes(column.name)));
 }
 
-// What a sheet holds.
+// The content of a sheet.
 Export recognise(const SheetFile& opened, const ExportOptions& options) {
   const Sheet& sheet = opened.cells;
   Layout layout = layout_of(sheet);
@@ -537,7 +545,7 @@ bool is_empty(const Sheet& sheet) {
   return true;
 }
 
-// The same, with the place of what is refused.
+// Adds the place to an error.
 Export recognised(const SheetFile& file, const ExportOptions& options) {
   try {
     if (is_empty(file.cells))
@@ -553,7 +561,7 @@ Export recognised(const SheetFile& file, const ExportOptions& options) {
   }
 }
 
-// "," or "comma", "none": a mark as the user wrote it.
+// A mark as the user wrote it: "," or "comma", "none".
 char mark_named(const std::string& text, std::string_view flag) {
   if (text.size() == 1) return text.front();
   if (text == "tab" || text == "\\t") return '\t';
@@ -668,7 +676,7 @@ std::vector<double> in_si(const Export& file, const ExportColumn& column, const 
 RowsLeftOut rows_without_numbers(const Export& file, const ExportedSpecimen& specimen,
                                  const std::vector<const ExportColumn*>& columns, std::size_t rows_used) {
   constexpr std::size_t most_missing_share =
-      10;  // one row in so many: more, and what lies between readings is not known
+      10;  // rows per row without a number, at least; with more gaps, the record is unknown
   rows_used = std::min(rows_used, specimen.lines.size());
   RowsLeftOut out;
   std::vector<std::string> names;
@@ -755,7 +763,7 @@ std::size_t column_named(const Export& file, const ExportedSpecimen& specimen, s
 
 namespace {
 
-// The column whose title says a role, though its cells are words. Null if there is none.
+// The column whose title has a role but whose cells are words; nullptr without such a column.
 const ExportColumn* words_titled_as(const ExportedSpecimen& specimen, ColumnRole role) {
   const auto at = std::find_if(specimen.columns.begin(), specimen.columns.end(), [=](const ExportColumn& each) {
     return !each.words.empty() && role_of(each.name) == role;

@@ -25,7 +25,7 @@ std::string remark(const Metadatum& datum) {
   return datum.value.empty() ? fmt::format("# {}\n", datum.name) : fmt::format("# {}: {}\n", datum.name, datum.value);
 }
 
-// A line of the preamble so that it means in this table, which has decimal points, what it means in the file.
+// A line of the preamble, rewritten so that it keeps its meaning in a table with decimal points.
 std::string translated(const Metadatum& datum, const NumberFormat& format) {
   const std::span<const Metadatum> alone(&datum, 1);
   const NumberFormat here{};
@@ -50,7 +50,7 @@ std::optional<std::string> text_of(char mark) {
   return mark == '\0' ? std::nullopt : std::optional(std::string(1, mark));
 }
 
-// Of several with one name the first.
+// If several have the same name, the first is used.
 std::vector<std::pair<std::string, std::string>> first_of_each(const std::vector<Metadatum>& metadata) {
   std::vector<std::pair<std::string, std::string>> first;
   std::map<std::string, bool> known;
@@ -121,7 +121,7 @@ Fields<ToldExport> export_fields() {
       .words("delimiter", "separator between columns", [](E told) { return text_of(told.file.origin.separator); })
       .words("decimal", "decimal mark", mark(&NumberFormat::decimal))
       .words("thousands", "mark between thousands; null without one", mark(&NumberFormat::thousands))
-      .yes_no("quoted", "cells stand in quotes", of(&Export::quoted))
+      .yes_no("quoted", "cells are in quotes", of(&Export::quoted))
       .list("columns", "columns of the chosen specimen", column_fields(),
             [chosen](E told) { return chosen(told).columns; })
       .count("rows", "number of rows of the chosen specimen", [chosen](E told) { return chosen(told).lines.size(); })
@@ -144,7 +144,7 @@ Fields<ToldExport> export_fields() {
 
 void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen) {
   std::vector<Metadatum> all = file.metadata;
-  const bool of_several = file.specimens.size() > 1;  // whose highest force need not be that of this one
+  const bool of_several = file.specimens.size() > 1;  // the stated maximum force may belong to another specimen
   if (of_several) std::erase_if(all, states_maximum_force);
   all.insert(all.end(), specimen.metadata.begin(), specimen.metadata.end());
   for (const Metadatum& datum : all) out << translated(datum, file.marks);

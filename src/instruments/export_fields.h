@@ -1,5 +1,5 @@
-// What is told of an export: by `read --json` what was decided about the file and what it holds, without its numbers; in its canonical form, UTF-8,
-// commas, decimal points, one line of names with units in square brackets, what it holds.
+// The description of an export in JSON, with the decisions on the file; and its canonical form:
+// UTF-8, commas, decimal points, one line of names with units in square brackets.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@
 
 namespace flexslip {
 
-// An export, and the specimen whose columns and rows are told first.
+// An export, and the specimen that is described first.
 struct ToldExport {
   const Export& file;
   std::size_t chosen;
 };
 Fields<ToldExport> export_fields();
 
-// Writes a specimen: its metadata as lines "# name: value", a header "name [unit]", and numbers of the fewest digits that
-// read back to the same bits. What read_export makes of it has the same columns, units and values, and is written as the
-// same bytes.
-// Fails:      InputError if not all could be written.
+// Writes a specimen: metadata as lines "# name: value", a header "name [unit]", and numbers with
+// the fewest digits that read back to the same bits. read_export reproduces columns, units and
+// values, and writing them again gives the same bytes.
+// Fails:      InputError if the output is incomplete.
 void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen);
 
-// The same to a file; "-" is standard output.
+// Writes the specimen to a file; "-" is standard output.
 void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen);
 
 }  // namespace flexslip

@@ -23,15 +23,16 @@ bool has_number(std::string_view cell) { return !number_cell(cell).number.empty(
 
 namespace {
 
-constexpr std::size_t misfit_share = 10;  // one line in so many may be damaged: more, and the rows are not understood
-constexpr std::size_t longest_unit = 16;  // [bytes] a line with longer words is none of units
-constexpr std::size_t looked_at =
-    1000;  // lines below titles that tell whether they have cells; more do not change the answer
-constexpr std::size_t least_rows = 11;  // of a test that can be evaluated; see read_measurement
+constexpr std::size_t misfit_share =
+    10;  // lines per damaged line, at least; with more damage the rows are not understood
+constexpr std::size_t longest_unit = 16;  // [bytes] a line with longer words is no line of units
+constexpr std::size_t looked_at = 1000;   // lines below titles examined for cells; more do not change the answer
+constexpr std::size_t least_rows = 11;    // required by an evaluation (read_measurement)
 
 using Cells = Sheet::Cells;
 
-// A row as most are: which of its columns hold numbers, one character each, "101", and how many cells it has.
+// The pattern of most rows: the columns with numbers, one character each, "101", and the number of
+// cells.
 struct UsualRow {
   std::string pattern;
   std::size_t numbers, cells;
@@ -44,9 +45,9 @@ std::string pattern_of(Cells cells) {
   return pattern;
 }
 
-// The columns with numbers of most lines, by their numbers, and the cells that most of these lines have.
+// The columns with numbers in most lines, and the number of cells of most of these lines.
 UsualRow usual_row(const Sheet& sheet) {
-  std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // a pattern, and so many cells
+  std::map<std::string, std::map<std::size_t, std::size_t>> lines_with;  // by pattern and number of cells
   for (std::size_t line = 0; line < sheet.size(); ++line)
     if (!sheet.is_comment(line)) ++lines_with[pattern_of(sheet.cells(line))][sheet.cells(line).size()];
   UsualRow usual{};
@@ -71,7 +72,7 @@ UsualRow usual_row(const Sheet& sheet) {
   return usual;
 }
 
-// Numbers in most of the columns, or in some and nothing in the others.
+// True for numbers in most columns, or in some if the others are empty.
 bool is_row(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
   if (sheet.is_comment(line) || sheet.is_blank(line)) return false;
   std::size_t numbers = 0;
@@ -95,7 +96,8 @@ bool fits(Cells cells, const UsualRow& usual) {
   return true;
 }
 
-// Is a line between rows one with damaged cells: all of them, and some numbers, or each says that it is missing?
+// True for a damaged row: all cells are present, and some hold numbers or all are reported as
+// missing.
 bool is_damaged_row(Cells cells, const UsualRow& usual) {
   return cells.size() == usual.cells &&
          (std::any_of(cells.begin(), cells.end(), has_number) || std::all_of(cells.begin(), cells.end(), says_missing));
@@ -109,7 +111,7 @@ bool is_silent_row(Cells cells, const UsualRow& usual) {
 
 using CellWords = std::vector<std::string>;
 
-// ---- titles and units, brought above the columns
+// ---- titles and units, matched to the columns
 
 bool means_something(std::string_view title) { return role_of(title_parts(title).name) != ColumnRole::other; }
 
@@ -138,7 +140,7 @@ bool names_a_remark(std::string_view title) {
   return is_one_of(words, title);
 }
 
-// What stands in front of a line of titles, or of units, and says what they are.
+// A label in front of a line of titles or units.
 bool labels_titles(std::string_view cell) {
   static constexpr std::array<std::string_view, 17> words{
       "channel name", "channel names", "channel",   "channels", "channel title", "signal name",
@@ -148,16 +150,16 @@ bool labels_titles(std::string_view cell) {
 }
 
 bool labels_units(std::string_view cell) {
-  static constexpr std::array<std::string_view, 12> words{"unit",   "units",    "y_unit_label", "einheit",
+  static constexpr std::array<std::string_view, 12> words{"unit",      "units", "y_unit_label", "einheit",
                                                           "einheiten", "unité", "unités",       "unidad",
                                                           "unidades",  "unità", "birim",        "単位"};
   return is_one_of(words, cell);
 }
 
-// The cells of a line that may hold titles or units, without the mark of a comment.
+// The cells of a line that may hold titles or units, without a comment mark.
 struct HeaderWords {
   CellWords cells;
-  std::string note{};  // where the first row follows the last of them without an end of line
+  std::string note{};  // if the first row follows the last cell without a line end
 };
 
 std::size_t without_empty_end(const CellWords& cells) {
@@ -168,7 +170,7 @@ std::size_t without_empty_end(const CellWords& cells) {
 
 std::size_t last_looked_at(const Sheet& sheet, std::size_t above) { return std::min(sheet.size(), above + looked_at); }
 
-// How many columns have a cell in some row below a line that is not empty, or have one behind them that has.
+// The number of columns with a cell in any row below a line, or with such a column after them.
 std::size_t filled_columns(const Sheet& sheet, std::size_t above, const UsualRow& usual) {
   std::size_t filled = usual.pattern.size();
   for (std::size_t line = above + 1; filled < usual.cells && line < last_looked_at(sheet, above); ++line) {
@@ -185,7 +187,8 @@ bool is_empty_column(const Sheet& sheet, std::size_t above, const UsualRow& usua
   return true;
 }
 
-// Does the first column below a line count the rows, 1, 2, 3, ..., in each table anew at will, or give each a name?
+// True if the first column below a line counts the rows (1, 2, 3, ..., restarting in each table) or
+// names them.
 bool begins_with_row_names(const Sheet& sheet, std::size_t above, const UsualRow& usual) {
   std::size_t last = 0, rows = 0;
   bool are_counted = true, are_named = true;
@@ -201,14 +204,15 @@ bool begins_with_row_names(const Sheet& sheet, std::size_t above, const UsualRow
   return rows > 1 && (are_counted || are_named);
 }
 
-// Where a number begins that ends a text without a blank before it; the size of the text if none does.
+// The position of a number at the end of a text without a blank before it; otherwise the size of
+// the text.
 std::size_t number_at_end(std::string_view text) {
   for (std::size_t at = 1; at < text.size(); ++at)
     if (is_digit(text.back()) && number_cell(text.substr(at)).number.size() == text.size() - at) return at;
   return text.size();
 }
 
-// Titles whose last is followed by the first row without an end of line: "Force (N)0.0".
+// Titles followed by the first row without a line end: "Force (N)0.0".
 HeaderWords without_row(CellWords cells, std::size_t columns, std::size_t line) {
   const bool may_be = columns > 1 && without_empty_end(cells) == 2 * columns - 1;
   if (!may_be) return {std::move(cells)};
@@ -227,7 +231,7 @@ HeaderWords without_row(CellWords cells, std::size_t columns, std::size_t line) 
 HeaderWords header_words(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
   const Cells cells = sheet.cells(line);
   CellWords words(cells.begin(), cells.end());
-  if (sheet.is_comment(line)) {  // "# time force": its cells are those behind the mark
+  if (sheet.is_comment(line)) {  // "# time force": the cells follow the mark
     words.front().erase(0, words.front().find_first_not_of("# \t"));
     if (words.front().empty()) words.erase(words.begin());
   }
@@ -237,12 +241,13 @@ HeaderWords header_words(const Sheet& sheet, std::size_t line, const UsualRow& u
 
 // The words of a line above the columns.
 struct Placed {
-  CellWords cells{};  // one for each column; empty if they cannot be told to columns
-  int shift = 0;      // columns that the first of them was moved by
+  CellWords cells{};  // one for each column; empty if they match no columns
+  int shift = 0;      // shift of the first word, in columns
   std::string note{};
 };
 
-// Titles of a line that the separator of the rows does not split, or of one that blanks do, as they do words of one title: "Time [s]  Load cell [N]".
+// Titles of a line without the separator of the rows, or of a line cut at blanks within a title:
+// "Time [s]  Load cell [N]".
 Placed placed_words(const Sheet& sheet, std::size_t line, std::string_view text, const UsualRow& usual) {
   for (const char other : {'\t', ';', ','})
     if (text.find(other) != std::string_view::npos && other != sheet.separator()) {
@@ -262,10 +267,10 @@ Placed placed_words(const Sheet& sheet, std::size_t line, std::string_view text,
   return {split_titles(text, usual.cells)};
 }
 
-// Do titles that are as many as columns all the same stand beside theirs? One that means something has no cells in any row, at one end of the
-// line, and numbers at the other end have a title that says nothing.
-bool stands_beside(const Sheet& sheet, std::size_t line, const CellWords& titles, const UsualRow& usual,
-                   std::size_t filled) {
+// True if titles are as many as columns but shifted: a title with a meaning has no cells at one end
+// of the line, and numbers at the other end have a title without a meaning.
+bool are_shifted(const Sheet& sheet, std::size_t line, const CellWords& titles, const UsualRow& usual,
+                 std::size_t filled) {
   const std::size_t count = without_empty_end(titles);
   if (count == 0 || filled == 0) return false;
   if (count > filled && means_something(titles[count - 1]))
@@ -274,7 +279,7 @@ bool stands_beside(const Sheet& sheet, std::size_t line, const CellWords& titles
          is_empty_column(sheet, line, usual, 0);
 }
 
-// Titles or units, which stand on one line, above the columns of the rows.
+// Titles or units on one line, matched to the columns.
 Placed placed(const Sheet& sheet, std::size_t line, CellWords cells, const UsualRow& usual) {
   const std::size_t filled = filled_columns(sheet, line, usual);
   std::size_t count = without_empty_end(cells);
@@ -301,20 +306,20 @@ Placed placed(const Sheet& sheet, std::size_t line, CellWords cells, const Usual
     }
   }
   cells.resize(usual.cells);
-  if (stands_beside(sheet, line, cells, usual, filled)) return {};
+  if (are_shifted(sheet, line, cells, usual, filled)) return {};
   if (out.shift == 1) out.note = fmt::format("the first column, without a title on line {}, names the rows", line + 1);
   out.cells = std::move(cells);
   return out;
 }
 
-// May somebody have meant a unit of time, length or force by it: "KN", "MM"?
+// True if a text may be meant as a unit of time, length or force: "KN", "MM".
 bool may_be_meant_as_unit(std::string_view cell) {
   const std::array kinds{&kind::time, &kind::length, &kind::force};
   return std::any_of(kinds.begin(), kinds.end(),
                      [&](const Kind* kind) { return !meant_units(without_brackets(cell), *kind).empty(); });
 }
 
-// More units than other words; or units and nothing else, of which some may only be meant as such.
+// True for a line with more units than other words, or with units only, some of them invalid.
 bool is_unit_line(const CellWords& cells) {
   std::size_t units = 0, meant = 0, others = 0;
   bool has_longer = false;
@@ -332,14 +337,15 @@ bool is_unit_line(const CellWords& cells) {
 }
 
 struct TitleLine {
-  CellWords titles;    // one for each column; empty if they cannot be told to columns
+  CellWords titles;    // one for each column; empty if they match no columns
   std::string name{};  // of the specimen
   int shift = 0;       // of the titles
   std::string note{};
-  std::string unplaced{};  // what is said of titles that cannot be told to columns
+  std::string unplaced{};  // note on titles that match no columns
 };
 
-// The titles on a line: as many words as columns and no numbers, or two that mean something. A number may stand before them: that of the specimen.
+// The titles on a line: as many words as columns and no numbers, or two words with a meaning. The
+// number of the specimen may come first.
 std::optional<TitleLine> titles_on(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
   auto [cells, note] = header_words(sheet, line, usual);
   if (cells.empty()) return std::nullopt;
@@ -361,7 +367,8 @@ std::optional<TitleLine> titles_on(const Sheet& sheet, std::size_t line, const U
     if (names_a_unit(title)) ++units;
     if (means_something(title)) ++meant;
   }
-  // A comment that means nothing is prose, unless it gives each column its unit, as Gwyddion does: "# x [m]  y [m]".
+  // A comment without a meaning is prose, unless it gives each column a unit, as in Gwyddion: "# x
+  // [m]  y [m]".
   const bool have_units = std::all_of(titles.begin(), titles.end(),
                                       [](const std::string& title) { return names_a_unit(title_parts(title).unit); });
   const bool is_prose = sheet.is_comment(line) && meant == 0 && !have_units;
@@ -371,9 +378,9 @@ std::optional<TitleLine> titles_on(const Sheet& sheet, std::size_t line, const U
   if (above.cells.empty()) {
     if (meant == 0 || sheet.is_comment(line)) return std::nullopt;
     cells.resize(without_empty_end(cells));
-    out.unplaced = fmt::format(
-        "line {} has {} titles, {}, above rows of {} cells: which belongs to which cannot be told, and none is used",
-        line + 1, cells.size(), listed(cells), filled_columns(sheet, line, usual));
+    out.unplaced =
+        fmt::format("line {} has {} titles, {}, above rows of {} cells: they match no columns and are not used",
+                    line + 1, cells.size(), listed(cells), filled_columns(sheet, line, usual));
     return out;
   }
   out.titles = std::move(above.cells);
@@ -395,7 +402,8 @@ bool has_unplaced_titles(const Sheet& sheet, std::size_t line, const UsualRow& u
   return titles && !titles->unplaced.empty();
 }
 
-// The titles on two lines, where cells are merged downwards: what means something and stands above a cell that is empty is its title.
+// The titles on two lines with cells merged downwards: a word with a meaning above an empty cell is
+// its title.
 std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t line, const UsualRow& usual) {
   const Cells above = sheet.cells(line - 1), below = sheet.cells(line);
   if (above.size() != usual.cells || below.size() != usual.cells || sheet.is_comment(line)) return {};
@@ -412,7 +420,8 @@ std::vector<std::string> titles_on_two_lines(const Sheet& sheet, std::size_t lin
   return is_merged && words > 1 ? titles : std::vector<std::string>{};
 }
 
-// Units above the columns, moved as the titles above them are; empty if they are not as many. A number beside them is none.
+// Units above the columns, shifted as the titles are; empty if their number differs. Numbers are
+// skipped.
 CellWords units_above(CellWords cells, int shift, const UsualRow& usual) {
   if (shift > 0 && cells.size() < usual.cells) cells.insert(cells.begin(), "");
   if (shift < 0 && !cells.empty()) cells.erase(cells.begin());
@@ -424,7 +433,7 @@ CellWords units_above(CellWords cells, int shift, const UsualRow& usual) {
   return cells;
 }
 
-// A table that begins with a row: names and units are the last of the lines above it that belong to none.
+// The table that begins with a row. Its names and units are the last free lines above it.
 TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t> above, const UsualRow& usual) {
   TableBlock block{.header_line = row};
   CellWords units;
@@ -457,14 +466,15 @@ TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t
   if (!units.empty()) {
     block.units = units_above(units, shift, usual);
     if (block.units.empty() && block.unplaced.empty())
-      block.notes.push_back(
-          fmt::format("line {} has {} units above rows of {} cells, and none is used", row, units.size(), usual.cells));
+      block.notes.push_back(fmt::format("line {} has {} units above rows of {} cells: they are not used", row,
+                                        units.size(), usual.cells));
   }
   block.remarks = std::move(above);
   return block;
 }
 
-// Does a line between rows begin with the words of one above the table: "Axial Counts", before each block of readings?
+// True if a line between rows repeats the words of a line above the table: "Axial Counts", before
+// each block of readings.
 bool repeats_remark(const Sheet& sheet, std::size_t line, const TableBlock& block) {
   const std::string_view begin = sheet.at(line, 0);
   if (says_missing(begin) || says_overload(begin) || has_number(begin)) return false;
@@ -472,7 +482,8 @@ bool repeats_remark(const Sheet& sheet, std::size_t line, const TableBlock& bloc
                      [&](std::size_t remark) { return sheet.at(remark, 0) == begin; });
 }
 
-// Tables without titles and with few rows, above one with titles, are of its preamble: lines of settings.
+// Tables without titles and with few rows above one with titles belong to its preamble: lines of
+// settings.
 void without_preambles(std::vector<TableBlock>& blocks) {
   for (std::size_t i = blocks.size(); i-- > 1;) {
     TableBlock& before = blocks[i - 1];
@@ -497,14 +508,16 @@ void add_labelled_units(const Sheet& sheet, TableBlock& block, const UsualRow& u
       block.units = units_above(cells, 0, usual);
 }
 
-// A number before the marks are known: those of a column are wrong by one factor, if at all.
+// A number before the marks are known. All numbers of a column are then wrong by one factor at
+// most.
 double roughly(const Sheet& sheet, std::size_t line, std::size_t column) {
   const std::string_view number = number_cell(sheet.at(line, column)).number;
   const bool has_comma = std::count(number.begin(), number.end(), ',') == 1;
   return sheet.number(line, column, {has_comma && number.find('.') == std::string_view::npos ? ',' : '.', '\0'});
 }
 
-// Does a line between the rows of a table say nothing that would begin another: its titles or units once more, or words that mean no column?
+// True if a line between the rows starts no table: it repeats titles or units, or its words mean no
+// column.
 bool says_nothing_new(const Sheet& sheet, std::size_t line, const TableBlock& block, const UsualRow& usual) {
   const CellWords cells = header_words(sheet, line, usual).cells;
   if (is_unit_line(cells)) return units_above(cells, 0, usual) == block.units;
@@ -513,8 +526,9 @@ bool says_nothing_new(const Sheet& sheet, std::size_t line, const TableBlock& bl
          std::none_of(titles->titles.begin(), titles->titles.end(), means_something);
 }
 
-// Do the rows of a table go on in a row behind other lines, as after a pause of the test? Some column that never fell rises on, and the others stay near
-// where they were, midway in the test: one that is back at its beginning may be another specimen.
+// True if the rows of a table continue after other lines, as after a pause of the test: a column
+// that never fell continues to rise, and the others stay near their values at mid-range. A column
+// that is back at its start may be another specimen.
 bool goes_on(const Sheet& sheet, const TableBlock& block, std::size_t row, const UsualRow& usual) {
   if (block.rows.size() < least_rows) return false;
   const auto lines = std::span(block.rows).last(std::min(block.rows.size(), looked_at));
@@ -561,7 +575,7 @@ Layout layout_of(const Sheet& sheet) {
   const UsualRow usual = usual_row(sheet);
   Layout layout{.columns = usual.cells, .numeric = std::vector<bool>(usual.cells)};
   for (std::size_t i = 0; i < usual.pattern.size(); ++i) layout.numeric[i] = usual.pattern[i] == '1';
-  std::vector<std::size_t> gap;  // lines since the last row that are none
+  std::vector<std::size_t> gap;  // lines since the last row that are not rows
   for (std::size_t line = 0; line < sheet.size(); ++line) {
     const Cells cells = sheet.cells(line);
     const bool is_one = is_row(sheet, line, usual);
@@ -577,7 +591,7 @@ Layout layout_of(const Sheet& sheet) {
                     [&](std::size_t each) { return says_nothing_new(sheet, each, layout.blocks.back(), usual); }) &&
         goes_on(sheet, layout.blocks.back(), line, usual);
     const bool begins = may_begin && !is_pause;
-    // A line of numbers among the remarks above a table is not its first row: that fits.
+    // A line of numbers among the remarks above a table has the pattern but is not its first row.
     if (!is_one || (begins && !fits(cells, usual))) {
       if (is_one || !sheet.is_blank(line)) gap.push_back(line);
       continue;
@@ -585,7 +599,7 @@ Layout layout_of(const Sheet& sheet) {
     if (begins) {
       layout.blocks.push_back(begun_at(sheet, line, std::exchange(gap, {}), usual));
       if (layout.blocks.size() == 1)
-        layout.blocks.front().rows.reserve(sheet.size() - line);  // most files hold no other
+        layout.blocks.front().rows.reserve(sheet.size() - line);  // most files have only one table
     } else {
       TableBlock& block = layout.blocks.back();
       for (const std::size_t each : std::exchange(gap, {}))
@@ -601,11 +615,11 @@ Layout layout_of(const Sheet& sheet) {
   without_preambles(layout.blocks);
   for (TableBlock& block : layout.blocks) add_labelled_units(sheet, block, usual);
   TableBlock& last = layout.blocks.back();
-  // Rows at the end that say of what is no number in them that it is missing, or that a sensor was at its end.
+  // Trailing rows whose non-numeric cells report a missing value or an overload.
   std::size_t silent = 0;
   while (silent < gap.size() && is_silent_row(sheet.cells(gap[silent]), usual)) last.rows.push_back(gap[silent++]);
   gap.erase(gap.begin(), gap.begin() + static_cast<std::ptrdiff_t>(silent));
-  // The end of a file that was cut off: words or a short row as its last line.
+  // The end of a truncated file: words or a short row in its last line.
   if (!last.misfits.empty() && last.misfits.back() > last.rows.back() && gap.empty()) {
     last.misfits.pop_back();
     layout.cut_off = true;

@@ -1,4 +1,4 @@
-// Where the tables of an export are: its rows of numbers, the titles and units above them, and what belongs to no table. Lines and columns count
+// The tables of an export: rows of numbers, titles, units, and other lines. Lines and columns count
 // from 0.
 #pragma once
 
@@ -11,38 +11,41 @@
 
 namespace flexslip {
 
-// Rows of numbers below a line of names and one of units, either of which may be missing.
+// Rows of numbers below a line of names and a line of units. Either line may be missing.
 struct TableBlock {
-  std::string name{};                  // of the specimen, where the line of titles begins with its number; else empty
-  std::vector<std::string> titles{};   // one for each column; empty if no line above names the columns
-  std::vector<std::string> units{};    // likewise, without brackets
-  std::size_t header_line = 0;         // that of the titles, or the units, or the first row
+  std::string name{};                  // of the specimen, if the line of titles begins with its number; otherwise empty
+  std::vector<std::string> titles{};   // one for each column; empty if no line names the columns
+  std::vector<std::string> units{};    // one for each column, without brackets; empty without a line of units
+  std::size_t header_line = 0;         // line of the titles, otherwise of the units, otherwise of the first row
   std::vector<std::size_t> rows{};     // lines
-  std::vector<std::size_t> misfits{};  // lines between the rows with more or fewer cells, or words only
-  std::vector<std::size_t> between{};  // lines of words between the rows, which go on behind them
-  std::vector<std::size_t> remarks{};  // lines above the header that belong to no table
-  std::string unplaced{};              // which titles stand above the rows and cannot be told to columns; else empty
-  std::vector<std::string> notes{};    // how titles and units came above their columns, where that is not by counting
+  std::vector<std::size_t> misfits{};  // lines between the rows with another number of cells or only words
+  std::vector<std::size_t> between{};  // lines of words within the table
+  std::vector<std::size_t> remarks{};  // lines above the header outside any table
+  std::string unplaced{};              // titles that match no column; otherwise empty
+  std::vector<std::string> notes{};    // how titles and units were matched to columns, unless by counting
 };
 
 struct Layout {
-  std::size_t columns = 0;    // of each row
-  std::vector<bool> numeric;  // which of them hold numbers in most rows
+  std::size_t columns = 0;    // in each row
+  std::vector<bool> numeric;  // columns with numbers in most rows
   std::vector<TableBlock> blocks{};
   std::vector<std::size_t> remarks{};  // below the last block
-  bool cut_off = false;                // the last line of the file had fewer cells, and is no row
-  std::vector<std::string> notes{};    // on rows of statistics, which are left out, and rows that may be some
+  bool cut_off = false;                // the last line of the file had fewer cells and is not a row
+  std::vector<std::string> notes{};    // on omitted rows of statistics and on doubtful rows
 };
 
 // The tables of a sheet.
-// Method:     Most numbers of a file stand in lines with numbers in the same columns: those are its rows. What looks like names or units between
-//             them begins another table. Titles are never told to columns by anything but the separator of the rows, or, on a line without it, by
-//             gaps, units in brackets and words; a last cell that is empty in all rows has no title, a last title that means nothing no cells, and
-//             a first column that counts or names the rows may have none. Other titles are not used. A table without titles that has fewer rows
-//             than an evaluation needs, above one with titles, is a preamble.
-// Fails:      InputError, without a file: no rows of numbers, or more than a tenth of them have another number of cells.
+// Method:     Most numbers of a file are in lines with numbers in the same columns: the rows. Lines
+//             of names or units in between start another table. Titles are matched to columns by
+//             the separator of the rows; on a line without it, by gaps, units in brackets and
+//             words. A last cell that is empty in all rows has no title, a last title without a
+//             meaning has no cells, and a first column that counts or names the rows may have no
+//             title. Other titles are not used. A table without titles above one with titles is a
+//             preamble if it has fewer rows than an evaluation needs.
+// Fails:      InputError, without a file: no rows of numbers, or over a tenth of the lines have
+//             another number of cells.
 Layout layout_of(const Sheet& sheet);
 
-bool has_number(std::string_view cell);  // in some country's notation, perhaps with its unit
+bool has_number(std::string_view cell);  // in any notation, perhaps with its unit
 
 }  // namespace flexslip

@@ -23,14 +23,14 @@ bool has_any(std::string_view text, std::initializer_list<std::string_view> word
   return std::any_of(words.begin(), words.end(), [&](std::string_view word) { return has(text, word); });
 }
 
-// Whether a dimension is that of the rig: of rollers, supports, the nose.
+// True for a dimension of the rig: rollers, supports, nose.
 bool is_of_the_rig(std::string_view name) {
   return has_any(name, {"roller", "nose",    "support", "pin",     "punch",    "anvil",   "rolle", "auflage",
                         "finne",  "stempel", "appui",   "poinçon", "rouleau",  "rodillo", "apoyo", "apoio",
                         "punzón", "rull",    "appoggi", "punzone", "coltello", "mesnet",  "支点",  "圧子"});
 }
 
-// "10.00000 mm/min", or "10.00000" with the unit in the name, "Span (mm)". [SI]
+// [SI] "10.00000 mm/min", or "10.00000" with the unit in the name, "Span (mm)".
 std::optional<double> quantity_in(const Metadatum& datum, const NumberFormat& format, const Dimension& dimension) {
   const std::string_view value = trimmed(datum.value);
   const std::size_t end = std::min(value.find_first_not_of("+-0123456789.,eE"), value.size());
@@ -61,7 +61,7 @@ std::optional<double> agreed(std::span<const Metadatum> metadata, const NumberFo
 
 Metadatum metadatum_on(const Sheet& sheet, std::size_t line) {
   std::string text(trimmed(sheet.text(line)));
-  std::vector<std::string> cells;  // that are not empty
+  std::vector<std::string> cells;  // not empty
   for (std::size_t column = 0; column < sheet.cells(line).size(); ++column)
     if (!sheet.at(line, column).empty()) cells.push_back(sheet.shown(line, column));
   const auto datum = [line](std::string_view name, std::string_view value) {
@@ -74,7 +74,7 @@ Metadatum metadatum_on(const Sheet& sheet, std::size_t line) {
     return datum(sheet.at(line, 0), fmt::format("{}", fmt::join(values, " ")));
   }
   if (!comment && cells.size() == 1) text = cells.front();
-  std::size_t colon = text.find(": ");  // "General : Start date: today" is cut behind the date
+  std::size_t colon = text.find(": ");  // "General : Start date: today" is cut after the date
   while (colon != std::string::npos && colon > 0 && text[colon - 1] == ' ') colon = text.find(": ", colon + 1);
   if (colon == std::string::npos) return datum(text, "");
   return datum(std::string_view(text).substr(0, colon), trimmed(std::string_view(text).substr(colon + 2)));

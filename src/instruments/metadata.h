@@ -1,4 +1,4 @@
-// What an export says about its test besides the numbers.
+// Statements of an export about its test, other than the readings.
 #pragma once
 
 #include <cstddef>
@@ -16,31 +16,32 @@ struct Metadatum {
   std::size_t line;
 };
 
-// What is known of the test besides its curve, where the file says so.
+// Properties of the test, apart from its curve; empty if the file does not state them.
 struct ExportedTest {
   std::optional<double> span, diameter, width, thickness;  // [m]
   std::optional<double> rate;                              // [m/s]
   bool operator==(const ExportedTest&) const = default;
 };
 
-// A line of a preamble: "Name: value", or cells of which the first is the name. A comment is read without its #.
-// Lines count from 0; that of the datum from 1.
+// A line of a preamble: "Name: value", or cells with the name first. The # of a comment is skipped.
+// Lines count from 0; the line of the datum counts from 1.
 Metadatum metadatum_on(const Sheet& sheet, std::size_t line);
 
-// The values whose words and units are those of the test; one that is named twice with different values is not known.
+// The values with the words and units of a test. A value that is stated twice differently is
+// unknown.
 ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& format);
 
-// Is it the highest force of a test?
+// True for the maximum force of a test.
 bool states_maximum_force(const Metadatum& datum);
 
-// The highest force that the file states, "Maximum Load, 6.95912, N". [N]
+// [N] The maximum force that the file states, "Maximum Load, 6.95912, N".
 struct StatedForce {
   double value;
   const Metadatum* where;
 };
 std::optional<StatedForce> stated_maximum(std::span<const Metadatum> metadata, const NumberFormat& format);
 
-// The name that the file gives its specimen; empty if none.
+// The name of the specimen in the file; empty if the file gives no name.
 std::string specimen_name(std::span<const Metadatum> metadata);
 
 }  // namespace flexslip

@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 9> of_position{"x",      "s",       "posi
 constexpr std::array<std::string_view, 9> of_height{"z",    "y",       "height", "topography", "profile",
                                                     "edge", "zsensor", "höhe",   "elevation"};
 
-// A column of numbers, and the unit that a user states with it; empty if none.
+// A column of numbers, and the unit that the user states with it; otherwise empty.
 struct TraceColumn {
   const ExportColumn* column;
   std::string unit;
@@ -34,7 +34,7 @@ std::vector<std::string> names_of(const Columns& columns) {
   return names;
 }
 
-// The one that a user names, perhaps with its unit in brackets.
+// The column that the user names, perhaps with its unit in brackets.
 TraceColumn named(const Export& file, const std::string& wanted, std::string_view key) {
   const ExportedSpecimen& all = file.specimens.front();
   const bool is_whole = std::any_of(all.columns.begin(), all.columns.end(),
@@ -43,7 +43,7 @@ TraceColumn named(const Export& file, const std::string& wanted, std::string_vie
   return {&all.columns[column_named(file, all, title.name, key)], title.unit};
 }
 
-// The one whose words say what it is.
+// The column whose title means the quantity.
 const ExportColumn* told(const Columns& columns, std::span<const std::string_view> words, const ExportColumn* but) {
   for (const std::string_view word : words)
     for (const ExportColumn* column : columns) {
@@ -56,13 +56,13 @@ const ExportColumn* told(const Columns& columns, std::span<const std::string_vie
   return nullptr;
 }
 
-// Of two columns the other one.
+// The other one of two columns.
 const ExportColumn* other_than(const Columns& two, const ExportColumn* one) { return two[one == two[0] ? 1 : 0]; }
 
 [[noreturn]] void ask(const Export& file, const Columns& columns, std::string_view what) {
   throw InputError(
       {.file = file.origin.source,
-       .problem = fmt::format("None of the columns {} is known to hold the {}", listed(names_of(columns)), what),
+       .problem = fmt::format("No column among {} is recognised as the {}", listed(names_of(columns)), what),
        .remedy = fmt::format("write {} = \"…\" into [friction], its name or number", what)});
 }
 

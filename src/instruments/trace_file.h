@@ -1,4 +1,5 @@
-// Height profiles as microscopes, profilometers and their programs write them: Gwyddion's text exports, tables of two columns, heights alone.
+// Height profiles of microscopes and profilometers: text exports of Gwyddion, tables of two
+// columns, heights alone.
 #pragma once
 
 #include <optional>
@@ -10,25 +11,27 @@
 
 namespace flexslip {
 
-// What a user decides about a trace, by keys of [friction]; all else is found.
+// Choices of the user for a height profile, by keys of [friction]. Everything else is detected.
 struct TraceOptions {
   std::string position{}, height{};  // columns: name, number, or name with its unit in brackets, "z [nm]"
-  std::optional<double> step{};      // [m] between heights, of a file without positions
+  std::optional<double> step{};      // [m] spacing of the heights, for a file without positions
 };
 
 struct TraceFile {
   std::string source;
-  std::string position, height;  // the columns taken, as the file calls them; no position where a step was stated
+  std::string position, height;  // the columns used, by their names in the file; no position if the spacing is stated
   HeightTrace trace;             // [m]
 };
 
-// The fewest heights that make a trace.
+// The minimum number of heights.
 inline constexpr std::size_t fewest_heights = 64;
 
-// Reads a trace; "-" is standard input. Numbers without a unit where the kind is that of plain numbers, as in reduced cases.
-// Method:     of two columns of numbers the first is the position. Of more, those whose words say so: x, s, position, distance, lateral; z, y, height, topography.
-// Fails:      InputError with file, line, column and remedy: no numbers, columns that cannot be told apart, units that are missing or of another kind, a
-//             position that does not rise, too few heights.
+// Reads a height profile; "-" is standard input. For plain numbers, as in reduced cases, columns
+// have no unit.
+// Method:     of two columns of numbers, the first is the position. Of more, the titles decide: x,
+//             s, position, distance, lateral; z, y, height, topography.
+// Fails:      InputError with file, line, column and remedy: no numbers, indistinguishable columns,
+//             missing or wrong units, positions that do not increase, too few heights.
 TraceFile read_trace(const std::string& path, const TraceOptions& options, const Kind& kind = kind::length);
 
 }  // namespace flexslip

@@ -16,14 +16,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a file is, whatever its names; none of what cannot be lost: a device, a pipe, a folder.
+// The identity of a file under any name. Empty for a device, pipe or folder, which cannot be
+// overwritten by mistake.
 std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return std::pair(status.st_dev, status.st_ino);
 }
 
-// A folder without links and dots, also where it is not there yet.
+// A folder without links and dots; it need not exist.
 fs::path real(const fs::path& folder) {
   std::error_code error;
   fs::path path = fs::weakly_canonical(folder.empty() ? "." : folder, error);
@@ -50,7 +51,7 @@ std::vector<fs::path> entries_of(const fs::path& folder) {
 
 }  // namespace
 
-// `file` without links.
+// `file` with links resolved.
 bool CallFiles::covers(const Claim& claim, const fs::path& file) {
   if (claim.kind == Kind::all_below || claim.kind == Kind::no_input_below) return is_below(file, claim.folder);
   if (file.parent_path() != claim.folder) return false;
@@ -60,7 +61,7 @@ bool CallFiles::covers(const Claim& claim, const fs::path& file) {
          name.ends_with(claim.end);
 }
 
-// The file of a claim that is this one.
+// The file of a claim that is the same as this one.
 std::optional<fs::path> CallFiles::same_in(const Claim& claim, const fs::path& file) {
   if (covers(claim, target_of(file))) return claim.kind == Kind::one ? claim.given : file;
   const auto identity = identity_of(file);
@@ -70,7 +71,8 @@ std::optional<fs::path> CallFiles::same_in(const Claim& claim, const fs::path& f
 }
 
 void CallFiles::add(Claim claim) {
-  // Links may lead from its files elsewhere. Inputs are kept out by their place alone.
+  // Files in the folder may be links to other places; only the path decides whether an input lies
+  // in it.
   std::vector<fs::path> entries;
   if (claim.kind == Kind::one) entries = {claim.given};
   if (claim.kind == Kind::alike) entries = entries_of<fs::directory_iterator>(claim.folder);

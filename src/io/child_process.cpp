@@ -41,7 +41,7 @@ class Actions {
   posix_spawn_file_actions_t actions_{};
 };
 
-// A child and what it writes. It does not outlive this.
+// A child process and its output. The child ends with this object.
 class Child {
  public:
   Child(pid_t id, int pipe, std::chrono::milliseconds limit)
@@ -56,12 +56,12 @@ class Child {
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
-  // What it writes until it closes its output, or until its time is over.
+  // The output until the child closes it or the time is over.
   std::string output() {
     std::string text;
     std::array<char, 4096> piece{};
     for (pollfd ready{pipe_, POLLIN, 0}; has_time();) {
-      effort_spent += 1;  // whoever waits may be stopped
+      effort_spent += 1;  // a waiting thread can be stopped
       const int heard = poll(&ready, 1, looked_every.count());
       const ssize_t got = heard > 0 ? read(pipe_, piece.data(), piece.size()) : heard;
       if (got < 0 && errno != EINTR) fail(errno);
@@ -71,7 +71,7 @@ class Child {
     return text;
   }
 
-  // Nothing if its time is over before it ends.
+  // Empty if the time is over before the child ends.
   std::optional<int> exit_code() {
     for (int status = 0; has_time(); std::this_thread::sleep_for(looked_every)) {
       effort_spent += 1;

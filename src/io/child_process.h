@@ -1,4 +1,4 @@
-// Another program run as a child, without a shell: its arguments reach it as they are.
+// Running another program without a shell, so that it receives its arguments unchanged.
 #pragma once
 
 #include <chrono>
@@ -10,24 +10,25 @@ namespace flexslip {
 enum class ChildStatus {
   exited,     // all fields are valid
   not_found,  // no such program on this computer
-  too_long,   // ended at the limit; the output so far is valid
+  too_long,   // stopped at the limit; the output up to then is valid
 };
 
 struct ChildResult {
   ChildStatus status;
-  int exit_code;       // 128 + the signal that ended it, as shells say it
-  std::string output;  // what it wrote to standard output and standard error
+  int exit_code;       // 128 + the signal number after a signal, as in shells
+  std::string output;  // of standard output and standard error
 };
 
 struct ChildOptions {
-  std::string folder = ".";                    // where the program runs
-  std::chrono::milliseconds limit{};           // its time; 0: any
-  std::vector<std::string> unset_variables{};  // of the environment, which the program does not see
+  std::string folder = ".";                    // working folder of the program
+  std::chrono::milliseconds limit{};           // of the running time; 0: no limit
+  std::vector<std::string> unset_variables{};  // environment variables hidden from the program
 };
 
 // Runs a program found on PATH and waits for it. Its standard input is empty.
 // Domain:     at least the name of the program.
-// Fails:      not_found; too_long; std::runtime_error if the system cannot start processes; Stopped (effort.h), the child being ended then.
+// Fails:      not_found; too_long; std::runtime_error if the system cannot start processes; Stopped
+//             (effort.h), which also ends the child.
 ChildResult run_child(const std::vector<std::string>& command, const ChildOptions& options = {});
 
 }  // namespace flexslip

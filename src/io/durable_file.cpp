@@ -29,8 +29,8 @@ constexpr std::string_view suffix = ".unfinished";
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Has the system write to the disk what it holds of a file or folder. What it cannot do for a folder, some file systems do
-// anyway, and in others nobody may.
+// Makes the system write a file or folder to the disk. Errors for a folder are ignored: some file
+// systems write it without being asked, others do not allow it.
 std::error_code sync(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) return last_error();
@@ -41,28 +41,28 @@ std::error_code sync(const fs::path& path) {
 
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
-// Gives a file that is written its name, once it is on the disk.
+// Writes a file to the disk, then gives it its final name.
 void rename_synced(const fs::path& unfinished, const fs::path& file) {
   std::error_code error = sync(unfinished);
   if (error) refuse(file.string(), error);
-  fs::rename(unfinished, file, error);  // at once: a reader sees the old file or the new one
+  fs::rename(unfinished, file, error);  // atomic: a reader sees the old file or the new one
   if (error) refuse(file.string(), error);
   error = sync(folder_of(file));
   if (error && error != std::errc::invalid_argument && error != std::errc::permission_denied)
     refuse(file.string(), error);
 }
 
-// An empty file beside another, under a name of its own, also where several computers share the folder.
-// Fails: an empty path, and errno.
+// An empty file in the folder of another file. Its name is unique, also if several computers share
+// the folder. Fails:      an empty path, and errno.
 fs::path new_file_beside(const fs::path& file, mode_t mode) {
-  constexpr std::size_t longest = 150;  // [bytes] file systems take 255
+  constexpr std::size_t longest = 150;  // [bytes] file systems allow 255
   std::array<char, 64> computer{};
   gethostname(computer.data(), computer.size() - 1);
   const std::string begin = file.filename().string().substr(0, longest);
   for (int i = 0;; ++i) {
     fs::path name = folder_of(file) / fmt::format("{}.{}-{}-{}{}", begin, computer.data(), getpid(), i, suffix);
     const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor < 0 && errno == EEXIST) continue;  // of a program that was killed
+    if (descriptor < 0 && errno == EEXIST) continue;  // left by a program that was killed
     if (descriptor < 0) return {};
     close(descriptor);
     return name;
@@ -76,7 +76,7 @@ bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
 bool is_descriptor(const fs::path& target) { return target.native().starts_with("/proc/"); }
 
 fs::path target_of(fs::path path) {
-  constexpr int most_links = 40;  // that Linux follows
+  constexpr int most_links = 40;  // the limit of Linux
   for (int links = 0; links < most_links; ++links) {
     std::error_code error;
     const fs::path folder = fs::weakly_canonical(folder_of(path), error);
@@ -84,7 +84,7 @@ fs::path target_of(fs::path path) {
     if (is_descriptor(path) || !fs::is_symlink(path, error)) break;
     const fs::path target = fs::read_symlink(path, error);
     if (error) break;
-    path = folder_of(path) / target;  // which is the target alone where it is absolute
+    path = folder_of(path) / target;  // the target alone if it is absolute
   }
   return path;
 }
@@ -106,7 +106,7 @@ OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
     name_ = new_file_beside(file_, mode);
     if (name_.empty()) refuse(path_, last_error());
     if (exists) permissions_ = static_cast<fs::perms>(old.st_mode & 0777);
-    if (exists && chown(name_.c_str(), old.st_uid, old.st_gid) != 0) errno = 0;  // only for a superuser it always can
+    if (exists && chown(name_.c_str(), old.st_uid, old.st_gid) != 0) errno = 0;  // only a superuser always can
   }
   errno = 0;
   stream_.open(name_, std::ios::binary);

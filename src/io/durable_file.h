@@ -13,10 +13,11 @@ namespace flexslip {
 // True for the name of an unfinished file.
 bool is_unfinished(const std::filesystem::path& file);
 
-// The canonical path of a file, with symbolic links resolved, also if the file does not exist yet.
+// The canonical path of a file: symbolic links are resolved. The file need not exist.
 std::filesystem::path target_of(std::filesystem::path path);
 
-// True if a target is an open descriptor of a process, such as /dev/stdout or /dev/fd/3, and no place in a folder.
+// True for an open descriptor of a process, such as /dev/stdout or /dev/fd/3, which lies in no
+// folder.
 bool is_descriptor(const std::filesystem::path& target);
 
 // A file of results. It is written under a temporary name in the same folder and replaces an existing file when it is
@@ -45,10 +46,10 @@ class OutputFile {
   std::filesystem::path file_{}, name_{};
   std::optional<std::filesystem::perms> permissions_{};  // of the existing file
   std::ofstream stream_{};
-  bool is_replaced_ = false;  // yet to be
+  bool is_replaced_ = false;  // true while the rename is outstanding
 };
 
-// [s] The date that files carry: SOURCE_DATE_EPOCH if it is set, so that they can be reproduced exactly.
+// [s] The date that files carry: SOURCE_DATE_EPOCH if it is set, so that output is reproducible.
 // calendar_date is in UTC.
 std::time_t date_of_source(std::time_t otherwise);
 std::tm calendar_date(std::time_t seconds);

@@ -26,7 +26,8 @@ struct Known {
   std::string_view mark;
 };
 
-// CP932 is Shift-JIS as Windows writes it: with a backslash at 5C, and NEC's and IBM's characters.
+// CP932 is Shift-JIS as Windows writes it: with a backslash at 5C, and the characters of NEC and
+// IBM.
 constexpr std::array known{
     Known{Encoding::utf8, "utf-8", "", "\xEF\xBB\xBF"}, Known{Encoding::utf16le, "utf-16le", "UTF-16LE", "\xFF\xFE"},
     Known{Encoding::utf16be, "utf-16be", "UTF-16BE", "\xFE\xFF"}, Known{Encoding::cp1252, "cp1252", "CP1252", ""},
@@ -42,7 +43,8 @@ const Known& entry(Encoding encoding) {
 class Converter {
  public:
   explicit Converter(const char* from) : handle_(iconv_open("UTF-8", from)) {
-    // The C library of a page knows CP932 by its older name alone, without NEC's and IBM's characters.
+    // In the page, the C library knows CP932 only by its older name and lacks the characters of NEC
+    // and IBM.
     if (!is_open() && std::string_view(from) == "CP932") handle_ = iconv_open("UTF-8", "SJIS");
     if (!is_open()) throw InputError({.problem = fmt::format("The C library does not know {}", from)});
   }
@@ -50,12 +52,12 @@ class Converter {
   Converter& operator=(const Converter&) = delete;
   ~Converter() { iconv_close(handle_); }
 
-  // The UTF-8, and how many bytes it took: fewer than given where one is not of the encoding. A character cut off by
-  // the end of the bytes counts as taken: that is how truncated files end.
+  // The UTF-8 and the number of bytes consumed, which is smaller if a byte is invalid. A character
+  // cut by the end of the bytes counts as consumed, because truncated files end in this way.
   std::pair<std::string, std::size_t> convert(std::string_view bytes) {
     std::string text;
     std::vector<char> buffer(1 << 16);
-    std::vector<char> input(bytes.begin(), bytes.end());  // iconv wants them writable
+    std::vector<char> input(bytes.begin(), bytes.end());  // iconv needs writable input
     char* in = input.data();
     std::size_t left = input.size();
     while (left > 0) {
@@ -65,7 +67,7 @@ class Converter {
       const bool failed = iconv(handle_, &in, &left, &out, &room) == static_cast<std::size_t>(-1);
       const int reason = errno;
       text.append(buffer.data(), out);
-      // The file ends inside a character: what stands before it is no whole cell.
+      // The file ends inside a character, so the cell before it is incomplete.
       if (failed && reason == EINVAL) return {text + "\uFFFD", bytes.size()};
       if (failed && reason != E2BIG) break;
     }
@@ -87,12 +89,12 @@ std::size_t line_at(std::string_view bytes, std::size_t at) {
   return 1 + static_cast<std::size_t>(std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
 }
 
-// How far bytes can be read as UTF-8.
+// The result of reading bytes as UTF-8.
 struct AsUtf8 {
-  std::size_t characters = 0;  // beyond ASCII
-  std::size_t strays = 0;      // bytes of no character
+  std::size_t characters = 0;  // non-ASCII
+  std::size_t strays = 0;      // invalid bytes
   std::size_t first_stray = 0;
-  std::size_t cut_off = 0;  // bytes at the end, of a character that lacks some: that is how truncated files end
+  std::size_t cut_off = 0;  // bytes of an incomplete character at the end, as in truncated files
 };
 
 bool is_cut_off(std::string_view last) {
@@ -112,7 +114,7 @@ AsUtf8 as_utf8(std::string_view bytes) {
       continue;
     }
     const std::string_view rest = bytes.substr(at, 4);
-    // U+FFFE and U+FFFF are no characters, but are well-formed: UTF-16 with a damaged byte has them.
+    // U+FFFE and U+FFFF are no characters but are well-formed: damaged UTF-16 contains them.
     const bool is_well_formed = rest.starts_with("\xef\xbf\xbe") || rest.starts_with("\xef\xbf\xbf");
     const std::size_t size = is_well_formed ? 3 : first_character(rest).bytes;
     if (size == 0 && is_cut_off(rest)) {
@@ -126,7 +128,8 @@ AsUtf8 as_utf8(std::string_view bytes) {
   return found;
 }
 
-// Figures, separators and line ends are half zeros in UTF-16: more than a third of the bytes on one side of each pair.
+// In UTF-16, every second byte of digits, separators and line ends is zero. UTF-16 is assumed if
+// over a third of the bytes on one side of each pair are zero.
 std::optional<Encoding> utf16_without_mark(std::string_view bytes) {
   std::array<std::size_t, 2> zeros{};
   for (std::size_t i = 0; i < bytes.size(); ++i)
@@ -136,8 +139,9 @@ std::optional<Encoding> utf16_without_mark(std::string_view bytes) {
   return std::nullopt;
 }
 
-// Two-byte characters of Shift-JIS with a first byte from 81 to 9F (kana, signs, common kanji), against those beyond
-// and single-byte katakana, which letters with accents in CP1252 would be.
+// True if two-byte characters with a first byte from 81 to 9F (kana, signs, common kanji) outnumber
+// other two-byte characters and single-byte katakana. Accented letters of CP1252 would be read as
+// the latter.
 bool looks_japanese(std::string_view bytes) {
   std::size_t common = 0;
   std::size_t rare = 0;
@@ -166,7 +170,7 @@ Encoding encoding_of(std::string_view bytes) {
                     .remedy = "export the measurement as CSV"});
 }
 
-// Control characters that no text has, in one place of a hundred.
+// True if over 1 % of the bytes are control characters that texts do not contain.
 bool is_binary(std::string_view bytes) {
   constexpr std::ptrdiff_t share = 100;
   const auto controls = std::count_if(bytes.begin(), bytes.end(), [](char c) {
@@ -191,7 +195,7 @@ std::string utf8_of(std::string bytes) {
   return bytes;
 }
 
-// Without the NUL characters at the end of a line, which some programs write there as they end a string with it.
+// Removes NUL characters at line ends, which some programs write after each string.
 std::string without_string_ends(std::string text) {
   std::size_t kept = 0, nuls = 0;
   for (const char c : text) {

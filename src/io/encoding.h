@@ -24,10 +24,12 @@ struct DecodedText {
 
 // Converts bytes to text.
 // Fails:      InputError, without a file, for binary data and for bytes that are invalid in the requested encoding.
-// Method:     the byte order mark decides. Without one, zero bytes mean UTF-16. UTF-8 is taken if all bytes are
-//             valid, or if its non-ASCII characters outnumber the invalid bytes, the first of which is then refused. Shift-JIS
-//             is taken if the bytes are valid and most two-byte characters are kana or common kanji, whose first
-//             bytes are rare in CP1252. All else is CP1252. Letter statistics would take German CP1252 for ISO-8859-3.
+// Method:     the byte order mark decides. Without one, zero bytes mean UTF-16. UTF-8 is taken if
+//             all bytes are valid. It is also taken if its non-ASCII characters outnumber the
+//             invalid bytes; the first invalid byte is then refused. Shift-JIS is taken if the
+//             bytes are valid and most two-byte characters are kana or common kanji, whose first
+//             bytes are rare in CP1252. Everything else is CP1252. Letter statistics would take
+//             German CP1252 for ISO-8859-3.
 DecodedText decode(std::string bytes, std::optional<Encoding> wanted = {});
 
 }  // namespace flexslip

@@ -12,7 +12,7 @@ namespace flexslip {
 namespace {
 
 constexpr std::size_t longest_quote = 60;        // [bytes] a message stays one readable line
-constexpr std::size_t longest_list = 12;         // names, likewise
+constexpr std::size_t longest_list = 12;         // names
 constexpr std::size_t longest_likely_name = 64;  // [bytes] longer words are not names that someone mistyped
 
 bool continues_character(char byte) { return (static_cast<unsigned char>(byte) & 0xc0U) == 0x80U; }
@@ -44,7 +44,8 @@ bool ends_with_bare_value(std::string_view text) {
          before == "=";
 }
 
-// The text with a capital letter at its beginning and a mark at its end.
+// The text as a sentence: with a capital letter, and with a full stop unless it ends in another
+// mark or in a value to copy.
 std::string as_sentence(std::string_view text) {
   std::string out = capitalised(text);
   const bool has_mark = std::string_view(".,:;?!").find(out.back()) != std::string_view::npos;
@@ -65,7 +66,7 @@ std::string sentence(const InputFault& fault) {
 
 char lower_case(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-// Insertions, deletions, substitutions and swaps of neighbours that turn one word into the other.
+// The number of insertions, deletions, substitutions and swaps of neighbours between two words.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> two_ago(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -145,7 +146,7 @@ std::string listed(const std::vector<std::string>& names) {
 }
 
 std::string on_lines(std::span<const std::size_t> lines) {
-  constexpr std::size_t shown = 3;  // more would hide what is said
+  constexpr std::size_t shown = 3;  // a longer list would hide the message
   if (lines.size() == 1) return fmt::format("line {}", lines.front());
   if (lines.size() > 2 && lines.back() - lines.front() + 1 == lines.size())
     return fmt::format("lines {} to {}", lines.front(), lines.back());

@@ -19,15 +19,15 @@ namespace flexslip {
 namespace {
 
 constexpr double none = not_a_number;
-constexpr std::size_t damaged_share = 100;  // one cell in so many may be damaged; empirical, far above what disks do
+constexpr std::size_t damaged_share = 100;  // cells per damaged cell, at least; empirical
 
-// The part of a cell that marks can stand in: without sign and exponent.
+// The digits and marks of a cell, without sign and exponent.
 std::string_view mantissa_of(std::string_view cell) {
   if (cell.starts_with('+') || cell.starts_with('-')) cell.remove_prefix(1);
   return cell.substr(0, cell.find_first_of("eE"));
 }
 
-// Digits in groups of three behind one to three, "1,234,567", all before `end`.
+// True for digits in groups of three after a group of one to three, "1,234,567", all before `end`.
 bool in_groups(std::string_view whole, char mark) {
   const std::size_t first = whole.find(mark);
   if (first == 0 || first > 3 || first == std::string_view::npos) return false;
@@ -39,14 +39,15 @@ bool in_groups(std::string_view whole, char mark) {
   return (whole.size() - first) % 4 == 0;
 }
 
-// The bytes of a space within a number, no-break and narrow ones as well; 0 if there is none.
+// The length in bytes of a space within a number, including no-break and narrow spaces; otherwise
+// 0.
 std::size_t space_at(std::string_view text) {
   for (const std::string_view space : {" ", "\u00a0", "\u202f"})
     if (text.starts_with(space)) return space.size();
   return 0;
 }
 
-// Three digits and no fourth: what a space between digits separates.
+// Exactly three digits, as a space between digits separates them.
 bool begins_group(std::string_view text) {
   return text.size() >= 3 && std::all_of(text.begin(), text.begin() + 3, is_digit) &&
          (text.size() == 3 || !is_digit(text[3]));
@@ -70,21 +71,22 @@ bool looks_usual(std::string_view cell) {
   return !cell.empty() && std::all_of(cell.begin(), cell.end(), is_digit);
 }
 
-// The bytes of a minus that is none of ASCII at the beginning of a text; 0 if there is none.
+// The length in bytes of a non-ASCII minus at the start of a text; otherwise 0.
 std::size_t minus_at(std::string_view text) {
   for (const std::string_view minus : {"\u2212", "\u2013", "\u2010", "\u2011", "\uff0d"})
     if (text.starts_with(minus)) return minus.size();
   return 0;
 }
 
-// Has a cell a sign that in_usual_form changes?
+// True if in_usual_form changes the cell.
 bool is_odd(std::string_view cell) {
   if (cell.empty()) return false;
   const auto is_rare = [](char c) { return c == 'D' || c == 'd' || c == '\xe2' || c == '\xef'; };
   return cell.front() == '(' || cell.back() == '-' || std::any_of(cell.begin(), cell.end(), is_rare);
 }
 
-// A number in the signs that most files use: "−1.5", "(1.5)" and "1.5-" as "-1.5", "1.5D+01" as "1.5E+01". "(1)" is no number.
+// A number with the usual signs: "−1.5", "(1.5)" and "1.5-" as "-1.5", "1.5D+01" as "1.5E+01".
+// "(1)" is not a number.
 std::string in_usual_form(std::string_view cell) {
   bool is_negative = false;
   if (cell.size() > 3 && cell.front() == '(' && cell.back() == ')') {
@@ -109,7 +111,7 @@ std::string in_usual_form(std::string_view cell) {
   return is_negative && !is_signed ? "-" + usual : usual;
 }
 
-// Spaces of any kind in a number as ordinary ones.
+// A number with ordinary spaces instead of other kinds.
 std::string with_plain_spaces(std::string_view cell) {
   std::string plain;
   while (!cell.empty()) {
@@ -124,7 +126,8 @@ bool looks_numeric(std::string_view cell) {
   return looks_usual(cell) || (is_odd(cell) && looks_usual(in_usual_form(cell)));
 }
 
-// A number with a decimal point, or NaN. Infinities are none: no instrument measures them.
+// A number with a decimal point, otherwise NaN. Infinity is NaN too, because no instrument measures
+// it.
 double finite_number(std::string_view text) {
   const std::optional<double> value = plain_number(text);
   return value && std::isfinite(*value) ? *value : none;
@@ -217,8 +220,8 @@ char NumberEvidence::thousands(char decimal) const {
   const Mark& same = decimal == '.' ? point_ : comma_;
   const std::size_t marked = same.as_decimal + same.either;
   if (same.as_group > marked / damaged_share) return decimal;
-  // Someone who groups digits groups all of them. Where others are not grouped, or hardly any are, a group is a damaged
-  // cell: a flipped bit turns "12.345" into "12,345".
+  // A file groups all numbers or none. If almost no number is grouped, a group is a damaged cell: a
+  // flipped bit turns "12.345" into "12,345".
   const std::size_t enough = std::max(ungrouped_, marked / damaged_share);
   if (other.as_group > ungrouped_ || other.either > enough) return decimal == '.' ? ',' : '.';
   if (spaces_ > ungrouped_) return ' ';
@@ -247,7 +250,7 @@ bool says_missing(std::string_view cell) {
 }
 
 bool says_overload(std::string_view cell) {
-  constexpr std::size_t longest = 24;  // [bytes] longer ones are prose
+  constexpr std::size_t longest = 24;  // [bytes] longer cells are prose
   static constexpr std::array<std::string_view, 12> words{"ol",  "o.l", "o.l.",  "ovl", "ovld", "ovfl",
                                                           "ovr", "oor", "satur", "inf", "∞",    "clip"};
   if (cell.empty() || cell.size() > longest) return false;

@@ -13,8 +13,10 @@
 
 namespace flexslip {
 
-// Calls work(0), ..., work(count - 1), each once, in any order. Returns when all are done. What stops the thread that calls stops them all.
-// Fails:      with the exception of the call of least index that was made and failed; no further call is then begun.
+// Calls work(0), ..., work(count - 1) once each, in any order, and returns when all are done. A
+// stop of the calling thread stops all of them.
+// Fails:      with the exception of the failed call of smallest index. No call starts after a
+//             failure.
 template <class Work>
 void for_each_index(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next = 0;

@@ -17,8 +17,8 @@
 namespace flexslip {
 namespace {
 
-constexpr int highest_power = 12;  // of one factor; no quantity of mechanics needs more, and exponents cannot overflow
-constexpr std::size_t most_factors = 8;  // in one unit, likewise
+constexpr int highest_power = 12;  // of one factor; mechanics needs no higher power, and exponents cannot overflow
+constexpr std::size_t most_factors = 8;  // in one unit
 
 struct NamedUnit {
   std::string_view symbol;
@@ -37,7 +37,7 @@ constexpr std::array with_prefix{
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double pound_force = 4.4482216152605;  // [N] exact by definition
-constexpr double standard_gravity = 9.80665;     // [N] likewise
+constexpr double standard_gravity = 9.80665;     // [N] exact by definition
 constexpr double inch = 0.0254;                  // [m] exact by definition
 
 constexpr std::array without_prefix{
@@ -62,7 +62,7 @@ constexpr std::array without_prefix{
     NamedUnit{"%", {{}, -2}},
 };
 
-// What people and machines call units besides, in lower case.
+// Other names of units, in lower case.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 26> spellings{
     {{"secs", "s"},        {"second", "s"},      {"seconds", "s"},     {"sekunden", "s"},    {"sek", "s"},
      {"sec.", "s"},        {"sec", "s"},         {"秒", "s"},          {"mins", "min"},      {"minutes", "min"},
@@ -70,7 +70,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 26> spelling
      {"inches", "in"},     {"in.", "in"},        {"micrometer", "um"}, {"micrometre", "um"}, {"newton", "N"},
      {"newtons", "N"},     {"lb", "lbf"},        {"lbs", "lbf"},       {"kgf", "kgf"},       {"kp", "kgf"},
      {"gf", "gf"}}};
-constexpr std::size_t longest_spelling = 24;  // [bytes] longer ones are prose
+constexpr std::size_t longest_spelling = 24;  // [bytes] longer words are prose
 
 constexpr std::array<std::pair<std::string_view, int>, 13> prefixes{{{"f", -15},
                                                                      {"p", -12},
@@ -126,7 +126,7 @@ std::string remedy_for_symbol(std::string_view symbol) {
       "h and %, as in \"mN/um\" or \"N m^2\"");
 }
 
-// A unit in ASCII: "N·m⁻²" is "N*m-2".
+// A unit in ASCII: "N·m⁻²" becomes "N*m-2".
 std::string in_ascii(std::string_view text) {
   static constexpr std::array<std::pair<std::string_view, char>, 13> signs{{{"⁰", '0'},
                                                                             {"¹", '1'},
@@ -151,7 +151,7 @@ std::string in_ascii(std::string_view text) {
   return plain;
 }
 
-// Reads units left to right: factor { (space | * | · | /) factor }.
+// The parser of units, left to right: factor { (space | * | · | /) factor }.
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : whole_(text), ascii_(in_ascii(text)) {}
@@ -172,7 +172,7 @@ class UnitReader {
         continue;
       }
       if (divided) refuse("a unit with one meaning", "what follows a / is ambiguous; write \"N s/m\" or \"N/m/s\"");
-      take(rest_, "*");  // a product needs no sign; a space has already been passed
+      take(rest_, "*");  // the sign is optional; a space has been skipped already
       multiply_by_factor(1);
     }
     return unit_;
@@ -241,7 +241,7 @@ std::string name_of(Dimension dimension) {
   return "another quantity";
 }
 
-// A number at the start of `text`: what it says and where it ends.
+// A number at the start of `text`, and where it ends.
 struct LeadingNumber {
   double value;           // [1] before the unit
   std::string_view text;  // without a leading +
@@ -265,7 +265,7 @@ double with_decimal_shift(const LeadingNumber& number, int shift) {
   if (mark != std::string_view::npos) {
     const char* first = number.text.data() + mark + 1;
     if (*first == '+') ++first;
-    std::from_chars(first, number.text.data() + number.text.size(), exponent);  // fits: the value is finite and not 0
+    std::from_chars(first, number.text.data() + number.text.size(), exponent);  // valid: finite and not 0
   }
   const std::string shifted = fmt::format("{}e{}", number.text.substr(0, mark), exponent + shift);
   double value = 0;
@@ -293,9 +293,9 @@ double power_of_ten(int exponent) {  // exact up to 10^22, the last power that a
 
 int decade(double value) { return static_cast<int>(std::floor(std::log10(std::abs(value)))); }
 
-constexpr int most_decimals = 9;  // that one still reads
+constexpr int most_decimals = 9;  // more decimals are unreadable
 
-// Fixed notation in the range that people read at a glance, scientific outside.
+// Fixed notation for exponents that are easy to read, scientific notation otherwise.
 std::string with_decimals(double value, int decimals) {
   if (value != 0 && (decimals > most_decimals || std::abs(value) >= 1e7))
     return fmt::format("{:.{}e}", value, std::clamp(decade(value) + decimals, 0, 16));
@@ -317,7 +317,8 @@ std::string without_trailing_zeros(std::string text) {
   return digits + text.substr(mark);
 }
 
-// value 10^shift, with the fewest digits that identify the value's bits: only the decimal point moves, nothing is rounded.
+// value 10^shift, with the fewest digits that identify the bits of the value. Only the decimal
+// point moves; nothing is rounded.
 std::string exact_decimal(double value, int shift) {
   if (value == 0) return "0";
   const std::string text = fmt::format("{}", std::abs(value));  // "0.00125", "125000", "1.25e-07"
@@ -355,7 +356,7 @@ double within(Range range, double value, std::string_view text, const Kind& kind
   if (range == Range::positive && value <= 0) refuse("positive", "");
   if (range == Range::positive_or_infinite && value <= 0)
     refuse("positive", "write \"inf\" if it is too large to matter");
-  constexpr double farthest = 1e60;  // from 1: products of a few, EI/L^3 say, are still numbers
+  constexpr double farthest = 1e60;  // in either direction; products of several values, such as EI/L^3, remain finite
   const double size = std::abs(value);
   if (value != 0 && std::isfinite(value) && !(1 / farthest <= size && size <= farthest))
     refuse("possible", "no test has one of that size; look at its exponent");
@@ -439,7 +440,7 @@ std::vector<std::string_view> meant_units(std::string_view text, const Kind& kin
                                                                                          {"oz", "ozf"},
                                                                                          {"lbm", "lbf"},
                                                                                          {"kips", "kip"}}};
-  // Where it was read in another encoding, a µ is two signs or none that ASCII has: "Âµm", "?m".
+  // A file read in the wrong encoding shows a µ as two characters or as a ?: "Âµm", "?m".
   const std::string_view body = trimmed(text);
   const std::size_t strange = body.find_last_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
   const bool is_strange =
@@ -487,7 +488,7 @@ double from_si(double value, const Unit& unit) {
 std::string_view best_unit(double magnitude, const Kind& kind) {
   if (kind.units.empty()) return "";
   if (!std::isfinite(magnitude)) return kind.units.back();
-  const double shown = magnitude == 0 ? 1 : std::abs(magnitude);  // nothing reads best in the unit of the SI
+  const double shown = magnitude == 0 ? 1 : std::abs(magnitude);  // zero is shown in the SI unit
   std::string_view best = kind.units.front();
   for (const std::string_view unit : kind.units)
     if (to_si(1, parse_unit(unit)) <= shown) best = unit;

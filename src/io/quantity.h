@@ -1,8 +1,9 @@
 // Physical quantities as people write them, "1278 um" or "2.1e-9 N m^2", to and from SI.
 //
-// A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c d k M G T),
-// micron, sec, min, h, in, ft, mil, lbf, ozf, kip, psi, ksi, Msi, gf, kgf and %: "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, *, · multiply.
-// Names of units are read as well, ignoring case: "seconds", "Newton", "lbs", "kp", "inches".
+// A unit is a product, quotient and power of m g s N Pa J rad deg (with the prefixes f p n u µ m c
+// d k M G T), micron, sec, min, h, in, ft, mil, lbf, ozf, kip, psi, ksi, Msi, gf, kgf and %:
+// "mN/um", "N m^2", "N·m²", "m4", "1/mm". Spaces, * and · multiply. Names of units are accepted in
+// any case: "seconds", "Newton", "lbs", "kp", "inches".
 #pragma once
 
 #include <array>
@@ -81,8 +82,9 @@ enum class Range { any, non_negative, positive, positive_or_infinite };
 // A quantity of the given kind from text.
 // Units:      the result is in SI, radians.
 // Max error:  correctly rounded where the unit is decimal; 1 ulp otherwise (deg, in, lbf, psi, min, h).
-// Fails:      InputError, without a place, for text without a number; for a missing, unknown or wrong unit; for a value out
-//             of range; and for a finite value other than 0 outside [1e-60, 1e60].
+// Fails:      InputError, without a place, for text without a number; for a missing, unknown or
+//             wrong unit; for a value out of range; and for a finite value other than 0 outside
+//             [1e-60, 1e60].
 double parse_quantity(std::string_view text, const Kind& kind, Range range = Range::any);
 
 // The range check of parse_quantity. Returns the value.
@@ -100,7 +102,8 @@ std::optional<Unit> unit_named(std::string_view text);
 // Fails:      InputError, without a place.
 Unit parse_unit(std::string_view text, const Kind& kind);
 
-// A unit as testing machines write it: the units of parse_unit, and "p" for pond. nullopt for other text; no unit is guessed.
+// A unit as testing machines write it: the units of parse_unit, and "p" for pond. nullopt for other
+// text; no unit is guessed.
 std::optional<Unit> machine_unit(std::string_view text);
 
 // The units that an invalid text may mean: kN for "KN", gf for "g", mN or MN for "mn". Empty if no unit is similar.
@@ -128,14 +131,15 @@ std::string typeset(std::string_view unit);
 // A value [SI] for people: up to four significant digits in its best unit, "10.9 µm".
 std::string readable(double value, const Kind& kind);
 
-// A value with its standard uncertainty [SI], which has two digits: "10.90 ± 0.20 µm". The text reports an uncertainty that is
-// unknown (NaN), or below a millionth of the value, as for readings without noise.
+// A value with its standard uncertainty [SI], which has two digits: "10.90 ± 0.20 µm". The text
+// also reports an uncertainty that is unknown (NaN) or below a millionth of the value.
 std::string readable(double value, double uncertainty, const Kind& kind);
 
 // A difference [1] as "+2.1 %".
 std::string signed_percent(double share);
 
-// A value [SI] as text in its best unit that parse_quantity reads back exactly: "34.8 um". In inches and pounds it reads back to 1 ulp.
+// A value [SI] as text in its best unit: "34.8 um". parse_quantity reads it back exactly, in inches
+// and pounds to 1 ulp.
 std::string exact_text(double value, const Kind& kind);
 
 }  // namespace flexslip

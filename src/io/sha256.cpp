@@ -70,7 +70,7 @@ Digest digest_of(std::istream& in) {
     digest.bytes += got;
   };
   for (read_block(); got == block_size; read_block()) absorb(state, block);
-  // The padding: a one, zeros, the length in bits as 64 bits at the end of a block.
+  // The padding: a one bit, zeros, and the length in bits as 64 bits at the end of a block.
   block.at(got) = 0x80;
   if (got >= block_size - 8) {
     absorb(state, block);

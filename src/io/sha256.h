@@ -1,4 +1,4 @@
-// SHA-256 (FIPS 180-4): which bytes a result was computed from.
+// SHA-256 (FIPS 180-4), which identifies the bytes that a result was computed from.
 #pragma once
 
 #include <istream>
@@ -9,14 +9,14 @@ namespace flexslip {
 
 struct Digest {
   std::string sha256;   // 64 hexadecimal digits
-  unsigned long bytes;  // read
+  unsigned long bytes;  // number of bytes read
 };
 
-// Of all that is left in a stream.
+// The digest of the rest of a stream.
 // Cost:       5 ns a byte.
 Digest digest_of(std::istream& in);
 
-// The 64 digits, of bytes in memory.
+// The 64 digits for bytes in memory.
 std::string sha256_of(std::string_view bytes);
 
 }  // namespace flexslip

@@ -18,12 +18,12 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 31;  // [bytes]
 constexpr const char* remedy_for_large = "split the table, or leave out the columns that are not needed";
-constexpr std::size_t sample = 1000;      // lines judged for the separator; more do not change the answer
-constexpr double of_blanks = 0.9;         // tabs are blanks too, but where they separate names have spaces in them
-constexpr double longest_days = 2958466;  // to the end of 9999, as far as spreadsheets go
+constexpr std::size_t sample = 1000;  // lines used to find the separator; more do not change the answer
+constexpr double of_blanks = 0.9;     // prefers a tab to a space, because titles separated by tabs may contain spaces
+constexpr double longest_days = 2958466;  // up to the end of 9999, the limit of spreadsheets
 
-// Hands over where each cell of a line begins and ends, with the blanks and quotes around it; nothing more, and false, where a quote has no
-// partner. With a space as separator, any run of spaces and tabs separates.
+// Passes on where each cell of a line begins and ends, including blanks and quotes. Returns false
+// at a quote without a partner. With a space as separator, any run of spaces and tabs separates.
 template <class Take>
 bool cut_line(std::string_view line, char separator, bool has_quotes, const Take& take) {
   const bool by_blanks = separator == ' ';
@@ -51,7 +51,7 @@ bool cut_line(std::string_view line, char separator, bool has_quotes, const Take
   }
 }
 
-// Makes single quotes of the doubled ones within a quoted cell, and blanks behind it of what is left.
+// Replaces doubled quotes within a quoted cell by single ones, and pads the cell with blanks.
 void make_single(char* cell, std::size_t size) {
   std::size_t to = 1;
   for (std::size_t from = 1; from + 1 < size; ++from) {
@@ -62,7 +62,7 @@ void make_single(char* cell, std::size_t size) {
   std::fill(cell + to, cell + size, ' ');
 }
 
-// A cell without its quotes, if it has any, nor those of a formula in them that is but words: ="1.23".
+// A cell without quotes. A formula that only holds words loses its signs too: ="1.23".
 std::string_view unquoted(std::string_view cell) {
   if (!cell.starts_with('"')) return cell;
   const std::string_view words = trimmed(cell.substr(1, cell.size() - 2));
@@ -70,7 +70,7 @@ std::string_view unquoted(std::string_view cell) {
   return is_formula ? trimmed(words.substr(2, words.size() - 3)) : words;
 }
 
-// What a spreadsheet writes where it could not compute, in whatever language: "#N/A", "#NV", "#WERT!", "#NAME?".
+// True for an error value of a spreadsheet, in any language: "#N/A", "#NV", "#WERT!", "#NAME?".
 bool is_error_of_spreadsheet(std::string_view cell) {
   return cell == "#N/A" || cell == "#NV" ||
          (cell.size() > 2 && cell.front() == '#' && (cell.back() == '!' || cell.back() == '?') &&
@@ -82,7 +82,9 @@ bool is_comment_or_blank(std::string_view line) {
   return first == std::string_view::npos || line[first] == '#';
 }
 
-// Takes a line off the text, whatever ends it: \n, \r\n or \r.
+// Takes a line off the text. It may end with
+// , \r
+//  or \r.
 std::string_view take_line(std::string_view& text) {
   std::size_t end = 0;
   while (end < text.size() && text[end] != '\n' && text[end] != '\r') ++end;
@@ -101,7 +103,7 @@ double numbers_on(std::string_view line, char separator) {
     ++cells;
     if (!number_cell(cell).number.empty()) ++numbers;
   });
-  const bool is_row = is_whole && 3 * numbers > cells;  // or else a line of names with a number in them
+  const bool is_row = is_whole && 3 * numbers > cells;  // otherwise a line of names that contains a number
   return is_row ? numbers * numbers / cells : 0;
 }
 
@@ -118,7 +120,7 @@ Sheet::Sheet(std::string text, char separator, std::size_t most) : text_(std::mo
   const bool may_be_quoted = text_.find('"') != std::string::npos;
   for (std::string_view rest = text_; !rest.empty();) {
     cut(take_line(rest), may_be_quoted, most);
-    if (size() != sample) continue;  // the others will be like these
+    if (size() != sample) continue;  // the remaining lines are assumed to be similar
     const double share = 1.02 * static_cast<double>(text_.size()) / static_cast<double>(text_.size() - rest.size());
     for (std::vector<std::uint32_t>* each : {&begins_, &first_cells_})
       each->reserve(std::min(most, static_cast<std::size_t>(share * static_cast<double>(each->size()))));
@@ -139,12 +141,12 @@ void Sheet::cut(std::string_view line, bool may_be_quoted, std::size_t most) {
   };
   first_cells_.push_back(static_cast<std::uint32_t>(first));
   const bool has_quotes = may_be_quoted && line.find('"') != std::string_view::npos;
-  if (!cut_line(line, separator_, has_quotes, add)) {  // the quotes mean nothing
+  if (!cut_line(line, separator_, has_quotes, add)) {  // quotes are ordinary characters
     stray_quotes_.push_back(static_cast<std::uint32_t>(size() - 1));
     begins_.resize(first);
     cut_line(line, separator_, false, add);
   }
-  begins_[first] = at;  // with the blanks before it
+  begins_[first] = at;  // including the blanks before it
 }
 
 void Sheet::make_quotes_single() {
@@ -237,7 +239,7 @@ std::string Sheet::shown(std::size_t line, std::size_t column) const {
 }
 
 char separator_of(std::string_view text) {
-  constexpr std::array candidates{';', '\t', ',', ' '};  // of equals the first
+  constexpr std::array candidates{';', '\t', ',', ' '};  // the first wins if several are equal
   std::array<double, candidates.size()> score{};
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   const std::size_t stride = 1 + lines / sample;
@@ -247,7 +249,7 @@ char separator_of(std::string_view text) {
     for (std::size_t i = 0; i < candidates.size(); ++i) score[i] += numbers_on(line, candidates[i]);
   }
   score.back() *= of_blanks;
-  // A single column leaves all equal: then it is a comma, as in the files that the program writes.
+  // A single column makes all equal: then it is a comma, as in files of this program.
   const auto best = std::max_element(score.begin(), score.end());
   if (*best == *std::min_element(score.begin(), score.end() - 1)) return ',';
   return candidates[static_cast<std::size_t>(best - score.begin())];
@@ -271,10 +273,10 @@ char separator_of_titles(std::string_view text) {
 std::string shown_days(double days, CellKind kind, bool from_1904) {
   if (!(days >= 0) || days >= longest_days) return fmt::format("{} days", days);
   using namespace std::chrono;
-  // In milliseconds, so that 59.9996 s is a minute, and 24 h a day.
+  // In milliseconds, so that 59.9996 s becomes a minute and 24 h a day.
   const auto milliseconds = static_cast<std::int64_t>(std::llround(days * 86400e3));
   const std::int64_t whole = milliseconds / 86400000;
-  // The calendar of spreadsheets has a 29 February 1900: before it, days count from a day later.
+  // Spreadsheets have a 29 February 1900: before it, days count from one day later.
   const sys_days zero = from_1904    ? sys_days{year{1904} / January / 1}
                         : whole < 60 ? sys_days{year{1899} / December / 31}
                                      : sys_days{year{1899} / December / 30};

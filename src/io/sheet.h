@@ -1,4 +1,4 @@
-// Tables as cells, from a delimited text or from a sheet of a workbook: what all that read tables read.
+// Tables as cells, from delimited text or from a sheet of a workbook.
 #pragma once
 
 #include <algorithm>
@@ -15,47 +15,49 @@
 namespace flexslip {
 
 enum class CellKind : std::uint8_t {
-  word,            // all that a text holds; of a workbook also a number kept as text, in the manner of some country
-  number,          // of a workbook, digit for digit, with a decimal point
+  word,            // any cell of a text; in a workbook also a number stored as text
+  number,          // in a workbook; all its digits, with a decimal point
   date,            // a number of days, shown as 2026-02-01
-  clock,           // likewise, shown as 00:00:01.5: a time of day, or elapsed
-  date_and_clock,  // likewise, shown as both
+  clock,           // a number of days, shown as 00:00:01.5; a time of day or an elapsed time
+  date_and_clock,  // a number of days, shown as date and time
   error,           // "#REF!"
 };
 
-bool is_dated(CellKind kind);  // one of the three that are numbers of days
+bool is_dated(CellKind kind);  // True for the three kinds that are numbers of days.
 
 struct SheetCell {
   std::string text;
   CellKind kind = CellKind::word;
 };
 
-// All lines of a text, or all rows of a sheet of a workbook. Lines and columns count from 0.
-// Cost:       four bytes a cell and a line beside the text.
+// The lines of a text, or the rows of a sheet of a workbook. Lines and columns count from 0.
+// Cost:       4 bytes for each cell and line, and the text.
 class Sheet {
  public:
   static constexpr std::size_t most_cells = std::size_t{1} << 28;
 
-  // Any line ending. A quote without its partner on the same line is an ordinary character: see stray_quote. With a space as separator,
-  // runs of spaces and tabs separate.
+  // Splits text with any line endings. With a space as separator, runs of spaces and tabs separate
+  // cells. A quote without a partner on its line is an ordinary character (stray_quote).
   // Fails:      InputError, without a file, for more cells than `most`, or more than 2 GiB of text.
   Sheet(std::string text, char separator, std::size_t most = most_cells);
 
-  // Of a workbook, whose days count from the end of 1899, or from 1904.
+  // An empty sheet of a workbook. Its days count from the end of 1899, or from 1904.
   explicit Sheet(bool dates_from_1904 = false) : dates_from_1904_(dates_from_1904) {}
 
-  // Below the last line; lines between are empty. The texts of cells hold neither tabs nor ends of lines.
+  // Adds a line below the last one; lines in between are empty. Cells must not contain tabs or line
+  // ends.
   void append(std::size_t line, std::span<const SheetCell> cells);
-  void fill();  // all lines that are not empty get as many cells as the widest, as spreadsheet programs write CSV
+  void fill();  // pads every non-empty line to the width of the widest, as spreadsheet programs write CSV
 
   std::size_t size() const { return first_cells_.size(); }
-  char separator() const { return separator_; }  // of the text; a tab of a workbook
-  // A line without its ending, and with single quotes for doubled ones; of a workbook its cells, apart by tabs.
+  char separator() const { return separator_; }  // a tab for a workbook
+  // A line without its ending, with doubled quotes made single. For a workbook, its cells separated
+  // by tabs.
   std::string_view text(std::size_t line) const;
   bool is_comment(std::size_t line) const;
-  bool is_blank(std::size_t line) const;  // has no cell that is not empty
+  bool is_blank(std::size_t line) const;  // true if all its cells are empty
 
-  // The cells of a line, trimmed, without their quotes.
+  // The cells of a line, trimmed and without quotes.
   class Cells {
    public:
     struct Iterator {
@@ -85,48 +87,51 @@ class Sheet {
   };
   Cells cells(std::size_t line) const { return {*this, line}; }
 
-  // Of a cell that is not there: empty, a word.
+  // The text of a cell; empty, and a word, for a cell beyond the line.
   std::string_view at(std::size_t line, std::size_t column) const;
   CellKind kind(std::size_t line, std::size_t column) const;
-  // As a number; one of a workbook that is no word has a decimal point, whatever the format. NaN if it is none, or a date.
+  // The number in a cell; NaN for other text and for dates. `format` applies to words only: a
+  // number of a workbook has a decimal point.
   double number(std::size_t line, std::size_t column, const NumberFormat& format) const;
-  double days(std::size_t line, std::size_t column) const;  // of a date or a clock time; NaN of others
+  double days(std::size_t line, std::size_t column) const;  // [days] of a date or clock time; otherwise NaN
   std::string shown(std::size_t line,
-                    std::size_t column) const;  // a date or a clock time as it is shown; others as they stand
+                    std::size_t column) const;  // a date or clock time as displayed; the text of any other cell
 
-  bool quoted() const { return quoted_; }  // is any cell of the text?
-  // The first cell of a line with a quote that has no partner, counted from 1; 0 if there is none.
+  bool quoted() const { return quoted_; }  // true if any cell of the text is in quotes
+  // The first cell of a line with an unpaired quote, counted from 1; 0 if there is none.
   std::size_t stray_quote(std::size_t line) const;
 
  private:
   void cut(std::string_view line, bool may_be_quoted, std::size_t most);
-  void make_quotes_single();  // those doubled within quoted cells
+  void make_quotes_single();  // within quoted cells
   bool has_stray_quote(std::size_t line) const;
   std::size_t begin_of(std::size_t cell) const { return cell < begins_.size() ? begins_[cell] : text_.size(); }
-  std::size_t end_of(std::size_t line) const {  // the cell behind its last
+  std::size_t end_of(std::size_t line) const {  // the index after its last cell
     return line + 1 < first_cells_.size() ? first_cells_[line + 1] : begins_.size();
   }
   std::string_view raw(std::size_t cell) const;  // trimmed, with its quotes
 
-  std::string text_;                         // its cells each end with a separator or the end of a line
-  std::vector<std::uint32_t> begins_;        // of the cells in it
-  std::vector<std::uint32_t> first_cells_;   // of the lines
-  std::vector<CellKind> kinds_;              // of a workbook, of each cell
-  std::vector<std::uint32_t> stray_quotes_;  // the lines whose quotes are ordinary characters, rising
-  std::size_t width_ = 0;                    // of lines that are filled
+  std::string text_;                         // every cell ends with a separator or a line end
+  std::vector<std::uint32_t> begins_;        // start of each cell in the text
+  std::vector<std::uint32_t> first_cells_;   // index of the first cell of each line
+  std::vector<CellKind> kinds_;              // kind of each cell of a workbook
+  std::vector<std::uint32_t> stray_quotes_;  // lines with unpaired quotes, ascending
+  std::size_t width_ = 0;                    // of filled lines
   char separator_ = '\t';
   bool dates_from_1904_ = false, quoted_ = false;
 };
 
-// The separator with which most cells of a text are numbers: ',', ';', tab or ' '.
-// Method:     over a thousand lines from all of the text, each gives numbers^2 / cells; the greatest sum wins.
+// The separator that makes most cells of a text numbers: ',', ';', tab or ' '.
+// Method:     each of a thousand lines from the whole text gives numbers^2 / cells; the largest sum
+//             wins.
 char separator_of(std::string_view text);
 
-// The separator of a text whose first line, comments apart, has titles: that which is most often on it outside of quotes, ',', ';' or tab, or
-// else a space.
+// The separator of a text whose first non-comment line has titles: the commonest of ',', ';'
+// and tab outside quotes, otherwise a space.
 char separator_of_titles(std::string_view text);
 
-// Days as they are shown: "2026-02-01", "00:00:01.5", "2026-02-01 13:05:00". Days count from the end of 1899, or from 1904.
+// Days as displayed: "2026-02-01", "00:00:01.5", "2026-02-01 13:05:00". They count from the end of
+// 1899, or from 1904.
 std::string shown_days(double days, CellKind kind, bool from_1904);
 
 std::string cell_name(std::size_t row, std::size_t column);  // "B17", counted from 1

@@ -12,14 +12,15 @@
 namespace flexslip {
 namespace {
 
-// Spreadsheets are made to keep digits as they are by ="1.23": the = before a quote that begins a cell is none of it.
+// Spreadsheets keep digits unchanged in ="1.23". The = before a quote at the start of a cell is not
+// part of the text.
 void make_formulas_words(std::string& text) {
   static constexpr std::string_view before_cells = ",;\t \n\r";
   for (std::size_t at = text.find("=\""); at != std::string::npos; at = text.find("=\"", at + 1))
     if (at == 0 || before_cells.find(text[at - 1]) != std::string_view::npos) text[at] = ' ';
 }
 
-// ---- commas between cells, and before decimals
+// ---- commas between cells and before decimals
 
 using Parts = std::vector<std::string_view>;
 
@@ -36,7 +37,7 @@ Parts parts_of(std::string_view line, char separator) {
 
 bool are_digits(std::string_view text) { return !text.empty() && std::all_of(text.begin(), text.end(), is_digit); }
 
-// Whole numbers, which may have a sign, and behind a comma an exponent.
+// True for a whole number with an optional sign, or after a comma with an exponent.
 bool are_whole(const Parts& parts) {
   return parts.size() > 1 && std::all_of(parts.begin(), parts.end(), [](std::string_view part) {
            if (part.starts_with('-') || part.starts_with('+')) part.remove_prefix(1);
@@ -47,12 +48,13 @@ bool are_whole(const Parts& parts) {
          });
 }
 
-// Such as nobody writes a whole number: decimals.
+// True for digits that no whole number has, and that are therefore decimals.
 bool begins_with_zero(std::string_view part) { return part.size() > 1 && part.front() == '0' && is_digit(part[1]); }
 
-// A text whose commas separate cells and decimals alike, with semicolons between cells: titles name n columns, and each row has 2n whole numbers,
-// of which some are decimals, as they begin with a zero. nullopt if it is none.
-// Fails:      InputError if the rows have other numbers of cells, as where some numbers have no decimals.
+// The text with semicolons between cells, if its commas separate both cells and decimals: n titles,
+// and 2n whole numbers in each row, some with a leading zero as decimals. Otherwise nullopt.
+// Fails:      InputError if rows have different numbers of cells, as if some numbers have no
+//             decimals.
 std::optional<std::string> with_semicolons(std::string_view text) {
   constexpr std::size_t fewest = 2, longest_preamble = 200;  // lines
   std::string_view header, first_row;
@@ -65,7 +67,7 @@ std::optional<std::string> with_semicolons(std::string_view text) {
     const Parts parts = parts_of(line, ',');
     if (!are_whole(parts)) {
       if (rows >= fewest || ++others > longest_preamble)
-        return std::nullopt;  // other numbers, or words, among the rows
+        return std::nullopt;  // another number of cells, or words, within the rows
       titles = parts.size();
       header = line;
       rows = 0;
@@ -91,14 +93,14 @@ std::optional<std::string> with_semicolons(std::string_view text) {
     return std::nullopt;
   const auto above = static_cast<std::size_t>(first_row.data() - text.data());
   if (least < most || most < 2 * titles || !are_pairs)
-    throw InputError({.line = 1 + static_cast<std::size_t>(std::count(
-                                      text.begin(), text.begin() + static_cast<std::ptrdiff_t>(above), '\n')),
-                      .problem = fmt::format(
-                          "Commas separate cells and decimals alike: {} titles stand above rows of {}{} whole numbers",
-                          titles, least < most ? fmt::format("{} to ", least) : "", most),
-                      .remedy = "export it with semicolons or tabs between cells, or with decimal points"});
+    throw InputError(
+        {.line = 1 + static_cast<std::size_t>(
+                         std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(above), '\n')),
+         .problem = fmt::format("Commas separate cells and decimals alike: {} titles above rows of {}{} whole numbers",
+                                titles, least < most ? fmt::format("{} to ", least) : "", most),
+         .remedy = "export it with semicolons or tabs between cells, or with decimal points"});
   std::string out(text);
-  bool is_decimal = true;  // the next comma behind one that is none
+  bool is_decimal = true;  // true if the next comma follows a whole number
   for (std::size_t at = 0; at < out.size(); ++at) {
     if (out[at] == '\n' || out[at] == '\r') is_decimal = true;
     if (out[at] != ',') continue;
@@ -119,7 +121,7 @@ SheetFile sheet_of_text(std::string text, SheetOrigin origin, const SheetOptions
   origin.separator = options.separator ? *options.separator
                      : has_titles      ? separator_of_titles(text)
                                        : separator_of(text);
-  if (purpose == SheetFor::words && origin.separator == ' ') origin.separator = ',';  // or else one column
+  if (purpose == SheetFor::words && origin.separator == ' ') origin.separator = ',';  // otherwise one column
   if (!has_titles && origin.separator == ',')
     if (std::optional<std::string> apart = with_semicolons(text))
       return {std::move(origin),
@@ -148,7 +150,7 @@ SheetFile sheet_of_workbook(std::string_view bytes, SheetOrigin origin, const Sh
   return file;
 }
 
-// Files that hold no table as text, told by their first bytes.
+// Files without a text table, recognised by their first bytes.
 void refuse_other_kinds(std::string_view bytes) {
   const auto refuse = [](std::string found, std::string remedy) {
     throw InputError({.problem = fmt::format("The file is {}, not a table as text or an Excel workbook (.xlsx)", found),

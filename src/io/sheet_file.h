@@ -1,4 +1,4 @@
-// A file as a sheet of cells, whatever it is: the bytes of a text in its encoding, or a workbook. All that read tables begin here.
+// A file as a sheet of cells: text in any supported encoding, or a workbook.
 #pragma once
 
 #include <cstddef>
@@ -14,45 +14,47 @@
 
 namespace flexslip {
 
-// What a user decides about a file; all else is found.
+// Choices of the user. Everything else is detected.
 struct SheetOptions {
-  std::optional<SheetChoice> sheet{};  // of a workbook
-  std::optional<Encoding> encoding{};  // of a text
-  std::optional<char> separator{};     // of a text: ',', ';', '\t'; ' ' for runs of spaces and tabs
+  std::optional<SheetChoice> sheet{};  // for a workbook
+  std::optional<Encoding> encoding{};  // for a text
+  std::optional<char> separator{};     // for a text: ',', ';', '\t'; ' ' for runs of spaces and tabs
 };
 
-// Where a sheet comes from.
+// The origin of a sheet.
 struct SheetOrigin {
-  std::string source{};        // the file as the user named it
-  bool has_delimiters = true;  // encoding, separator and quotes; the cells of a workbook are apart
+  std::string source{};        // the name that the user gave
+  bool has_delimiters = true;  // true for a text, which has an encoding, a separator and quotes
   Encoding encoding = Encoding::utf8;
   bool byte_order_mark = false;
   char separator = '\t';
-  std::optional<std::string> sheet{};  // of the workbook that it is, whose rows are the lines
-  std::vector<std::string> sheets{};   // of that workbook
-  std::vector<std::string> alike{};    // those of them that it may be as well, see WorkbookSheet
-  std::string which_sheet{};           // and why, of several; among the notes as well
-  bool sheet_is_chosen = false;        // by who called
+  std::optional<std::string> sheet{};  // the sheet that was read, if the file is a workbook
+  std::vector<std::string> sheets{};   // all sheets of the workbook
+  std::vector<std::string> alike{};    // other candidates for the table (WorkbookSheet)
+  std::string which_sheet{};           // which of several sheets was read, and why; one of the notes
+  bool sheet_is_chosen = false;        // by the caller
 };
 
 struct SheetFile {
   SheetOrigin origin;
   Sheet cells;
-  std::vector<std::string> notes;  // what was decided
+  std::vector<std::string> notes;  // decisions
 };
 
-// A file from its bytes.
-// Fails:      InputError with the file: what decode and read_sheet refuse; a sheet wanted of a text, an encoding or a separator of a workbook.
+// Reads a file from its bytes.
+// Fails:      InputError with the file: as decode and read_sheet; for a sheet name if it is a text;
+//             for an encoding or a separator if it is a workbook.
 SheetFile sheet_in(std::string bytes, const std::string& source, const SheetOptions& options, SheetFor purpose);
 
-// The same from a file; "-" is standard input.
+// Reads a file; "-" is standard input.
 SheetFile open_sheet(const std::string& path, const SheetOptions& options, SheetFor purpose);
 
-// The refusal of a cell that holds a date or a clock time where a number is wanted, with its place and a remedy. Counted from 0.
+// The error for a date or clock time where a number is needed, with place and remedy. Line and
+// column count from 0.
 InputError dated(const SheetFile& file, std::size_t line, std::size_t column, std::string_view expected);
 
-// An error in what a sheet holds. If nobody chose that sheet, the others are in its remedy: is the table on one of them? One in a single cell is
-// left as it is.
+// The error, with the other sheets in its remedy if nobody chose the sheet. An error of a single
+// cell is returned unchanged.
 InputError with_other_sheets(const InputError& error, const SheetOrigin& origin);
 
 }  // namespace flexslip

@@ -13,13 +13,14 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t most_at_end = 8;   // mean, deviation, variance, sum, count, least, greatest, and one to spare
-constexpr std::size_t most_below = 20;   // rows with labels; more are readings that somebody labelled
-constexpr std::size_t fewest_rows = 12;  // of which fewer have statistics by chance
-constexpr double far = 5;          // times the longest step between readings: a stage that is driven makes none such
-constexpr double as_shown = 2e-3;  // of a statistic, which is written with three digits or more
+constexpr std::size_t most_at_end = 8;   // mean, deviation, variance, sum, count, minimum, maximum, and one spare
+constexpr std::size_t most_below = 20;   // labelled rows; more are labelled readings
+constexpr std::size_t fewest_rows = 12;  // fewer rows match statistics by chance
+constexpr double far = 5;                // times the largest step between readings
+constexpr double as_shown = 2e-3;        // relative; statistics are written with at least three digits
 
-// The beginnings of labels, each a word of its own, in lower case: English; German; French, Spanish, Italian, Portuguese, Turkish; Japanese.
+// The first words of labels, in lower case: English, German, French, Spanish, Italian, Portuguese,
+// Turkish, Japanese.
 constexpr std::string_view statistics =
     " mean average avg max maximum min minimum median std stdev stddev stdabw sd rms sum total variance var"
     " cv cov mittelwert mittel mw standardabweichung standardabw streuung summe varianz variationskoeffizient"
@@ -31,7 +32,7 @@ bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-// Numbers of a column, one more at a time.
+// Running statistics of a column.
 class Summary {
  public:
   void add(double value) {
@@ -45,12 +46,12 @@ class Summary {
     greatest_ = std::max(greatest_, value);
   }
 
-  // Mean, deviations, sum; least and greatest.
+  // Mean, deviations, sum; minimum and maximum.
   std::array<double, 6> statistics() const {
     const auto n = static_cast<double>(count_);
     return {mean_, std::sqrt(squares_ / (n - 1)), std::sqrt(squares_ / n), sum_, least_, greatest_};
   }
-  static constexpr std::size_t of_all = 4;  // of them no reading is one but by chance
+  static constexpr std::size_t of_all = 4;  // the first four, which a reading equals only by chance
   static constexpr std::size_t count = 6;
 
  private:
@@ -59,7 +60,7 @@ class Summary {
   double least_ = std::numeric_limits<double>::infinity(), greatest_ = -least_;
 };
 
-// The first statistic that a row is in all columns; Summary::count if none.
+// The first statistic that matches a row in all columns; Summary::count if none does.
 std::size_t statistic_on(std::span<const Summary> above, std::span<const std::vector<double>> columns,
                          std::size_t row) {
   for (std::size_t which = 0; which < Summary::count; ++which) {
@@ -73,7 +74,8 @@ std::size_t statistic_on(std::span<const Summary> above, std::span<const std::ve
   return Summary::count;
 }
 
-// Is a row elsewhere than the one before, in all columns? Where all readings are alike, each is their mean. And in one of them by far?
+// The step to a row from the previous one: `is_one` if all columns change (equal readings are their
+// own mean), `is_far` if a column changes by far more than between readings.
 struct Jump {
   bool is_one = true, is_far = false;
 };
@@ -96,7 +98,7 @@ bool is_label(std::string_view cell) {
   return cell.size() > 4 || std::find(missing.begin(), missing.end(), folded(cell)) == missing.end();
 }
 
-// A row whose first cell that is not empty is a label.
+// A row whose first non-empty cell is a label.
 struct LabelledRow {
   std::size_t row;  // from 0
   bool is_statistic;
@@ -107,7 +109,7 @@ bool are_data(std::size_t labels, std::size_t rows) { return 2 * labels >= rows;
 std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labelled, std::size_t rows) {
   if (labelled.empty() || are_data(labelled.size(), rows)) return {};
   std::vector<std::size_t> found;
-  std::size_t below = 0;  // how many stand at the end
+  std::size_t below = 0;  // number of them at the end
   while (below < labelled.size() && labelled[labelled.size() - 1 - below].row == rows - 1 - below) ++below;
   if (below > most_below) below = 0;
   for (std::size_t i = 0; i < labelled.size(); ++i)
@@ -115,7 +117,8 @@ std::vector<std::size_t> rows_below_readings(std::span<const LabelledRow> labell
   return found;
 }
 
-// How many rows at the end are statistics by their numbers. So many rows stand below a break; 0 without one.
+// The number of rows at the end that are statistics by their numbers. `below_break`: the number of
+// rows below a break.
 std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std::size_t below_break) {
   if (columns.size() < 2 || columns.front().size() < fewest_rows) return 0;
   const std::size_t rows = columns.front().size();
@@ -138,7 +141,7 @@ std::size_t statistics_at_end(std::span<const std::vector<double>> columns, std:
   return 0;
 }
 
-// How many rows stand below the last break, lines without anything.
+// The number of rows below the last break, a gap of empty lines.
 std::size_t rows_below_break(const Sheet& sheet, std::span<const std::size_t> lines) {
   if (lines.empty()) return 0;
   std::size_t begin = lines.size() - 1;
@@ -148,7 +151,7 @@ std::size_t rows_below_break(const Sheet& sheet, std::span<const std::size_t> li
   return begin > 0 ? lines.size() - begin : 0;
 }
 
-// Are so few of the rows below a break that they may be no readings? More are another cycle.
+// True if the rows below a break are too few for another cycle, and may not be readings.
 bool are_few(std::size_t below_break, std::size_t rows) {
   constexpr std::size_t few = 12;
   return below_break > 0 && below_break <= few && 3 * below_break < rows;
@@ -156,9 +159,11 @@ bool are_few(std::size_t below_break, std::size_t rows) {
 
 std::string below_a_break(std::size_t first_line, std::size_t last_line) {
   return first_line == last_line
-             ? fmt::format("line {} stands below a break and counts as a reading: delete it if it is none", last_line)
-             : fmt::format("lines {} to {} stand below a break and count as readings: delete them if they are none",
-                           first_line, last_line);
+             ? fmt::format("line {} is below a break and counts as a reading: delete it if it is not a reading",
+                           last_line)
+             : fmt::format(
+                   "lines {} to {} are below a break and count as readings: delete them if they are not readings",
+                   first_line, last_line);
 }
 
 }  // namespace

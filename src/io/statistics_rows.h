@@ -1,4 +1,4 @@
-// Rows below readings that say something of them: their mean, their greatest, their deviation. They are no readings.
+// Rows of statistics below the readings: mean, maximum, standard deviation. They are not readings.
 #pragma once
 
 #include <cstddef>
@@ -11,32 +11,35 @@
 
 namespace flexslip {
 
-// Does a cell call its row a statistic: "Mean", "Std. Dev.", "Mittelwert", "Écart type", "平均"?
+// True for a label of statistics: "Mean", "Std. Dev.", "Mittelwert", "Écart type", "平均".
 bool names_statistic(std::string_view cell);
 
-// The label of a line, its first cell that is not empty, if that holds letters and is no number or unit with one; empty otherwise.
+// The label of a line: its first non-empty cell, if it holds letters and is neither a number with a
+// unit nor a unit. Otherwise empty.
 std::string_view label_of(const Sheet& sheet, std::size_t line);
 
-// Rows that are no readings, in their order, and what is said of them, and of those that may be none.
+// Rows that are not readings, ascending, and notes on them and on doubtful rows.
 struct StatisticsRows {
   std::vector<std::size_t> rows;
   std::vector<std::string> notes;
 };
 
-// The rows of statistics among those of a table, which stand on these lines of a sheet, counted from 0 and rising. Lines that are known to be
-// statistics are said with them.
-// Domain:     columns of one length, that of the lines.
-// Method:     by labels, where they are few: rows whose label names a statistic, and those below all rows without a label. Where half of the rows or
-//             more have one, labels are data: phases, names. Or else by numbers: rows at the end that are, each in all columns, the mean, the standard
-//             deviation, the sum, the least or the greatest of those above, to three digits; one of them a mean, a deviation or a sum that is
-//             elsewhere than the row above it, by far more than readings are from each other in some column, or below a break.
-//             Of fewer than two columns or twelve rows, none.
+// The rows of statistics in a table. `lines` are the lines of its rows, from 0, ascending. Known
+// lines of statistics are added to the notes.
+// Domain:     columns as long as `lines`.
+// Method:     by labels, if less than half of the rows have one: rows whose label names a
+//             statistic, and labelled rows at the end. With more labels, the labels are data, such
+//             as names of phases. Otherwise by numbers: a row at the end that is, in all columns
+//             and to three digits, the mean, standard deviation, sum, minimum or maximum of the
+//             rows above. One of these rows must be a mean, deviation or sum that lies below a
+//             break, or that differs from the row above by far more than readings differ. Tables
+//             with fewer than two columns or twelve rows have no such rows.
 // Cost:       linear.
 StatisticsRows statistics_among(const Sheet& sheet, std::span<const std::size_t> lines,
                                 std::span<const std::vector<double>> columns,
                                 std::vector<std::size_t> known_lines = {});
 
-// The values of a column, one for each row, without those of some rows, which rise.
+// The values of a column without some rows. The rows are ascending.
 template <class Value>
 std::vector<Value> without_rows(std::vector<Value> all, std::span<const std::size_t> rows) {
   if (rows.empty()) return all;

@@ -22,7 +22,7 @@ namespace {
 
 bool is_number_with(char decimal, std::string_view cell) { return !std::isnan(number_in(cell, {decimal})); }
 
-// Is the cell called a number, and none that a column may have: "nan", "-inf", "1e999"?
+// True for a special number, which no column may contain: "nan", "-inf", "1e999".
 bool is_not_finite(std::string_view cell) {
   const std::optional<double> value = plain_number(cell);
   return value && !std::isfinite(*value);
@@ -30,7 +30,8 @@ bool is_not_finite(std::string_view cell) {
 
 bool names_unit(std::string_view text) { return text == "1" || text == "-" || unit_named(text); }
 
-// The title of a column as a file has it: a unit at the end in either kind of brackets, or else all of it is a name.
+// The title of a column in a file. A unit is at the end, in either kind of brackets; otherwise all
+// of the text is a name.
 ColumnTitle title_in_header(std::string_view text) {
   const std::size_t open = text.find_last_of("[(");
   if (open == std::string_view::npos || open == 0) return {std::string(text), ""};
@@ -41,9 +42,9 @@ ColumnTitle title_in_header(std::string_view text) {
 }
 
 struct HeaderCell {
-  std::string text;  // as it stands
+  std::string text;  // unchanged
   ColumnTitle title;
-  std::string_view name_before_unit() const;  // where brackets at its end hold what is no unit; or else empty
+  std::string_view name_before_unit() const;  // of brackets at the end without a unit; otherwise empty
 };
 
 std::string_view HeaderCell::name_before_unit() const {
@@ -54,12 +55,12 @@ std::string_view HeaderCell::name_before_unit() const {
              : std::string_view{};
 }
 
-// A wanted column, found in the file.
+// A requested column, found in the file.
 struct Source {
-  std::size_t cell;   // which one of a line
+  std::size_t cell;   // index in a line
   std::string field;  // for messages
   Kind kind;
-  std::vector<std::string> units;  // wherever one is stated: in the title asked for, the header, the line of units
+  std::vector<std::string> units;  // all stated units: in the requested title, the header, the line of units
 };
 
 struct Header {
@@ -67,7 +68,7 @@ struct Header {
   std::vector<HeaderCell> cells;
 };
 
-// What the links of the chain look at.
+// The input of the steps.
 struct Opened {
   const SheetFile& file;
   char decimal;  // of words
@@ -75,11 +76,11 @@ struct Opened {
   const Sheet& sheet() const { return file.cells; }
   bool is_row(std::size_t line) const { return !sheet().is_comment(line) && !sheet().is_blank(line); }
 
-  // A number, which is that of a workbook or written with the mark of the table; NaN if it is none.
+  // A number of a workbook, or one with the decimal mark of the table; otherwise NaN.
   double number(std::size_t line, std::size_t column, CellKind kind) const {
     return number_in(sheet().at(line, column), {kind == CellKind::word ? decimal : '.'});
   }
-  // Likewise, or what is called one: "nan", "-inf".
+  // True for a number, or for a special one: "nan", "-inf".
   bool has_number(std::size_t line, std::size_t column) const {
     return !std::isnan(number(line, column, sheet().kind(line, column))) || is_not_finite(sheet().at(line, column));
   }
@@ -96,12 +97,12 @@ struct Opened {
   }
 };
 
-// Lines from one on that are rows, and whose quotes are in pairs.
+// Lines that are rows, with paired quotes.
 std::optional<std::size_t> next_row(const Opened& opened, std::size_t line) {
   while (line < opened.sheet().size() && !opened.is_row(line)) ++line;
   if (line == opened.sheet().size()) return std::nullopt;
   if (const std::size_t cell = opened.sheet().stray_quote(line); cell > 0)
-    opened.refuse(line, "", fmt::format("Cell {} holds a stray quote: quotes stand in pairs around a whole cell", cell),
+    opened.refuse(line, "", fmt::format("Cell {} holds a stray quote: quotes come in pairs around a whole cell", cell),
                   "delete it");
   return line;
 }
@@ -116,7 +117,7 @@ Header header_of(const Opened& opened) {
   const auto cells = opened.sheet().cells(*line);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     std::string text(cells[i]);
-    // "w_s [m] F [N]": the space before a unit separates nothing.
+    // "w_s [m] F [N]": the space before a unit does not separate.
     if (opened.file.origin.separator == ' ' && !header.cells.empty() && text.starts_with('[')) {
       text = header.cells.back().text + " " + text;
       header.cells.pop_back();
@@ -128,7 +129,7 @@ Header header_of(const Opened& opened) {
     opened.refuse(*line, "", "This line holds numbers, where the names of the columns are needed",
                   "add one above, such as \"w_s [m],F [N]\"");
   while (header.cells.back().text.empty())
-    header.cells.pop_back();  // a delimiter at the end of the line begins no column
+    header.cells.pop_back();  // a separator at the end of the line starts no column
   return header;
 }
 
@@ -144,13 +145,13 @@ InputError missing_column(const Opened& opened, const Header& header, const std:
                      .part = TablePart::title});
 }
 
-// What stands behind the last underscore of a name that states no unit elsewhere: "m" of "w_s_m".
+// The text after the last underscore of a name without a unit: "m" of "w_s_m".
 std::string_view end_of(std::string_view name) {
   const std::size_t at = name.rfind('_');
   return at == std::string_view::npos || at == 0 ? std::string_view{} : name.substr(at + 1);
 }
 
-// Is a name that is asked for without a unit that of a column whose unit is the end of its name?
+// True if a name requested without a unit matches a column whose name ends in its unit.
 bool is_before_end(const ColumnTitle& asked, const Kind& kind, std::string_view name) {
   const std::string_view end = end_of(name);
   if (!asked.unit.empty() || end.empty() || name.substr(0, name.size() - end.size() - 1) != asked.name) return false;
@@ -187,7 +188,7 @@ std::vector<Source> sources_of(const Opened& opened, const Header& header, const
   return sources;
 }
 
-// A line of units has words where the wanted columns should have numbers.
+// True for a line of units: the requested columns have words instead of numbers.
 bool is_unit_line(const Opened& opened, const std::vector<Source>& sources, std::size_t line) {
   bool words = false;
   bool numbers = false;
@@ -202,7 +203,7 @@ bool is_unit_line(const Opened& opened, const std::vector<Source>& sources, std:
   return words && !numbers;
 }
 
-// The unit of a wanted column, on which all that state one agree, and what is said of it.
+// The unit of a requested column, on which all sources must agree, and its note.
 struct AgreedUnit {
   Unit unit;
   std::string note{};
@@ -272,7 +273,7 @@ std::string remedy_for_cell(std::string_view cell, char decimal) {
                 TablePart::cell);
 }
 
-// As many cells as the header, or empty ones beyond.
+// True for as many cells as the header, or empty ones beyond.
 void require_count(const Opened& opened, const Header& header, std::size_t line) {
   const Sheet::Cells cells = opened.sheet().cells(line);
   const std::size_t count = header.cells.size();
@@ -288,7 +289,7 @@ void require_count(const Opened& opened, const Header& header, std::size_t line)
                     : "");
 }
 
-// The rows of numbers from one on, and those that only hold words for a statistic where numbers are wanted. Lines count from 0.
+// The rows of numbers, and the rows that only have words for statistics. Lines count from 0.
 struct NumberRows {
   std::vector<std::size_t> lines;
   std::vector<std::vector<double>> columns;  // [SI]
@@ -303,7 +304,7 @@ NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const
   out.lines.reserve(most);
   for (std::vector<double>& column : out.columns) column.reserve(most);
   for (; row; row = next_row(opened, *row + 1)) {
-    const Source* lacking = nullptr;  // the first that has no number
+    const Source* lacking = nullptr;  // the first without a number
     for (std::size_t i = 0; i < sources.size(); ++i) {
       const std::size_t cell = sources[i].cell;
       const CellKind kind = opened.sheet().kind(*row, cell);
@@ -324,7 +325,7 @@ NumberRows rows_from(std::optional<std::size_t> row, const Opened& opened, const
   return out;
 }
 
-// The wanted columns of a sheet: nothing is guessed, as a user names them.
+// The requested columns of a sheet. Nothing is guessed, because the user names them.
 Table recognise(const Opened& opened, const std::vector<WantedColumn>& wanted) {
   const Header header = header_of(opened);
   std::vector<Source> sources = sources_of(opened, header, wanted);
@@ -396,7 +397,7 @@ ColumnTitle parse_column_title(std::string_view title) {
                       .remedy = "write it as in \"F_N [N]\""});
   if (open == std::string_view::npos) return {std::string(name), ""};
   const std::string_view unit = without_brackets(body.substr(open));
-  if (!names_unit(unit)) parse_unit(unit);  // says what is wrong with it
+  if (!names_unit(unit)) parse_unit(unit);  // reports what is wrong with it
   return {std::string(name), std::string(unit)};
 }
 
@@ -451,13 +452,13 @@ TextTable read_text_table(const std::string& path) {
   for (auto title = table.titles.begin(); title != table.titles.end(); ++title) {
     if (title->empty()) refuse(table.header_line, "A column has no title", "");
     if (std::find(table.titles.begin(), title, *title) != title)
-      refuse(table.header_line, fmt::format("The title {} stands twice", in_quotes(*title)), "");
+      refuse(table.header_line, fmt::format("The title {} occurs twice", in_quotes(*title)), "");
   }
   return table;
 }
 
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {
-  constexpr std::size_t block = 1 << 16;  // [bytes] handed to the stream at a time
+  constexpr std::size_t block = 1 << 16;  // [bytes] written to the stream at a time
   fmt::memory_buffer text;
   for (std::size_t i = 0; i < titles.size(); ++i) {
     if (i > 0) text.push_back(',');

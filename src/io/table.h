@@ -1,5 +1,5 @@
-// Tables of readings or of words, whose columns have titles. A table has one header line, with units in this line or in the
-// line below. Empty lines and comments, which start with #, are skipped.
+// Tables of readings or of words. A table has one header line with titles. Units are in this line
+// or in the line below. Empty lines and comments, which start with #, are skipped.
 #pragma once
 
 #include <cstddef>
@@ -59,8 +59,10 @@ struct Table {
 // Reads the requested columns of a table; other columns may hold anything. Every value is finite. Rows of statistics
 // (statistics_rows.h) are omitted. In a workbook, `decimal` applies to numbers that are stored as words.
 // Domain:     at least one wanted column; decimal is '.' or ',' (std::invalid_argument otherwise).
-// Fails:      InputError with file, line and column, for any other content, and for a date or clock time in these columns.
-// Cost:       10^7 rows of two columns in about 1.3 s; memory for the file, 4 bytes a cell of it, and 12 a row and 8 a number wanted.
+// Fails:      InputError with file, line and column, for any other content, and for a date or clock
+//             time in these columns.
+// Cost:       1.3 s for 10^7 rows of two columns. Memory: the file, 4 bytes a cell, 12 bytes a row
+//             and 8 bytes a number.
 Table read_table(const std::string& path, const std::vector<WantedColumn>& wanted, char decimal = '.',
                  const std::optional<SheetChoice>& sheet = {});
 
@@ -69,8 +71,8 @@ Table table_in(std::string bytes, const std::string& source, const std::vector<W
                char decimal = '.');
 
 struct TextRow {
-  std::size_t line;                // of the file, counted from 1
-  std::vector<std::string> cells;  // one for each title; empty where the line is too short
+  std::size_t line;                // in the file, counted from 1
+  std::vector<std::string> cells;  // one for each title; empty if the line is too short
 };
 
 // A table of words, as people keep it in a spreadsheet.
@@ -81,24 +83,24 @@ struct TextTable {
   std::vector<TextRow> rows;
 };
 
-// Reads a table separated by commas, semicolons or tabs, or the first sheet of a workbook that has a number. A cell '=a is
-// read as =a, the inverse of without_formula.
-// Fails:      InputError with file and line: no header, a missing or repeated title, more cells than titles, a stray quote,
-//             a date.
+// Reads a table separated by commas, semicolons or tabs, or the first sheet of a workbook with a
+// number. A cell '=a is read as =a, the inverse of without_formula.
+// Fails:      InputError with file and line: no header, a missing or repeated title, more cells
+//             than titles, a stray quote, a date.
 TextTable read_text_table(const std::string& path);
 
-// What stands in a table that is written: a number, or words.
+// A cell of a written table: a number or words.
 using Cell = std::variant<double, std::string>;
 
-// Gives the cells of the next row; false where there is none.
+// Supplies the cells of the next row; false after the last row.
 using NextRow = std::function<bool(std::vector<Cell>& cells)>;
 
 // Writes CSV with a header. Numbers have the fewest digits (at most 17) that read back to the same bits.
 // Domain:     a cell for each title; std::invalid_argument otherwise.
-// Fails:      InputError if not all could be written.
+// Fails:      InputError if the output is incomplete.
 void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next);
 
-// The same to a file, whole or not at all (OutputFile); "-" is standard output.
+// Writes the table to a file, completely or not at all (OutputFile); "-" is standard output.
 void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next);
 
 }  // namespace flexslip

@@ -12,7 +12,7 @@ bool is_like_formula(std::string_view words) {
   return first != std::string_view::npos && std::string_view("=+-@").find(words[first]) != std::string_view::npos;
 }
 
-// The digits that a text begins with, without leading zeros; the text goes on after them.
+// Takes the leading digits off a text and returns them without leading zeros.
 std::string_view number_at_front(std::string_view& text) {
   std::size_t zeros = 0;
   while (zeros + 1 < text.size() && text[zeros] == '0' && is_digit(text[zeros + 1])) ++zeros;
@@ -43,7 +43,7 @@ std::string folded(std::string_view text) {
     const auto byte = static_cast<unsigned char>(out[i]);
     if (byte < 0x80) out[i] = static_cast<char>(std::tolower(byte));
     const bool latin_capital = i > 0 && static_cast<unsigned char>(out[i - 1]) == 0xc3 && byte >= 0x80 && byte <= 0x9e;
-    if (latin_capital && byte != 0x97) out[i] = static_cast<char>(byte + 0x20);  // 0x97 is the sign of multiplication
+    if (latin_capital && byte != 0x97) out[i] = static_cast<char>(byte + 0x20);  // 0x97 is the multiplication sign
   }
   return out;
 }

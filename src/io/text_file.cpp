@@ -17,7 +17,7 @@ namespace flexslip {
 
 std::shared_ptr<std::istream> open_to_read(const std::string& path) {
   announce_input(path);
-  if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // not ours to close
+  if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // must stay open
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored))
     throw InputError({.file = path, .problem = "This is a directory, not a file"});

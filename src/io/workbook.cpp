@@ -31,22 +31,22 @@ constexpr std::string_view office_mark = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv;
 constexpr std::size_t fewest_readings =
     3;  // rows: a calibration or a sheet of settings has one or two with numbers alone
 
-// What a part may hold, unpacked [bytes]: ten times what the largest sheet of a measurement has, and little enough that an archive
-// made to fill the memory is refused in seconds.
+// [bytes] The limit of an unpacked part: ten times the largest sheet of a measurement. An archive
+// made to fill the memory is refused within seconds.
 constexpr std::uint64_t largest_part = 1ULL << 30;
-constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // of the format
+constexpr std::size_t most_rows = 1 << 20, most_columns = 1 << 14;  // limits of the format
 constexpr std::size_t most_text = std::size_t{1} << 29;             // [bytes]
 constexpr std::size_t most_cells = std::size_t{1} << 26;
-constexpr std::size_t most_relations = 10'000;  // of a part, and so sheets
+constexpr std::size_t most_relations = 10'000;  // of a part; also limits the number of sheets
 constexpr std::uint64_t longest_token = 1ULL
                                         << 24;  // [bytes] of XML: one that does not end is begun anew with each piece
-constexpr int deepest = 100;                    // elements within each other
+constexpr int deepest = 100;                    // nesting of elements
 
-// ---- the archive, which minizip unpacks
+// ---- the archive, unpacked by minizip
 
 constexpr std::size_t piece_size = 1 << 16;  // [bytes] unpacked at a time
 
-// The bytes as a file that minizip reads.
+// The bytes as a file for minizip.
 struct Bytes {
   std::string_view all;
   std::uint64_t at = 0;
@@ -113,7 +113,8 @@ class ZipArchive {
 
   bool has(const std::string& part) const { return unzLocateFile(archive_, part.c_str(), 1) == UNZ_OK; }
 
-  // Hands over what a part holds, piece by piece; of one that is too large nothing more is unpacked.
+  // Passes on the content of a part piece by piece. A part that is too large is not unpacked
+  // further.
   template <class Take>
   void read(const std::string& part, const Take& take) const {
     unz_file_info64 info{};
@@ -126,7 +127,7 @@ class ZipArchive {
     if (info.uncompressed_size > largest_part) refuse_large(part);
     if (unzOpenCurrentFile(archive_) != UNZ_OK) refuse_damaged("damage at the part " + in_quotes(part));
 
-    // Whatever take throws, the part is closed.
+    // The part is closed, whichever exception `take` throws.
     const std::unique_ptr<void, void (*)(void*)> to_close(archive_, [](void* open) { unzCloseCurrentFile(open); });
     std::array<char, piece_size> buffer{};
     std::uint64_t unpacked = 0;
@@ -146,13 +147,13 @@ class ZipArchive {
   unzFile archive_ = nullptr;
 };
 
-// ---- its XML, which expat takes apart
+// ---- its XML, parsed by expat
 
-constexpr char between = '|';  // a namespace and a name
+constexpr char between = '|';  // between namespace and name
 
 std::string_view local(std::string_view name) { return name.substr(name.rfind(between) + 1); }
 
-// The attributes of an element, by their names without namespace; valid while it begins.
+// The attributes of an element by name, without namespace; valid while the element begins.
 class XmlAttributes {
  public:
   explicit XmlAttributes(const char** pairs) : pairs_(pairs) {}
@@ -166,14 +167,14 @@ class XmlAttributes {
   const char** pairs_;  // name, value, ..., nullptr
 };
 
-// What is called for each; names are without namespace. They may throw.
+// The handlers of elements and text. Names have no namespace. Handlers may throw.
 struct XmlHandlers {
   std::function<void(std::string_view name, const XmlAttributes&)> begin;
   std::function<void(std::string_view name)> end = [](std::string_view) {};
   std::function<void(std::string_view text)> text = [](std::string_view) {};  // in pieces
 };
 
-// The elements of a document as they come; what holds them is not kept.
+// The elements of a document in order; enclosing elements are not stored.
 class XmlStream {
  public:
   explicit XmlStream(XmlHandlers handlers) : handlers_(std::move(handlers)) {
@@ -197,7 +198,7 @@ class XmlStream {
       guarded(user, [&](XmlStream& self) { self.handlers_.text({text, static_cast<std::size_t>(length)}); });
     });
     XML_SetStartDoctypeDeclHandler(parser_, [](void* user, const char*, const char*, const char*, int) {
-      guarded(user, [](XmlStream&) {  // it could define entities
+      guarded(user, [](XmlStream&) {  // a document type could define entities
         refuse_odd("a document type in its XML");
       });
     });
@@ -206,7 +207,7 @@ class XmlStream {
   XmlStream(const XmlStream&) = delete;
   XmlStream& operator=(const XmlStream&) = delete;
 
-  // The next piece of the document. Throws what a handler throws.
+  // Parses the next piece of the document. Throws the exception of a handler.
   void feed(std::string_view piece, bool is_last = false) {
     const XML_Status status =
         XML_Parse(parser_, piece.data(), static_cast<int>(piece.size()), is_last ? XML_TRUE : XML_FALSE);
@@ -223,7 +224,7 @@ class XmlStream {
   }
 
  private:
-  // No exception passes through the C of the parser.
+  // Exceptions must not pass through the C code of the parser.
   template <class Call>
   static void guarded(void* user, const Call& call) {
     XmlStream& self = *static_cast<XmlStream*>(user);
@@ -249,7 +250,7 @@ void parse(const ZipArchive& archive, const std::string& part, XmlHandlers handl
   xml.feed({}, true);
 }
 
-// ---- what formats show numbers as
+// ---- how formats display numbers
 
 std::optional<std::size_t> whole(std::string_view text) {
   std::size_t value = 0;
@@ -258,7 +259,7 @@ std::optional<std::size_t> whole(std::string_view text) {
   return value;
 }
 
-// A format built in, some of them as Chinese, Japanese and Korean spreadsheets have them (ECMA-376, 18.8.30).
+// A built-in format, including those for Chinese, Japanese and Korean (ECMA-376, 18.8.30).
 CellKind built_in(std::size_t number) {
   const auto within = [&](std::size_t first, std::size_t last) { return number >= first && number <= last; };
   if (number == 22) return CellKind::date_and_clock;
@@ -267,8 +268,8 @@ CellKind built_in(std::size_t number) {
   return CellKind::number;
 }
 
-// The letters of a format in lower case for positive numbers, without its words: "[h]:mm" is "h:mm". What stands for digits before
-// any letter makes it a format of numbers, whatever unit follows.
+// The date and time letters of a format for positive numbers, without its words: "[h]:mm" is
+// "h:mm". Empty for a number, with or without a unit.
 std::string letters_of(std::string_view code) {
   std::string letters;
   for (std::size_t i = 0; i < code.size() && code[i] != ';'; ++i) {
@@ -277,7 +278,7 @@ std::string letters_of(std::string_view code) {
       i = std::min(code.find('"', i + 1), code.size());
     } else if (c == '\\' || c == '_' || c == '*') {
       ++i;
-    } else if (c == '[') {  // a colour, a condition, a language, or hours that are not cut at 24
+    } else if (c == '[') {  // a colour, condition, language, or hours beyond 24
       const std::size_t end = std::min(code.find(']', i), code.size());
       const std::string_view inside = code.substr(i + 1, end - i - 1);
       const bool is_elapsed = !inside.empty() && inside.find_first_not_of("hms") == std::string_view::npos;
@@ -295,7 +296,7 @@ std::string letters_of(std::string_view code) {
 std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::string& part) {
   std::map<std::size_t, std::string> codes;
   std::vector<CellKind> kinds;
-  bool in_cells = false;  // cellXfs are of cells; cellStyleXfs of styles that these begin from
+  bool in_cells = false;  // true in cellXfs, the formats of cells; cellStyleXfs are base styles
   const auto number_of = [](const XmlAttributes& attributes) {
     return whole(attributes.find("numFmtId").value_or("0")).value_or(0);
   };
@@ -324,7 +325,7 @@ std::vector<CellKind> read_cell_styles(const ZipArchive& archive, const std::str
                     .remedy = "save the workbook anew in the spreadsheet program"});
 }
 
-// The column of "BC12", from 1; 0 if there is none.
+// The column of "BC12", from 1; 0 for other text.
 std::size_t column_in(std::string_view reference) {
   std::size_t column = 0;
   for (const char c : reference) {
@@ -335,7 +336,7 @@ std::size_t column_in(std::string_view reference) {
   return column;
 }
 
-// "_x000D_" is how the format writes a character that XML has not; to a table it is a blank.
+// "_x000D_" encodes a character that XML lacks; in a table it is a blank.
 std::string without_escapes(std::string text) {
   for (std::size_t at = text.find("_x"); at != std::string::npos; at = text.find("_x", at + 1)) {
     const bool is_whole = at + 6 < text.size() && text[at + 6] == '_';
@@ -354,13 +355,14 @@ std::string on_a_line(std::string text) {
   return std::string(trimmed(text));
 }
 
-// Digits with marks alone: a number in the manner of some country, or a line of several, of a text file opened as a workbook.
+// True for digits and marks only: a number in some notation, or a line of numbers of a text file
+// opened as a workbook.
 bool is_like_number(std::string_view words) {
   return words.find_first_of("0123456789") != std::string_view::npos &&
          words.find_first_not_of("0123456789+-.,;eE' ") == std::string_view::npos;
 }
 
-// The words of <si> and <is>: those of their runs, without what tells how to pronounce them.
+// The words of <si> and <is>: the text of their runs, without phonetic hints.
 class Words {
  public:
   void begin(std::string_view name) {
@@ -385,15 +387,15 @@ class Words {
 
 struct Worksheet {
   Sheet cells;
-  std::string lines;                   // in place of these: of words in one column alone
-  std::size_t rows_of_readings = 0;    // with two numbers or more, or numbers alone
-  std::size_t first_reading = 0;       // row of the first of them, from 1
-  std::size_t numbers = 0;             // cells
+  std::string lines;                   // instead of the cells: words in one column only
+  std::size_t rows_of_readings = 0;    // rows with at least two numbers, or only numbers
+  std::size_t first_reading = 0;       // first row of readings, from 1
+  std::size_t numbers = 0;             // cells with numbers
   std::size_t numeric_words = 0;       // cells whose words are digits and marks
   std::size_t first_numeric_word = 0;  // row, from 1
-  std::size_t without_value = 0;       // formulas that no spreadsheet program has computed
-  std::vector<std::size_t> hidden{};   // rows that are not shown, from 1
-  bool has_filter = false;             // which may be what hides them
+  std::size_t without_value = 0;       // formulas without a computed value
+  std::vector<std::size_t> hidden{};   // hidden rows, from 1
+  bool has_filter = false;             // a filter may hide rows
 };
 
 class SheetReader {
@@ -437,7 +439,7 @@ class SheetReader {
   void begin_row(const XmlAttributes& attributes) {
     const auto stated = attributes.find("r");
     const std::size_t row = stated ? whole(*stated).value_or(0) : row_ + 1;
-    if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "A row stands out of order");
+    if (row <= row_ || row > most_rows) refuse(row_ + 1, "", "A row is out of order");
     row_ = row;
     const std::string_view hidden = attributes.find("hidden").value_or("0");
     is_hidden_ = hidden == "1" || hidden == "true";
@@ -446,11 +448,11 @@ class SheetReader {
   }
 
   void begin_cell(const XmlAttributes& attributes) {
-    if (row_ == 0 || in_cell_) refuse(row_, "", "A cell stands outside a row");
+    if (row_ == 0 || in_cell_) refuse(row_, "", "A cell is outside a row");
     const auto stated = attributes.find("r");
     const std::size_t column = stated ? column_in(*stated) : column_ + 1;
     if (column <= column_ || column > most_columns)
-      refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "A cell stands out of order");
+      refuse(row_, stated ? "cell " + in_quotes(*stated) : "", "A cell is out of order");
     next_column_ = column;
     type_ = attributes.find("t").value_or("n");
     style_ = whole(attributes.find("s").value_or("0")).value_or(0);
@@ -504,7 +506,7 @@ class SheetReader {
   }
 
   void end_row() {
-    if (row_ <= out_.cells.size()) return;  // an end without a beginning
+    if (row_ <= out_.cells.size()) return;  // an end tag without a start tag
     widest_ = std::max(widest_, cells_.size());
     if ((filled_rows_ + 1) * widest_ > most_cells) refuse_large();
     out_.cells.append(row_ - 1, cells_);
@@ -527,16 +529,17 @@ class SheetReader {
   const std::vector<std::string>& shared_;
   const std::vector<CellKind>& styles_;
   Worksheet out_;
-  std::vector<SheetCell> cells_;  // of the row that is read
-  bool only_words_ = true;        // in one column, so far
+  std::vector<SheetCell> cells_;  // of the current row
+  bool only_words_ = true;        // true if all cells are words in one column
   std::size_t filled_rows_ = 0, widest_ = 0, size_ = 0;
-  std::size_t row_ = 0, column_ = 0, next_column_ = 0, style_ = 0;  // last written; of the cell that is read
+  std::size_t row_ = 0, column_ = 0, next_column_ = 0,
+              style_ = 0;  // row_ and column_: last written; the others: of the current cell
   bool in_cell_ = false, in_value_ = false, has_formula_ = false, is_hidden_ = false;
   std::string type_, value_;
   Words inline_;
 };
 
-// The strings that the cells of a workbook refer to.
+// The shared strings of a workbook.
 std::vector<std::string> read_shared_strings(const ZipArchive& archive, const std::string& part) {
   std::vector<std::string> strings;
   std::size_t size = 0;
@@ -561,8 +564,8 @@ std::vector<std::string> read_shared_strings(const ZipArchive& archive, const st
                     .remedy = std::move(remedy)});
 }
 
-// Office documents from before 2007 are files of a file system of their own; so is a workbook that was encrypted, whose parts have names
-// in UTF-16.
+// Office documents from before 2007 contain their own file system. An encrypted workbook does too,
+// and its parts have names in UTF-16.
 [[noreturn]] void refuse_office_document(std::string_view bytes) {
   std::string encrypted;
   for (const char c : "EncryptedPackage"sv) encrypted.append({c, '\0'});
@@ -577,7 +580,7 @@ struct Relation {
   std::string part;
 };
 
-// What a part refers to, by identifier.
+// The relations of a part, by identifier.
 std::map<std::string, Relation> relations_of(const ZipArchive& archive, const std::string& part) {
   const std::filesystem::path path(part);
   const std::filesystem::path file = path.parent_path() / "_rels" / (path.filename().string() + ".rels");
@@ -651,7 +654,8 @@ class Workbook {
     bool has_readings;
   };
 
-  // Names of the visible sheets whose readings stand below the same titles as those of a sheet, that among them; empty if it is the only one.
+  // The visible sheets with readings below the same titles as a sheet, including this sheet; empty
+  // if it is the only one.
   std::vector<std::string> alike(const Chosen& chosen) const {
     const std::string titles = titles_of(chosen.sheet);
     std::vector<std::string> names;
@@ -683,7 +687,7 @@ class Workbook {
   }
 
  private:
-  // The words above its readings: a row of units, too, if as many stand in the row above it.
+  // The words above the readings, including a row of units if the row above has as many words.
   static std::string titles_of(const Worksheet& sheet) {
     const std::size_t first = sheet.first_reading;
     if (sheet.rows_of_readings < fewest_readings || first < 2 || sheet.cells.is_blank(first - 2)) return "";

@@ -1,4 +1,4 @@
-// Excel workbooks (.xlsx, .xlsm): a sheet of one as cells that know what they hold.
+// Excel workbooks (.xlsx, .xlsm): one sheet as cells with their kinds.
 #pragma once
 
 #include <cstddef>
@@ -12,40 +12,44 @@
 
 namespace flexslip {
 
-// Which sheet of a workbook: its number from 1, or its name, which may be a number in words where no sheet is called that.
+// The choice of a sheet: its number from 1, or its name. A name of digits is a number if no sheet
+// has this name.
 using SheetChoice = std::variant<std::string, std::size_t>;
 
-// What a sheet is read for.
+// The purpose for which a sheet is read. It decides which sheet is taken if the user chooses no sheet.
 enum class SheetFor {
-  readings,  // of columns to be found; where no sheet is chosen, the first visible one with three rows of readings or more, else that for words
-  titled_readings,  // of columns that somebody names; likewise
-  words,            // the first visible one with a number
+  readings,         // detected columns: the first visible sheet with three rows of readings, or else as words
+  titled_readings,  // columns named by the user: the same sheet
+  words,            // the first visible sheet with a number
 };
 
 struct WorkbookSheet {
   std::string name;
-  std::vector<std::string> sheets;  // the names of all that hold cells, in their order
-  std::vector<std::string>
-      alike;  // those that hold readings below the same titles, where none is wanted and there are several: one specimen each
-  // Row n is line n - 1. Numbers as the workbook has them, digit for digit; formulas by their stored values; TRUE and FALSE; dates as the
-  // numbers of days that they are.
+  std::vector<std::string> sheets;  // the names of all sheets with cells, in order
+  std::vector<std::string> alike;   // sheets with the same titles; empty if one was chosen or there is one only
+  // Row n is line n - 1. Numbers have all digits of the workbook, formulas their stored values, and
+  // dates are numbers of days.
   Sheet cells;
-  std::optional<std::string> text;  // instead, of words in one column alone: a text file that was opened as a workbook
-  std::string which;                // it is, and why, of several sheets; the first of the notes
-  std::vector<std::string> notes;   // what was decided
+  std::optional<std::string>
+      text;           // instead of cells: words in one column only, from a text file that was opened as a workbook
+  std::string which;  // which of several sheets was read, and why; the first note
+  std::vector<std::string> notes;  // decisions
 };
 
-// Do the bytes begin as those of an archive or of an old office document do? No table of text does.
+// True if the bytes begin like an archive or an old office document. No text table does.
 bool is_packed(std::string_view bytes);
 
-// A sheet of a workbook: that wanted, or the one that suits.
-// Fails:      InputError, without a file, that says what to do: with a password, .xls, .xlsb, .ods, .numbers, another archive; damaged;
-//             no such sheet; none with a number; a cell that is out of place or no number; more than 512 MiB of text or 2^26 cells.
-// Cost:       10^5 rows of three columns in about 0.3 s, of all sheets that may be alike, and the memory of their text and five bytes a cell.
+// Reads the chosen sheet of a workbook, or a suitable one.
+// Fails:      InputError, without a file, with a remedy: a password, .xls, .xlsb, .ods, .numbers,
+//             or another archive; a damaged file; no such sheet; no sheet with a number; a cell out
+//             of order or with an invalid number; more than 512 MiB of text or 2^26 cells.
+// Cost:       0.3 s for 10^5 rows of three columns, for each sheet with the same titles. Memory:
+//             the text and 5 bytes a cell.
 WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice>& wanted = {},
                          SheetFor purpose = SheetFor::readings);
 
-// What a number is shown as by a format of a workbook: its number, and its code if it is none of those built in.
+// The kind of value that a number format displays. `code` is the format code if the format is not
+// built in.
 CellKind kind_of_format(std::size_t number, std::string_view code = {});
 
 }  // namespace flexslip

@@ -111,7 +111,7 @@ test("a unit that is wrong in a title: the file is in the list, it is said what 
   await tab.locator("#card select[aria-label=force]").selectOption({ label: "force, in mm" });
   await tab.waitForFunction(() => document.querySelector("#answer").innerText.includes("The column"));
   const words = await tab.locator("#answer").innerText();
-  assert.match(words, /The column 'force' is in 'mm', not in a unit of a force/);
+  assert.match(words, /The column 'force' is in 'mm', not in a unit of force/);
   assert.doesNotMatch(words, /--[a-z]/);
   assert.equal(await tab.locator("#fit").innerText(), "Fit");
   assert.deepEqual(tab.said, []);

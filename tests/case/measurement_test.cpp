@@ -301,8 +301,8 @@ TEST_CASE("measurement: all that a file leaves open is asked at once, in the wor
     return complaint([&] { folder.exported(above, lines); });
   };
   const std::string many = asked("Time,Extension,Load\nS,MM,KN\n", "");
-  CHECK(many.find("3 more inputs are needed: (1) is 'Extension' that of the crosshead or the deflection of the "
-                  "specimen? write displacement = \"crosshead|deflection\" into [record] (2) what is the unit of "
+  CHECK(many.find("3 more inputs are needed: (1) was 'Extension' measured at the crosshead or at the specimen's "
+                  "midpoint? write displacement = \"crosshead|deflection\" into [record] (2) what is the unit of "
                   "'Extension', which says 'MM': mm? write displacement_column = \"Extension [mm]\" into [record] (3) "
                   "what is the unit of 'Load', which says 'KN': kN? write force = \"Load [kN]\" into [record]") !=
         std::string::npos);

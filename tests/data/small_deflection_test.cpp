@@ -199,7 +199,9 @@ TEST_CASE("small_deflection: the toe does not lie before the record begins (limi
   CHECK(small_deflection(in_steps(0.01e-3, 4e-3, 0.1, 1, bent_down), known()).origin >= 0);
 }
 
-TEST_CASE("small_deflection: a chord in the toe is not the modulus to report; one of a specimen that friction steepens is (truth)") {
+TEST_CASE(
+    "small_deflection: a chord in the toe is not the modulus to report; one of a specimen that friction steepens is "
+    "(truth)") {
   constexpr double toe = 1e-3;  // a contact that settles: the force rises as the square of the deflection
   const auto settling = [](double w) { return k * (w < toe ? w * w / (2 * toe) : w - 0.5 * toe); };
   const auto found = small_deflection(in_steps(0.01e-3, 4e-3, 0.02, 1, settling), known());

@@ -39,7 +39,7 @@ TEST_CASE(
     hum.push_back(noise(random));
   }
   CHECK(has(said_of(ramp, cell), "column 'Aux' in V, which follows 'Load' (correlation -"));
-  CHECK(has(said_of(scatter, cell), "column 'Aux' in V beside 'Load', which holds only noise"));
+  CHECK(has(said_of(scatter, cell), "column 'Aux' in V, while 'Load' holds only noise"));
   CHECK(said_of(ramp, hum).empty());
   for (const char* name : {"Axial cmd", "Command", "Sollwert", "Temperature"}) CHECK(said_of(ramp, cell, name).empty());
   CHECK(has(message_of([&] { export_in("Stroke [mm],Aux [V]\n0.1,0.5\n0.2,0.6\n0.3,0.7\n", "e.csv"); }),

@@ -22,23 +22,22 @@ using Groups = std::vector<std::vector<std::size_t>>;
 TEST_CASE("column_words: titles of the machines' manuals and dictionaries mean what they say") {
   for (const char* name : {"Time", "Running Time", "Prüfzeit", "PRÜFZEIT", "Temps", "Elapsed", "時間", "Tiempo"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::time, name);
-  for (const char* name :
-       {"Load", "Axial Force", "Standardkraft", "Prüfkraft", "Charge", "Carga", "kuvvet", "試験力", "荷重", "F",
-        "Flexure load", "Last", "Obciążenie", "载荷", "하중"})
+  for (const char* name : {"Load", "Axial Force", "Standardkraft", "Prüfkraft", "Charge", "Carga", "kuvvet", "試験力",
+                           "荷重", "F", "Flexure load", "Last", "Obciążenie", "载荷", "하중"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::force, name);
   for (const char* name : {"Crosshead", "Stroke", "Traverse absolue", "Standardweg", "Standard travel", "Traversenweg",
                            "ストローク", "w_s"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::crosshead, name);
   for (const char* name : {"Deflection", "Durchbiegung", "Flèche", "FLÈCHE", "Flexure", "たわみ", "挠度", "w0"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::deflection, name);
-  for (const char* name :
-       {"Displacement", "Extension", "Position Run #1", "Ch 1 LVDT", "Weg", "Allongement", "uzama", "変位",
-        "Flexure extension", "Przemieszczenie", "Corsa", "位移", "Elongation", "Distance"})
+  for (const char* name : {"Displacement", "Extension", "Position Run #1", "Ch 1 LVDT", "Weg", "Allongement", "uzama",
+                           "変位", "Flexure extension", "Przemieszczenie", "Corsa", "位移", "Elongation", "Distance"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::displacement, name);
   for (const char* name :
        {"Strain", "Flexure stress", "Crosshead speed", "Ch 2 Torque", "Dehnung", "Load rate", "Size", "Cycle"})
     CHECK_MESSAGE(role_of(name) == ColumnRole::other, name);
-  for (const char* name : {"Load rate", "Preload", "Friction force", "Axial cmd", "Load err", "Sollwert Kraft", "Valeur de consigne"})
+  for (const char* name :
+       {"Load rate", "Preload", "Friction force", "Axial cmd", "Load err", "Sollwert Kraft", "Valeur de consigne"})
     CHECK_MESSAGE(names_other_quantity(name), name);
   for (const char* name : {"Size", "Load", "ch0", "Messwert"}) CHECK_MESSAGE(!names_other_quantity(name), name);
 }

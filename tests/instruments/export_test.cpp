@@ -632,12 +632,14 @@ TEST_CASE("export: the flags that repeat the decisions make the same of the file
   }
 }
 
-TEST_CASE("export: a unit decides a role that no title has, unless two columns have it or the title names another quantity") {
+TEST_CASE(
+    "export: a unit decides a role that no title has, unless two columns have it or the title names another quantity") {
   const auto roles_of = [](const std::string& titles) {
     std::string text = titles + "\n";
     for (int i = 0; i < 20; ++i) text += fmt::format("{0},{1},{2}\n", i, 2 * i, 3 * i);
     std::vector<ColumnRole> roles;
-    for (const ExportColumn& column : export_in(text, "test.csv").specimens.front().columns) roles.push_back(column.role);
+    for (const ExportColumn& column : export_in(text, "test.csv").specimens.front().columns)
+      roles.push_back(column.role);
     return roles;
   };
   using enum ColumnRole;
@@ -648,8 +650,10 @@ TEST_CASE("export: a unit decides a role that no title has, unless two columns h
 }
 
 TEST_CASE("export: a remark behind the last column is no cell, and units may stand far above the titles") {
-  std::string text = "LabVIEW Measurement\nY_Unit_Label\tVolts\tVolts\nX0\t0.0\t0.0\nX_Value\tDev2/ai0\tDev2/ai1\tComment\n";
-  for (int i = 0; i < 20; ++i) text += fmt::format("\t{}\t{}{}\n", 0.1 * i, 0.2 * i, i == 7 ? "\tForce Coeff: 50.0" : "");
+  std::string text =
+      "LabVIEW Measurement\nY_Unit_Label\tVolts\tVolts\nX0\t0.0\t0.0\nX_Value\tDev2/ai0\tDev2/ai1\tComment\n";
+  for (int i = 0; i < 20; ++i)
+    text += fmt::format("\t{}\t{}{}\n", 0.1 * i, 0.2 * i, i == 7 ? "\tForce Coeff: 50.0" : "");
   const Export file = export_in(text, "test.lvm");
   const ExportedSpecimen& specimen = file.specimens.front();
   CHECK(specimen.lines.size() == 20);

@@ -200,7 +200,7 @@ TEST_CASE("layout: rows go on behind a remark, or their titles once more (table)
     REQUIRE(file.specimens.size() == 1);
     CHECK(is_one(column_with(file, file.specimens.front(), ColumnRole::force), "N", force_of));
     CHECK(std::any_of(file.notes.begin(), file.notes.end(),
-                      [](const std::string& note) { return has(note, "left out, as they are not rows of 3 cells"); }));
+                      [](const std::string& note) { return has(note, "left out, because they do not have 3 cells"); }));
   }
   const Export other = with("Time [s];Position [mm];Stress [MPa]\n", 100);
   CHECK(other.specimens.front().columns.front().values.size() == rows * 3 / 4);

@@ -40,7 +40,7 @@ TEST_CASE("sheet file: commas that separate cells and decimals alike (table)") {
   CHECK(file.cells.at(2, 1) == "-0,019");
   CHECK(file.cells.cells(3).size() == 2);
   const auto refused = [&](const std::string& rows) { return message_of([&] { read(titles + rows); }); };
-  const char* of_three = "e.csv:2: Commas separate cells and decimals alike: 2 titles stand above rows of 3 whole";
+  const char* of_three = "e.csv:2: Commas separate cells and decimals alike: 2 titles above rows of 3 whole";
   CHECK(refused("0,0,019\n1,1,469\n2,2,956\n").starts_with(of_three));
   CHECK(refused("0,0,0,019\n1,1,469\n1,5,2,956\n").find("rows of 3 to 4 whole") != std::string::npos);
   CHECK(read(titles + "1,0,19\n2,5,20\n").notes.empty());        // numbers of rows, and whole numbers

@@ -38,7 +38,7 @@ std::vector<std::size_t> found_in(const std::string& text, const std::vector<std
   return statistics_among(sheet, lines, columns).rows;
 }
 
-// How many rows at the end are statistics by their numbers; so many stand below a break.
+// The number of rows at the end that are statistics by their numbers, with a number of rows below a break.
 std::size_t at_end(const std::vector<std::vector<double>>& columns, std::size_t below_break = 0) {
   std::string text;
   for (std::size_t row = 0; row < columns.front().size(); ++row)

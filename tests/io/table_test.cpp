@@ -345,7 +345,7 @@ TEST_CASE("table: what is no such table is refused with its line") {
   };
   CHECK(says("").find("The file is empty") != std::string::npos);
   CHECK(says("a,b\n1,2,3\n").find(":2: The line has 3 cells, but the header has 2") != std::string::npos);
-  CHECK(says("a,a\n").find(":1: The title 'a' stands twice") != std::string::npos);
+  CHECK(says("a,a\n").find(":1: The title 'a' occurs twice") != std::string::npos);
   CHECK(says("a,,b\n").find(":1: A column has no title") != std::string::npos);
   CHECK(says("a,b\n\"x,y\n").find(":2: Cell 1 holds a stray quote") != std::string::npos);
 }

@@ -75,7 +75,7 @@ class BadRecord(InFolder):
             with self.subTest(line):
                 self.file("test.csv", self.changed(100, line))
                 (columns,) = [each["done"] for each in self.json("fit", case)["preparation"] if each["step"] == "columns"]
-                self.assertIn("left out, as they are not rows of 2 cells: line 100", columns)
+                self.assertIn("left out, because they do not have 2 cells: line 100", columns)
 
     def test_column_that_is_not_there(self):
         self.refuses_record(RECORD.replace("force [mN]", "forze [mN]"), "force", "Did you mean 'forze'?")

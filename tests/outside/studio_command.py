@@ -107,7 +107,7 @@ class Studio(InFolder):
 
     def test_what_is_no_page_and_what_cannot_be_read_are_refused(self):
         (self.folder / "bin" / NAME).write_text("<p>another page</p>", encoding="utf-8")
-        self.assertIn("is neither beside the program nor in share/flexslip", self.studio("--no-open").stderr)
+        self.assertIn("is neither in the folder of the program nor in share/flexslip", self.studio("--no-open").stderr)
         (self.folder / "bin" / NAME).write_text(PAGE, encoding="utf-8")
         for arguments, words in ((["none.csv"], "none.csv"), (["none.toml"], "none.toml"), (["-"], "Standard input cannot be put into the page")):
             result = self.studio(*arguments, "--no-open")

@@ -152,7 +152,7 @@ class Cells(InFolder):
         rows = [TITLES, *READINGS, [], [4.2, 90.0], [4.3, 91.0]]
         for out, said in self.without_and_with(rows, "--crosshead", "1"):
             self.assertEqual(len(numbers(out, "Load [N]")), len(READINGS) + 2)
-            self.assertIn(f"lines {len(READINGS) + 3} to {len(READINGS) + 4} stand below a break and count as readings", said)
+            self.assertIn(f"lines {len(READINGS) + 3} to {len(READINGS) + 4} are below a break and count as readings", said)
 
     def test_a_word_that_marks_a_reading_leaves_it_a_reading(self):
         rows = [[*TITLES, "Event"], *([*row, "Max" if row == READINGS[-5] else None] for row in READINGS)]
