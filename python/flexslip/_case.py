@@ -14,6 +14,7 @@ import numpy as np
 from . import _flexslip
 from ._answers import Answer, Quantity
 from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, wrong, yes_no
+from ._xls import readable
 from ._frames import is_frame, record_of
 
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -466,7 +467,10 @@ class Case:
             self._make_room_for(sections)
         else:
             if file is not None:
-                sections.setdefault("record", {})["file"] = path_of(file)
+                record = sections.setdefault("record", {})
+                record["file"], sheet = readable(path_of(file), record.pop("sheet", None))
+                if sheet is not None:
+                    record["sheet"] = sheet
             self._given = _arrays_of(sections, reduced)
             self._text, self._source, self._changes = _text_of(sections, reduced), "", []
             sections = {}

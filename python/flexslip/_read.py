@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _flexslip
 from ._errors import one_of, path_of, whole, wrong
+from ._xls import readable
 from ._fields import ExportFields
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
     specimen : int, optional
         Which of several specimens, counted from 1; the first.
     sheet : str or int, optional
-        Of a workbook (.xlsx): its name as a string, its number as an int; the first with a table of numbers.
+        Of a workbook (.xlsx; .xls where xlrd is installed): its name as a string, its number as an int; the first with a table of numbers.
     encoding, separator, decimal, thousands : str, optional
         Found, unless they are given: ``"cp1252"``, ``";"``, ``","``, ``"."``.
     time, crosshead, deflection, force : str or int, optional
@@ -103,6 +104,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
     >>> export.rows, export.data["force"].dtype
     (426, dtype('float64'))
     """
+    path, sheet = readable(path_of(file), sheet)
     given = {"sheet": sheet, "encoding": encoding, "separator": separator, "decimal": decimal, "thousands": thousands, "time": time, "crosshead": crosshead,
              "deflection": deflection, "force": force, "displacement": displacement, "time_unit": time_unit,
              "displacement_unit": displacement_unit, "force_unit": force_unit, "calibration": calibration}
@@ -122,7 +124,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
         one_of("displacement", displacement, ("crosshead", "deflection"))
     if force_unit is not None and calibration is not None:
         raise wrong("calibration", "either a unit of the force or its calibration", "both")
-    export = _flexslip.read(os.fsencode(path_of(file)), words)
+    export = _flexslip.read(os.fsencode(path), words)
     chosen = 0 if specimen is None else whole("specimen", specimen, 1, export.specimens) - 1
     in_si: dict[str, Any] = {}
     for role in _ROLES:

@@ -145,9 +145,9 @@ Fields<StandardTest> modulus_fields() {
           [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
                     [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
-      .group("chord", "chord of ISO 178; null if the record does not cover both strains, or if they lie in the toe",
+      .group("chord", "chord of ISO 178; null if the record does not cover both strains",
              chord_fields(), [](const StandardTest& t) { return t.numbers.chord; })
-      .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so it determines no modulus",
+      .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so the linear region gives the modulus to report",
               [](const StandardTest& t) { return t.numbers.chord_in_toe; })
       .group("window", "linear region of the curve", window_fields())
       .own_quantity("origin", kind::length,
@@ -164,6 +164,13 @@ Fields<StandardTest> modulus_fields() {
                     [](const StandardTest& t) { return t.numbers.greatest.strain; })
       .group("at_break", "the same at break; null if the record shows no break", reached_fields(),
              [](const StandardTest& t) { return is_broken(t) ? std::optional(t.numbers.end) : std::nullopt; })
+      .group("at_conventional_strain",
+             "the same at a flexural strain of 3.5 % (ISO 178); null if the record does not reach it", reached_fields(),
+             [](const StandardTest& t) { return t.numbers.at_conventional_strain; })
+      .yes_no("yields", "the force levels off at small deflection without a break",
+              [](const StandardTest& t) { return !is_broken(t) && yields(t.numbers); })
+      .yes_no("ends_rising", "the record ends while the force rises, so the stress at its maximum is no strength",
+              [](const StandardTest& t) { return !is_broken(t) && ends_rising(t.numbers); })
       .yes_no("deflection_large",
               "the deflection exceeds a tenth of the span, where the stress and strain of the standards are invalid",
               [](const StandardTest& t) { return t.numbers.deflection_large; })

@@ -205,7 +205,7 @@ void check_specimen(const Test& test) {
   const SpecimenInput& specimen = *test.specimen;
   const bool is_tube = specimen.inner_diameter || specimen.wall;
   if (is_tube && !specimen.diameter) throw missing(test, "specimen.diameter");
-  if (specimen.width.has_value() != specimen.height.has_value())
+  if (specimen.width.has_value() != specimen.height.has_value() && !reads_export(test))
     throw missing(test, specimen.width ? "specimen.height" : "specimen.width");
   if (is_tube) {
     const double inner = specimen.wall ? *specimen.diameter - 2 * *specimen.wall : specimen.inner_diameter->value;
@@ -310,7 +310,7 @@ void check_stage(const Test& test) {
 
 void check_record(const Test& test) {
   const RecordInput& record = *test.record;
-  for (const std::string_view of_export : {"displacement", "displacement_column", "calibration"})
+  for (const std::string_view of_export : {"displacement", "displacement_column", "calibration", "speed"})
     for (const std::string_view of_table : {"stage", "deflection"})
       if (says(test, "record", of_export) && says(test, "record", of_table))
         refuse(

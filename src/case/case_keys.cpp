@@ -278,6 +278,8 @@ constexpr std::array keys{
                   "which specimen of an export with several, counted from 1", "", 1)),
     flagged(plain(at<&RecordInput::calibration>, "calibration", Holds::text, R"("222 N/V")",
                   "calibration of a force that an export gives in volts")),
+    flagged(quantity(at<&RecordInput::speed>, "speed", kind::speed, Range::positive, R"("0.5 mm/s")", "",
+                     "speed of the crosshead, for an export that has a time and no displacement")),
     flagged(word(at<&RecordInput::sign>, "sign", "find|keep|reverse", R"("keep")",
                  "whether to keep or reverse signs; found unless given: reversed if compression is negative")),
     flagged(in(at<&RecordInput::zero>,

@@ -251,6 +251,45 @@ std::optional<LeastTrain> least_train(const Record& record) {
   return found;
 }
 
+// True if the force falls while the stage runs back from one point to another, as the specimen gives way.
+bool gives_way(const Record& record, std::size_t from, std::size_t to) {
+  constexpr double fall = 0.05;  // [1] of the maximum force
+  const double greatest = *std::max_element(record.force.begin(), record.force.end());
+  return record.force[from] - record.force[to] > fall * greatest;
+}
+
+// Ends the record before the stage recoils from a point.
+Done end_at_recoil(Preparing& at, std::size_t point, double recoil) {
+  at.result.end = MeasurementEnd::failure;
+  at.loading.last = at.loading.first + point + 1;
+  at.result.record = first_points(at.result.record, point + 1);
+  require_points(at, at.result.record);
+  const std::size_t last = row_before(at, at.loading.last);
+  return PreparationStep{
+      .changed = true,
+      .done = fmt::format("after row {} the stage recoils by {} while the force falls: later rows are left out", last,
+                          readable_length(at.input(), recoil)),
+      .value = value_in(at.input(), recoil, {}, kind::length),
+      .rows = RowRange{last + 1, at.result.rows}};
+}
+
+InputError stage_runs_back(const Preparing& at, std::size_t point, double farthest) {
+  constexpr std::size_t beginning = 30;  // [points]
+  const std::size_t row = at.sampling().rows[at.loading.first + point];
+  const auto in_words = [&](double length) { return readable_length(at.input(), length == 0 ? 0 : length); };
+  return InputError(
+      {.file = at.table().source,
+       .line = at.table().lines[at.table().rows_before(row)],
+       .field = "the stage",
+       .problem = fmt::format("The stage moves back from {} to {} within the loading", in_words(farthest),
+                              in_words(at.result.record.stage[point])),
+       .remedy = point < beginning
+                     ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
+                                   instruction_to_set(at.input(), switch_to("sign", "keep")))
+                     : "keep only the loading: " +
+                           instruction_to_set(at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
+}
+
 }  // namespace
 
 Done hold_stage(Preparing& at) {
@@ -265,23 +304,14 @@ Done hold_stage(Preparing& at) {
                              ? infinity
                              : std::max(max_noise * (*most - *least), noise_range * stage_noise(stage));
   double farthest = stage.front(), largest = 0;
-  std::size_t held = 0;
+  std::size_t held = 0, at_farthest = 0;
   for (std::size_t i = 1; i < stage.size(); ++i) {
     if (farthest - stage[i] > allowed) {
-      const std::size_t row = at.sampling().rows[at.loading.first + i];
-      const auto in_words = [&](double length) { return readable_length(at.input(), length == 0 ? 0 : length); };
-      throw InputError({.file = at.table().source,
-                        .line = at.table().lines[at.table().rows_before(row)],
-                        .field = "the stage",
-                        .problem = fmt::format("The stage moves back from {} to {} within the loading",
-                                               in_words(farthest), in_words(stage[i])),
-                        .remedy = i < 30 ? fmt::format("check the sign of the displacement: {} or \"reverse\"",
-                                                       instruction_to_set(at.input(), switch_to("sign", "keep")))
-                                         : "keep only the loading: " +
-                                               instruction_to_set(
-                                                   at.input(), KeyChange{"record", "until", fmt::format("{}", row)})});
+      if (gives_way(at.result.record, at_farthest, i)) return end_at_recoil(at, at_farthest, farthest - stage[i]);
+      throw stage_runs_back(at, i, farthest);
     }
     if (stage[i] < farthest) ++held;
+    if (stage[i] > farthest) at_farthest = i;
     largest = std::max(largest, farthest - stage[i]);
     farthest = std::max(farthest, stage[i]);
     stage[i] = farthest;

@@ -68,7 +68,8 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
                      .preparation = std::move(readings.found_by),
                      .file = readings.table.source,
                      .rows = readings.table.rows_of_file(),
-                     .missing = readings.table.missing_rows.size()};
+                     .missing = readings.table.missing_rows.size(),
+                     .contradictions = std::move(readings.contradictions)};
   result.is_derived = readings.has(Reading::stage) && !readings.has(Reading::deflection);
   Preparing at{.result = std::move(result), .readings = std::move(readings), .needs = needs, .stiffness = stiffness};
   for (const Step& step : steps)

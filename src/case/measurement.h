@@ -50,6 +50,7 @@ struct Measurement {
   std::string file;
   std::size_t rows;         // of the file
   std::size_t missing = 0;  // of them those left out, as they hold no number
+  std::vector<std::string> contradictions{};  // sentences: what the file states of span and section, against the user
   Sampling sampling{};      // which of them are points, from the first row of the file on
   EvaluatedLoading loading{};
   std::size_t first = 0;            // of these the first that is a point of the record

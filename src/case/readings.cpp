@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "case/case_keys.h"
+#include "case/dimensions_of_file.h"
 #include "case/mechanics.h"
 #include "case/toml.h"
 #include "instruments/export.h"
@@ -81,6 +82,31 @@ ExportOptions options_of(const RecordInput& asked) {
   return options;
 }
 
+// The displacement of a crosshead that moves at a stated speed, as a further column of each specimen.
+// Fails:      InputError for a file that has a displacement, or no time.
+Export with_travel(Export file, const Test& input) {
+  const double speed = *input.record->speed;
+  const auto fault = [&](std::string problem, std::string remedy = "") {
+    return wrong_value(input, "record.speed", std::move(problem), std::move(remedy));
+  };
+  for (ExportedSpecimen& specimen : file.specimens) {
+    const ExportColumn* time = nullptr;
+    for (const ExportColumn& column : specimen.columns) {
+      if (is_displacement(column.role))
+        throw fault(fmt::format("{} has a displacement, {}, so no speed is needed", file.origin.source,
+                                in_quotes(column.name)),
+                    "leave the speed out");
+      if (column.role == ColumnRole::time) time = &column;
+    }
+    if (time == nullptr) throw fault(fmt::format("{} has no column of time", file.origin.source));
+    std::vector<double> travel = in_si(file, *time, kind::time);
+    for (double& each : travel) each *= speed;
+    specimen.columns.push_back(
+        {"speed × " + time->name, "m", ColumnRole::crosshead, std::move(travel), time->number});
+  }
+  return file;
+}
+
 const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
   const std::size_t count = file.specimens.size();
   if (const auto asked = input.record->specimen) {
@@ -100,6 +126,29 @@ const ExportColumn& column_for(std::string_view key, const Test& input, const Ex
   return column_with(
       file, specimen, role,
       instruction_to_set(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
+}
+
+// The columns of a specimen, without their values, with the roles that they have for a case: of displacements only that which is evaluated.
+std::vector<ExportColumn> asked_columns(const RecordInput& asked, const ExportedSpecimen& specimen) {
+  std::vector<ExportColumn> columns;
+  std::array<std::size_t, 3> count{};  // of those unclear, of the crosshead, of the midpoint
+  constexpr std::array roles{ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection};
+  for (const ExportColumn& each : specimen.columns) {
+    columns.push_back({each.name, each.unit, each.role, {}, each.number});
+    if (!each.words.empty()) columns.back().words = {each.words.front()};
+    for (std::size_t i = 0; i < roles.size(); ++i) count[i] += each.role == roles[i] ? 1 : 0;
+  }
+  const ColumnRole wanted = asked.displacement ? role_of(*asked.displacement)
+                            : count[2] > 0     ? ColumnRole::deflection
+                                               : ColumnRole::crosshead;
+  const bool has_wanted = count[wanted == ColumnRole::crosshead ? 1 : 2] > 0;
+  for (ExportColumn& column : columns) {
+    if (asked.displacement && !has_wanted && count[0] == 1 && column.role == ColumnRole::displacement)
+      column.role = wanted;
+    else if (is_displacement(column.role) && has_wanted && column.role != wanted)
+      column.role = ColumnRole::other;
+  }
+  return columns;
 }
 
 struct FoundDisplacement {
@@ -129,6 +178,11 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
     }
     return {displacement_with(found), *asked.displacement, true};
   }
+  for (const OpenQuestion& each : questions_of(asked_columns(asked, specimen)))
+    if (!each.with_test.empty() && each.with_test.front().name == "speed")
+      throw InputError({.file = file.origin.source,
+                        .problem = "The file has times, and no displacement",
+                        .remedy = instruction_to_set(input, KeyChange{"record", "speed", each.with_test.front().value})});
   // A deflectometer comes first: ISO 178 prefers it.
   for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
     if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
@@ -141,67 +195,6 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
        .remedy = instruction_to_set(input, switch_to("displacement", "crosshead")) +
                  ": it is then corrected for the stiffness of the load train, as a modulus requires (ISO 178); "
                  "\"deflection\" if a deflectometer or a camera measured it"});
-}
-
-// Adds what the file says and the case does not. No section where a file states a diameter beside width or thickness, as forms of a machine do
-// that list them all.
-void complete(Test& input, const ExportedTest& said, std::vector<PreparationStep>& steps) {
-  const auto note = [&](std::string words, double value, KeyChange otherwise) {
-    steps.push_back({.name = "metadata",
-                     .done = std::move(words),
-                     .value = PreparedValue{value, {}, kind::length},
-                     .otherwise = std::move(otherwise)});
-  };
-  if (said.span && !(input.rig && input.rig->span)) {
-    if (!input.rig) input.rig.emplace();
-    input.rig->span = *said.span;
-    note("the span is the one in the file", *said.span, KeyChange{"rig", "span", "\"…\""});
-  }
-  if (section_of(input)) return;
-  SpecimenInput specimen = input.specimen.value_or(SpecimenInput{});
-  if (said.diameter && (said.width || said.thickness)) {
-    note(fmt::format("no section is taken from the file, which states a diameter beside a {}",
-                     said.width && said.thickness ? "width and a thickness"
-                     : said.width                 ? "width"
-                                                  : "thickness"),
-         *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
-    return;
-  }
-  if (said.diameter) {
-    specimen.diameter = *said.diameter;
-    note("the diameter is the one in the file", *said.diameter, KeyChange{"specimen", "diameter", "\"…\""});
-  } else if (said.width && said.thickness) {
-    specimen.width = *said.width;
-    specimen.height = *said.thickness;
-    note("the width is the one in the file", *said.width, KeyChange{"specimen", "width", "\"…\""});
-    note("the height is the thickness in the file", *said.thickness, KeyChange{"specimen", "height", "\"…\""});
-  } else {
-    return;
-  }
-  input.specimen = specimen;
-}
-
-// The columns of a specimen, without their values, with the roles that they have for a case: of displacements only that which is evaluated.
-std::vector<ExportColumn> asked_columns(const RecordInput& asked, const ExportedSpecimen& specimen) {
-  std::vector<ExportColumn> columns;
-  std::array<std::size_t, 3> count{};  // of those unclear, of the crosshead, of the midpoint
-  constexpr std::array roles{ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection};
-  for (const ExportColumn& each : specimen.columns) {
-    columns.push_back({each.name, each.unit, each.role, {}, each.number});
-    if (!each.words.empty()) columns.back().words = {each.words.front()};
-    for (std::size_t i = 0; i < roles.size(); ++i) count[i] += each.role == roles[i] ? 1 : 0;
-  }
-  const ColumnRole wanted = asked.displacement ? role_of(*asked.displacement)
-                            : count[2] > 0     ? ColumnRole::deflection
-                                               : ColumnRole::crosshead;
-  const bool has_wanted = count[wanted == ColumnRole::crosshead ? 1 : 2] > 0;
-  for (ExportColumn& column : columns) {
-    if (asked.displacement && !has_wanted && count[0] == 1 && column.role == ColumnRole::displacement)
-      column.role = wanted;
-    else if (is_displacement(column.role) && has_wanted && column.role != wanted)
-      column.role = ColumnRole::other;
-  }
-  return columns;
 }
 
 void require_answers(const Test& input, const Needs& needs, const Export& file) {
@@ -320,7 +313,8 @@ Readings readings_of(const Test& input, const Export& file, const ExportedSpecim
                               .missing_rows = missing.rows},
                     .columns = {}};
   for (const auto& [reading, column, key] : found) {
-    const Kind kind = kind_in(input, reading == Reading::force ? kind::force : kind::length);
+    const bool is_stress = reading == Reading::force && holds_stress(*column);
+    const Kind kind = is_stress ? kind::pressure : kind_in(input, reading == Reading::force ? kind::force : kind::length);
     std::vector<double> values = in_si_of(input, file, *column, kind, key);
     readings.columns.push_back(reading);
     readings.table.columns.push_back({column->name, without_rows(std::move(values), missing.rows)});
@@ -363,6 +357,17 @@ void require_one_sheet(const Test& input, const Export& file) {
                     instruction_to_set(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
 }
 
+// Turns a force that the file gives as a stress into a force.
+void convert_stress(Readings& readings, const Export& file, const ExportColumn& force) {
+  if (!holds_stress(force)) return;
+  const auto at = std::find(readings.columns.begin(), readings.columns.end(), Reading::force) - readings.columns.begin();
+  std::vector<double>& values = readings.table.columns[static_cast<std::size_t>(at)].values;
+  values = forces_of_stresses(readings.test, file, force, std::move(values));
+  PreparationStep& columns = readings.found_by.front();
+  columns.changed = true;
+  columns.done += "; it holds a stress, from which the force is calculated by span and section";
+}
+
 // The columns that a case names by their titles.
 Readings readings_of_named(const Test& input, const Export& file) {
   const RecordInput& asked = *input.record;
@@ -378,6 +383,7 @@ Readings readings_of_named(const Test& input, const Export& file) {
         {Reading::length, &specimen.columns[column_named(file, specimen, *asked.length, "length")], "length"});
   Readings readings = readings_of(input, file, specimen, found);
   readings.found_by.front().done = named_in_words(readings.columns, readings.table) + notes_of(file);
+  if (asked.force) convert_stress(readings, file, *with(ColumnRole::force));
   return readings;
 }
 
@@ -407,7 +413,9 @@ Readings readings_of_export(const Test& input, const Needs& needs, const Export&
   columns.changed = asked.calibration.has_value();
   columns.done = std::move(words);
   columns.otherwise = switch_to("displacement", is_crosshead ? "deflection" : "crosshead");
-  complete(readings.test, file.test, readings.found_by);
+  complete_from_file(readings.test, file.test, readings.found_by);
+  convert_stress(readings, file, force);
+  readings.contradictions = contradictions(input, readings.test, file, specimen, force, column);
   return readings;
 }
 
@@ -437,7 +445,8 @@ Readings read_readings(const Test& input, const Needs& needs) {
   if (asked.given) return readings_given(input);
   const ExportOptions options = options_of(asked);
   try {
-    const Export file = read_export(asked.file, options);
+    Export file = read_export(asked.file, options);
+    if (asked.speed) file = with_travel(std::move(file), input);
     try {
       return asked.is_export() ? readings_of_export(input, needs, file) : readings_of_named(input, file);
     } catch (const InputError& error) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "case/case_file.h"
@@ -25,6 +26,7 @@ struct Readings {
   Table table;                              // two columns [m], [N], and perhaps a length [m]
   std::vector<Reading> columns;             // what each of them is
   std::vector<PreparationStep> found_by{};  // how they were found
+  std::vector<std::string> contradictions{};  // sentences: see dimensions_of_file.h
 
   bool has(Reading reading) const;
   // Domain: has(reading).

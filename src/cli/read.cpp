@@ -151,6 +151,20 @@ std::string rows_in_words(const ExportedSpecimen& specimen) {
                      specimen.name.empty() ? "" : " of " + in_quotes(printable(specimen.name)));
 }
 
+// "span 125 mm, width 12.8 mm, thickness 4.2 mm."
+std::string dimensions_in_words(const ExportedTest& test) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::string_view name, const std::optional<double>& length) {
+    if (length) parts.push_back(fmt::format("{} {}", name, readable(*length, kind::length)));
+  };
+  add("span", test.span);
+  add("diameter", test.diameter);
+  add("width", test.width);
+  add("thickness", test.thickness);
+  if (test.rate) parts.push_back(fmt::format("speed {:.4g} mm/s", 1e3 * *test.rate));
+  return parts.empty() ? "" : fmt::format("{}.", fmt::join(parts, ", "));
+}
+
 // What the file contains, what is open, and how it was read.
 std::string summary_of(const ReadRequest& request, const Export& file, std::size_t chosen) {
   const ExportedSpecimen& specimen = file.specimens[chosen];
@@ -166,6 +180,8 @@ std::string summary_of(const ReadRequest& request, const Export& file, std::size
     text += "\nColumns of specimen 1:\n";
   }
   text += columns_in_words(specimen);
+  if (const std::string dimensions = dimensions_in_words(file.test); !dimensions.empty())
+    text += wrapped(dimensions, "  ", "The file states: ");
   for (const std::string& remark : file.notes) text += wrapped(remark + ".", "  ", "Note: ");
   const std::string how = capitalised(
       fmt::format("{}, lines {} to {}.", format_in_words(file), specimen.lines.front(), specimen.lines.back()));

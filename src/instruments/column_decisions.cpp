@@ -55,17 +55,24 @@ bool is_of_kind(const std::optional<Unit>& unit, const RoleWords& words) {
   return unit && words.kind != nullptr && unit->dimension == words.kind->dimension;
 }
 
+// True for a force that the file gives as a stress: it follows from span and section.
+bool may_be_stress(const std::optional<Unit>& unit, ColumnRole role) {
+  return role == ColumnRole::force && unit && unit->dimension == kind::pressure.dimension;
+}
+
 // A column with a unit of another kind than its role is the wrong column.
 void require_kind(const Export& file, const ExportColumn& column, ColumnRole role) {
   const RoleWords& words = words_for(role);
   const std::optional<Unit> unit = machine_unit(column.unit);  // in_si reports an unknown unit
-  if (!unit || words.kind == nullptr || is_of_kind(unit, words)) return;
+  if (!unit || words.kind == nullptr || is_of_kind(unit, words) || may_be_stress(unit, role)) return;
   throw InputError({.file = file.origin.source,
                     .field = std::string(words.flag),
                     .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
                                            in_quotes(column.unit), noun(*words.kind)),
-                    .remedy = fmt::format("if it is the right column, give its unit after its name, as in \"{} [{}]\"",
-                                          column.name, meant_or_usual(column.unit, words))});
+                    .remedy = meant_units(column.unit, *words.kind).empty()
+                                  ? "name another column"
+                                  : fmt::format("if it is the right column, give its unit after its name, as in \"{} [{}]\"",
+                                                column.name, meant_or_usual(column.unit, words))});
 }
 
 // The number of the column with the same title here, if the number belongs to another specimen in
@@ -101,7 +108,9 @@ ExportColumn said_in(const Export& file, ExportColumn column, const std::string&
     throw InputError({.field = std::string(words.flag),
                       .problem = fmt::format("The unit {} in brackets behind the name is not a unit such as {}",
                                              in_quotes(unit), words.usual_unit)});
-  if (volts_in(column.unit) || (is_of_kind(stated, words) && *stated != *said))
+  // A unit that may only be meant by another, as grams by a force, is no statement.
+  const bool is_stated = stated && *stated != *said && meant_units(column.unit, *words.kind).empty();
+  if (volts_in(column.unit) || (is_of_kind(stated, words) && *stated != *said) || is_stated)
     throw InputError({.file = file.origin.source,
                       .field = std::string(words.flag),
                       .problem = fmt::format("The unit of {} is {} in the file, not {}", in_quotes(column.name),
@@ -146,11 +155,16 @@ Export with_roles_by_units(Export file) {
         if (column.role == ColumnRole::other && column.words.empty() && !names_other_quantity(column.name) &&
             is_of_kind(machine_unit(column.unit), words_for(role)))
           candidates.push_back(&column);
+      if (candidates.empty() && role == ColumnRole::force)  // a stress under the title of a force
+        for (ExportColumn& column : specimen.columns)
+          if (column.words.empty() && role_of(column.name) == role && may_be_stress(machine_unit(column.unit), role))
+            candidates.push_back(&column);
       if (candidates.size() != 1) continue;
       candidates.front()->role = role;
+      if (may_be_stress(machine_unit(candidates.front()->unit), role)) continue;
       std::string note =
-          fmt::format("column {} is the {}: no other column has the unit of {}", in_quotes(candidates.front()->name),
-                      words_for(role).name, words_for(role).kind->name);
+          fmt::format("column {} is the {}: no other column is in a unit of {}", in_quotes(candidates.front()->name),
+                      words_for(role).name, noun(*words_for(role).kind));
       if (std::find(file.notes.begin(), file.notes.end(), note) != file.notes.end()) continue;
       file.row_notes.push_back(note);
       file.notes.push_back(std::move(note));
@@ -554,7 +568,15 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
                     "--force COLUMN, its name or number",
                     {{"force", has_units ? "\"COLUMN\"" : "\"COLUMN [N]\""}}});
   if (forces.size() > 1) asks.push_back(which_of(forces));
-  if (!has_clear && unclear.empty()) asks.push_back({"which column is the displacement?", either, a_displacement});
+  const bool has_only_time = !with_role(columns, ColumnRole::time).empty() && std::none_of(columns.begin(), columns.end(), [](const ExportColumn& each) {
+    return each.role == ColumnRole::other && each.words.empty();
+  });
+  if (!has_clear && unclear.empty() && has_only_time)
+    asks.push_back({"there is no displacement: at which speed did the crosshead move?",
+                    "--speed \"0.5 mm/s\" of fit and modulus",
+                    {{"speed", "\"… mm/s\""}}});
+  else if (!has_clear && unclear.empty())
+    asks.push_back({"which column is the displacement?", either, a_displacement});
   if (!has_clear && unclear.size() == 1)
     asks.push_back({fmt::format("was {} measured at the crosshead or at the specimen's midpoint?",
                                 in_quotes(unclear.front()->name)),
@@ -567,7 +589,9 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
   for (const Columns& several : clear)
     if (several.size() > 1) asks.push_back(which_of(several));
   for (const ExportColumn& column : columns)
-    if (column.role != ColumnRole::other && !is_of_kind(machine_unit(column.unit), words_for(column.role)))
+    if (const auto unit = machine_unit(column.unit); column.role != ColumnRole::other &&
+                                                     !is_of_kind(unit, words_for(column.role)) &&
+                                                     !may_be_stress(unit, column.role))
       asks.push_back(unit_of(column));
   return asks;
 }

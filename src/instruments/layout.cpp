@@ -502,10 +502,11 @@ void without_preambles(std::vector<TableBlock>& blocks) {
 
 // Units far above the titles, on a line that begins with a word for units.
 void add_labelled_units(const Sheet& sheet, TableBlock& block, const UsualRow& usual) {
-  for (const std::size_t line : block.remarks)
-    if (const CellWords cells = header_words(sheet, line, usual).cells;
-        block.units.empty() && !cells.empty() && labels_units(cells.front()) && is_unit_line(cells))
-      block.units = units_above(cells, 0, usual);
+  if (!block.units.empty() || block.header_line > looked_at) return;
+  for (std::size_t line = 0; line < block.header_line; ++line)
+    if (labels_units(sheet.at(line, 0)))
+      if (const CellWords cells = header_words(sheet, line, usual).cells; is_unit_line(cells))
+        block.units = units_above(cells, 0, usual);
 }
 
 // A number before the marks are known. All numbers of a column are then wrong by one factor at

@@ -70,6 +70,7 @@ inline constexpr Kind area_moment{"an area moment", {.metre = 4}, shown_in::area
 inline constexpr Kind energy{"an energy", {2, 1, -2, 0}, shown_in::energy, "3.4 uJ"};
 inline constexpr Kind angle{"an angle", {.radian = 1}, shown_in::angle, "90 deg"};
 inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
+inline constexpr Kind speed{"a speed", {.metre = 1, .second = -1}, {}, "0.5 mm/s"};
 inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
 }  // namespace kind
 

@@ -1,6 +1,7 @@
 #include "io/sheet_file.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include <fmt/format.h>
@@ -165,7 +166,19 @@ void refuse_other_kinds(std::string_view bytes) {
     if (begin.starts_with(mark))
       refuse("a page in HTML or XML, as some programs write it under the name .xls",
              "open it in a spreadsheet program, and save it as .xlsx or CSV");
-  if (bytes.starts_with("%PDF")) refuse("a PDF", "export the readings as CSV or .xlsx");
+  struct Kind {
+    std::string_view mark, name, remedy;
+  };
+  static constexpr std::array kinds{
+      Kind{"%PDF", "a PDF", "export the readings as CSV or .xlsx"},
+      Kind{"TDSm", "a file of LabVIEW (.tdms)", "export the channels as text, from LabVIEW or with nptdms in Python"},
+      Kind{"MATLAB 5.0", "a file of MATLAB (.mat)", "write the columns as CSV: writematrix([t w F], \"test.csv\")"},
+      Kind{"\x89HDF", "a file of HDF5, as MATLAB 7.3 writes (.mat)", "write the columns as CSV"},
+      Kind{"SQLite format", "a database (SQLite)", "export the readings as CSV"},
+      Kind{"Rar!", "an archive", "unpack it"},
+      Kind{"7z\xbc\xaf", "an archive", "unpack it"}};
+  for (const Kind& kind : kinds)
+    if (bytes.starts_with(kind.mark)) refuse(std::string(kind.name), std::string(kind.remedy));
 }
 
 SheetFile sheet_in_bytes(std::string bytes, const std::string& source, const SheetOptions& options, SheetFor purpose) {

@@ -572,7 +572,7 @@ std::vector<std::string> read_shared_strings(const ZipArchive& archive, const st
   if (bytes.find(encrypted) != std::string_view::npos)
     refuse_kind("a workbook with a password", "save it without a password, or the sheet with the measurement as CSV");
   refuse_kind("a workbook of Excel 97 to 2003 (.xls), or another office document of that time",
-              "open it, and save it as .xlsx, or the sheet with the measurement as CSV");
+              "convert it: libreoffice --headless --convert-to xlsx FILE");
 }
 
 struct Relation {

@@ -207,7 +207,7 @@ struct Remark {
 // The relative difference between the moduli of linear region and chord, if it exceeds their errors.
 std::optional<double> difference_from_chord(const SmallDeflection& numbers) {
   constexpr double clearly = 2;  // [standard errors]
-  if (!numbers.chord || !numbers.modulus) return std::nullopt;
+  if (!numbers.chord || !numbers.modulus || numbers.chord_in_toe) return std::nullopt;
   const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
   const double difference = *numbers.modulus / numbers.chord->modulus - 1;
   return std::abs(difference) > clearly * error ? std::optional(difference) : std::nullopt;
@@ -223,11 +223,9 @@ std::string difference_in_words(const SmallDeflection& numbers, double differenc
   if (has_hidden_toe(numbers))
     return numbers.toe_excess_explained > 0
                ? fmt::format(
-                     "Friction and large deflection explain {} of it, and a toe that the noise of the chord hides may "
-                     "explain the rest. Use the modulus of the linear region.",
+                     "Friction and large deflection explain {} of it, and a toe may explain the rest.",
                      format_percent(numbers.toe_excess_explained))
-               : "Friction and large deflection do not explain it; a toe that the noise of the chord hides may. Use "
-                 "the modulus of the linear region.";
+               : "Friction and large deflection do not explain it; a toe may.";
   return difference > 0 ? "Friction and large deflection steepen the linear region more than the chord. Use the chord, "
                           "or the modulus that fit determines."
                         : "The record begins steeper than it continues, as under a preload or with a wrong zero of "
@@ -297,6 +295,10 @@ std::vector<Remark> remarks_on_curve(const StandardTest& test) {
                      "from its beginning{}.",
                      beginning_in_words(test)),
          "The record begins above zero force: deflection counts from its first row."});
+  for (const std::string& contradiction : test.measurement.contradictions)
+    list.push_back({contradiction, contradiction});
+  if (yields(numbers) && !is_broken(test))
+    list.push_back({"The force levels off without a break: the specimen yielded."});
   if (const std::string why = why_no_chord(test); !why.empty()) list.push_back({why});
   if (numbers.chord_in_toe)
     list.push_back({fmt::format(
@@ -364,16 +366,14 @@ Headline headline_of(const StandardTest& test) {
             "State the section to get modulus, stress and strain."};
   const std::string linear = modulus_in_words(*numbers.modulus, relative, as(kind::pressure));
   const std::string of_linear = fmt::format("flexural modulus {} (steepest linear part, {}).", linear, rows);
-  if (!numbers.chord)
-    return {of_linear, numbers.chord_in_toe ? "No chord of ISO 178: it lies in the toe, where the contact settles."
-                                            : why_no_chord(test)};
+  if (!numbers.chord) return {of_linear, why_no_chord(test)};
   const std::string chord =
       modulus_in_words(numbers.chord->modulus, relative_error(numbers.chord->stiffness), as(kind::pressure));
-  if (has_hidden_toe(numbers))
-    return {of_linear,
-            fmt::format("{} from the chord of ISO 178 (0.05 to 0.25 % strain), which a toe may lower.", chord)};
+  if (numbers.chord_in_toe)
+    return {of_linear, fmt::format("{} from the chord of ISO 178 (0.05 to 0.25 % strain), which lies in a toe.", chord)};
   return {fmt::format("flexural modulus {} (ISO 178 chord, 0.05 to 0.25 % strain).", chord),
-          fmt::format("{} from the steepest linear part ({}), for comparison.", linear, rows)};
+          fmt::format("{} from the steepest linear part ({}){}.", linear, rows,
+                      has_hidden_toe(numbers) ? "; a toe may lower the chord" : ", for comparison")};
 }
 
 // "12.68 mN at 394.2 µm: 979 MPa, strain 5 %"
@@ -403,6 +403,14 @@ std::string friction_row(const FrictionGain& gain) {
                      signed_range(gain.modulus), signed_range(gain.strength));
 }
 
+// The meaning of the stress at the maximum force.
+std::string_view maximum_in_words(const StandardTest& test) {
+  if (is_broken(test)) return " (strength)";
+  if (yields(test.numbers)) return "; the specimen yielded";
+  return ends_rising(test.numbers) ? "; still rising: not a strength"
+                                   : "; no failure, so not a strength";
+}
+
 Rows screen_rows(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   if (numbers.status != SmallDeflectionStatus::ok) return {};
@@ -416,9 +424,11 @@ Rows screen_rows(const StandardTest& test) {
   const auto without_supports = supports_count(test) ? modulus_less_supports(test) : std::nullopt;
   return {
       {"stiffness", stiffness},
-      {"maximum", point_in_words(test, numbers.greatest) + (!has_stress       ? ""
-                                                            : is_broken(test) ? " (strength)"
-                                                                              : "; no failure, so not a strength")},
+      {"maximum", point_in_words(test, numbers.greatest) + std::string(has_stress ? maximum_in_words(test) : "")},
+      {"3.5 % strain", numbers.at_conventional_strain && !is_broken(test)
+                              ? three_digits(*numbers.at_conventional_strain->stress, as(kind::pressure)) +
+                                    " (conventional stress σ_fC of ISO 178)"
+                              : ""},
       {"break", is_broken(test) ? point_in_words(test, numbers.end) : ""},
       {"supports", without_supports ? fmt::format("contacts that move inwards add {}; without them the modulus is {}",
                                                   percent_to_two_digits(*test.supports.alone),
