@@ -145,8 +145,8 @@ Fields<StandardTest> modulus_fields() {
           [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
                     [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
-      .group("chord", "chord of ISO 178; null if the record does not cover both strains",
-             chord_fields(), [](const StandardTest& t) { return t.numbers.chord; })
+      .group("chord", "chord of ISO 178; null if the record does not cover both strains", chord_fields(),
+             [](const StandardTest& t) { return t.numbers.chord; })
       .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so the linear region gives the modulus to report",
               [](const StandardTest& t) { return t.numbers.chord_in_toe; })
       .group("window", "linear region of the curve", window_fields())

@@ -62,7 +62,7 @@ std::optional<double> constant_ratio(const std::vector<double>& of, const std::v
 // A column of stress or strain, and its ratio to force or displacement by the file and by a test.
 struct DerivedColumn {
   std::string name;
-  double in_file;                                    // [1/m²] or [1/m]
+  double in_file;                                      // [1/m²] or [1/m]
   std::optional<double> (*by_test)(const Test& test);  // the same by span and section
 };
 
@@ -189,16 +189,16 @@ std::vector<std::string> contradictions(const Test& asked, const Test& completed
   };
   const auto as_stated = [&](const DerivedColumn& column) { return agrees(column, completed); };
   if (unlike.empty()) {
-    const DerivedColumn* column = column_that([&](const DerivedColumn& each) {
-      return each.by_test(completed) && !agrees(each, completed);
-    });
+    const DerivedColumn* column =
+        column_that([&](const DerivedColumn& each) { return each.by_test(completed) && !agrees(each, completed); });
     if (column != nullptr && column_that(as_stated) == nullptr)
       sentences.push_back(fmt::format("The file's column {} is {:.3g} times what span and section give.",
                                       in_quotes(column->name), column->in_file / *column->by_test(completed)));
     return sentences;
   }
-  std::string sentence = fmt::format("The file states {}, not {}.", dimensions_in_words(asked, unlike, &ComparedLength::found),
-                                     dimensions_in_words(asked, unlike, &ComparedLength::stated));
+  std::string sentence =
+      fmt::format("The file states {}, not {}.", dimensions_in_words(asked, unlike, &ComparedLength::found),
+                  dimensions_in_words(asked, unlike, &ComparedLength::stated));
   const Test in_file = as_in_file(completed, file.test);
   if (const auto* column = column_that([&](const DerivedColumn& each) { return agrees(each, in_file); }))
     sentence += fmt::format(" Its column {} agrees with the file.", in_quotes(column->name));
@@ -223,11 +223,12 @@ std::vector<double> forces_of_stresses(const Test& completed, const Export& file
       needed.push_back({"specimen", "width", "\"… mm\""});
       needed.push_back({"specimen", "height", "\"… mm\""});
     }
-    throw InputError({.file = file.origin.source,
-                      .field = "column " + in_quotes(column.name),
-                      .problem = fmt::format("The column holds a stress, in {}; its force follows from span and section",
-                                             in_quotes(column.unit)),
-                      .remedy = instruction_to_set(completed, needed)});
+    throw InputError(
+        {.file = file.origin.source,
+         .field = "column " + in_quotes(column.name),
+         .problem = fmt::format("The column holds a stress, in {}; its force follows from span and section",
+                                in_quotes(column.unit)),
+         .remedy = instruction_to_set(completed, needed)});
   }
   for (double& each : stresses) each /= *ratio;
   return stresses;

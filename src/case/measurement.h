@@ -48,10 +48,10 @@ struct Measurement {
   Test test;                                   // completed with what the file says, see Readings
   std::vector<PreparationStep> preparation{};  // how the file became the record
   std::string file;
-  std::size_t rows;         // of the file
-  std::size_t missing = 0;  // of them those left out, as they hold no number
+  std::size_t rows;                           // of the file
+  std::size_t missing = 0;                    // of them those left out, as they hold no number
   std::vector<std::string> contradictions{};  // sentences: what the file states of span and section, against the user
-  Sampling sampling{};      // which of them are points, from the first row of the file on
+  Sampling sampling{};                        // which of them are points, from the first row of the file on
   EvaluatedLoading loading{};
   std::size_t first = 0;            // of these the first that is a point of the record
   Record record{};                  // stage and deflection counted from the contact

@@ -93,16 +93,15 @@ Export with_travel(Export file, const Test& input) {
     const ExportColumn* time = nullptr;
     for (const ExportColumn& column : specimen.columns) {
       if (is_displacement(column.role))
-        throw fault(fmt::format("{} has a displacement, {}, so no speed is needed", file.origin.source,
-                                in_quotes(column.name)),
-                    "leave the speed out");
+        throw fault(
+            fmt::format("{} has a displacement, {}, so no speed is needed", file.origin.source, in_quotes(column.name)),
+            "leave the speed out");
       if (column.role == ColumnRole::time) time = &column;
     }
     if (time == nullptr) throw fault(fmt::format("{} has no column of time", file.origin.source));
     std::vector<double> travel = in_si(file, *time, kind::time);
     for (double& each : travel) each *= speed;
-    specimen.columns.push_back(
-        {"speed × " + time->name, "m", ColumnRole::crosshead, std::move(travel), time->number});
+    specimen.columns.push_back({"speed × " + time->name, "m", ColumnRole::crosshead, std::move(travel), time->number});
   }
   return file;
 }
@@ -180,9 +179,10 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
   }
   for (const OpenQuestion& each : questions_of(asked_columns(asked, specimen)))
     if (!each.with_test.empty() && each.with_test.front().name == "speed")
-      throw InputError({.file = file.origin.source,
-                        .problem = "The file has times, and no displacement",
-                        .remedy = instruction_to_set(input, KeyChange{"record", "speed", each.with_test.front().value})});
+      throw InputError(
+          {.file = file.origin.source,
+           .problem = "The file has times, and no displacement",
+           .remedy = instruction_to_set(input, KeyChange{"record", "speed", each.with_test.front().value})});
   // A deflectometer comes first: ISO 178 prefers it.
   for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
     if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
@@ -314,7 +314,8 @@ Readings readings_of(const Test& input, const Export& file, const ExportedSpecim
                     .columns = {}};
   for (const auto& [reading, column, key] : found) {
     const bool is_stress = reading == Reading::force && holds_stress(*column);
-    const Kind kind = is_stress ? kind::pressure : kind_in(input, reading == Reading::force ? kind::force : kind::length);
+    const Kind kind =
+        is_stress ? kind::pressure : kind_in(input, reading == Reading::force ? kind::force : kind::length);
     std::vector<double> values = in_si_of(input, file, *column, kind, key);
     readings.columns.push_back(reading);
     readings.table.columns.push_back({column->name, without_rows(std::move(values), missing.rows)});
@@ -360,7 +361,8 @@ void require_one_sheet(const Test& input, const Export& file) {
 // Turns a force that the file gives as a stress into a force.
 void convert_stress(Readings& readings, const Export& file, const ExportColumn& force) {
   if (!holds_stress(force)) return;
-  const auto at = std::find(readings.columns.begin(), readings.columns.end(), Reading::force) - readings.columns.begin();
+  const auto at =
+      std::find(readings.columns.begin(), readings.columns.end(), Reading::force) - readings.columns.begin();
   std::vector<double>& values = readings.table.columns[static_cast<std::size_t>(at)].values;
   values = forces_of_stresses(readings.test, file, force, std::move(values));
   PreparationStep& columns = readings.found_by.front();

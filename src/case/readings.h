@@ -22,10 +22,10 @@ enum class Reading { stage, deflection, force, length };
 
 // The columns of a record, each still as its machine counts.
 struct Readings {
-  Test test;                                // completed with what the file says of span and section
-  Table table;                              // two columns [m], [N], and perhaps a length [m]
-  std::vector<Reading> columns;             // what each of them is
-  std::vector<PreparationStep> found_by{};  // how they were found
+  Test test;                                  // completed with what the file says of span and section
+  Table table;                                // two columns [m], [N], and perhaps a length [m]
+  std::vector<Reading> columns;               // what each of them is
+  std::vector<PreparationStep> found_by{};    // how they were found
   std::vector<std::string> contradictions{};  // sentences: see dimensions_of_file.h
 
   bool has(Reading reading) const;

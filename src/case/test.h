@@ -169,7 +169,7 @@ struct RecordInput {
   std::optional<std::string> displacement_column{};
   std::optional<std::uint64_t> specimen{};   // counted from 1; none: there is only one
   std::optional<std::string> calibration{};  // of a force in volts, "222 N/V"
-  std::optional<double> speed{};  // [m/s] of the crosshead, where the file has a time and no displacement
+  std::optional<double> speed{};             // [m/s] of the crosshead, where the file has a time and no displacement
   SignRule sign = SignRule::find;
   ForceZeroRule zero = ZeroWord::find;
   std::optional<ContactRule> contact{};  // none: found where the record begins before it
@@ -181,7 +181,9 @@ struct RecordInput {
   std::shared_ptr<const Table> given{};
   bool operator==(const RecordInput&) const = default;
 
-  bool is_export() const { return displacement || displacement_column || calibration || speed || !(stage || deflection); }
+  bool is_export() const {
+    return displacement || displacement_column || calibration || speed || !(stage || deflection);
+  }
 };
 
 struct Test {

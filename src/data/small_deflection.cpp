@@ -34,7 +34,7 @@ constexpr double conventional_strain = 0.035;               // ISO 178
 constexpr double usual_excess = 0.1;
 constexpr double levelled = 0.1;       // [initial slope]
 constexpr double elastic_share = 0.2;  // [span]
-constexpr double clearly = 3;                               // errors
+constexpr double clearly = 3;          // errors
 
 struct PointRange {
   std::size_t first, last;  // [first, last)
@@ -299,7 +299,8 @@ std::optional<LinearRegion> find_linear_region(const Record& record, const BeamG
 }
 
 bool yields(const SmallDeflection& numbers) {
-  return numbers.status == SmallDeflectionStatus::ok && numbers.end_slope < levelled && numbers.end_share < elastic_share;
+  return numbers.status == SmallDeflectionStatus::ok && numbers.end_slope < levelled &&
+         numbers.end_share < elastic_share;
 }
 
 bool ends_rising(const SmallDeflection& numbers) {
@@ -347,12 +348,15 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   result.origin = contact.value;
   result.origin_error = contact.standard_error;
   result.origin_before_record = options.contact ? 0 : linear->origin_before_record;
-  const auto reached = [&](std::size_t point) {
-    LoadPoint at{record.force[point], record.deflection[point] - result.origin, {}, {}};
+  const auto load_point = [&](double force, double deflection) {
+    LoadPoint at{force, deflection, {}, {}};
     if (!geometry.span || !section) return at;
     at.stress = at.force * L * depth(*section) / (8 * second_moment(*section));
     at.strain = 6 * at.deflection * depth(*section) / (L * L);
     return at;
+  };
+  const auto reached = [&](std::size_t point) {
+    return load_point(record.force[point], record.deflection[point] - result.origin);
   };
   result.greatest = reached(greatest);
   result.end = reached(record.force.size() - 1);
@@ -364,11 +368,8 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
   const double limit = conventional_strain * L * L / (6 * depth(*section));
-  if (result.end.deflection >= limit)
-    result.at_conventional_strain = reached(static_cast<std::size_t>(
-        std::find_if(record.deflection.begin(), record.deflection.end(),
-                     [&](double w) { return w - result.origin >= limit; }) -
-        record.deflection.begin()));
+  if (const auto force = force_at(record, record.force.size(), result.origin + limit))
+    result.at_conventional_strain = load_point(*force, limit);
   // A record that begins beyond the lower strain of the chord does not cover it.
   if (result.origin_before_record < strain_from * L * L / (6 * depth(*section)))
     result.chord =
@@ -383,9 +384,9 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   constexpr double surely = 4;  // of the noise of a reading
   const double from = result.chord->deflection_from;
   const auto low = force_at(record, greatest + 1, result.origin + from);
-  result.chord_in_toe = *low > stiffness * (result.origin + from - linear->origin) + surely * noise_of(record) &&
-                        of_part.value - clearly * error >
-                            (1 + std::max(result.toe_excess_explained, usual_excess)) * of_chord.value;
+  result.chord_in_toe =
+      *low > stiffness * (result.origin + from - linear->origin) + surely * noise_of(record) &&
+      of_part.value - clearly * error > (1 + std::max(result.toe_excess_explained, usual_excess)) * of_chord.value;
   return result;
 }
 

@@ -135,15 +135,15 @@ struct SmallDeflection {
   Estimate stiffness;             // [N/m] dF/dw0
   // [m] zero of strain: the end of the toe (LinearRegion), or the stated contact point
   double origin;
-  double origin_error;                      // [m] standard deviation
-  double origin_before_record;              // [m] see LinearRegion; 0 with a stated contact point
-  LoadPoint greatest;                       // at the maximum force
-  LoadPoint end;                            // at the last point; at break, if a failure was removed
+  double origin_error;          // [m] standard deviation
+  double origin_before_record;  // [m] see LinearRegion; 0 with a stated contact point
+  LoadPoint greatest;           // at the maximum force
+  LoadPoint end;                // at the last point; at break, if a failure was removed
   // at the conventional strain of ISO 178, 3.5 %; empty if the record does not reach it
   std::optional<LoadPoint> at_conventional_strain;
   // [1] slope over the last tenth of the deflection, relative to `stiffness`
   double end_slope;
-  double end_share;  // [1] of the span, deflection at the end; 0 without a span
+  double end_share;                         // [1] of the span, deflection at the end; 0 without a span
   std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
   // Empty if span or section is unknown, or the record does not cover both strains.
   std::optional<Chord> chord;

@@ -65,14 +65,15 @@ void require_kind(const Export& file, const ExportColumn& column, ColumnRole rol
   const RoleWords& words = words_for(role);
   const std::optional<Unit> unit = machine_unit(column.unit);  // in_si reports an unknown unit
   if (!unit || words.kind == nullptr || is_of_kind(unit, words) || may_be_stress(unit, role)) return;
-  throw InputError({.file = file.origin.source,
-                    .field = std::string(words.flag),
-                    .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
-                                           in_quotes(column.unit), noun(*words.kind)),
-                    .remedy = meant_units(column.unit, *words.kind).empty()
-                                  ? "name another column"
-                                  : fmt::format("if it is the right column, give its unit after its name, as in \"{} [{}]\"",
-                                                column.name, meant_or_usual(column.unit, words))});
+  throw InputError(
+      {.file = file.origin.source,
+       .field = std::string(words.flag),
+       .problem = fmt::format("The column {} is in {}, not in a unit of {}", in_quotes(column.name),
+                              in_quotes(column.unit), noun(*words.kind)),
+       .remedy = meant_units(column.unit, *words.kind).empty()
+                     ? "name another column"
+                     : fmt::format("if it is the right column, give its unit after its name, as in \"{} [{}]\"",
+                                   column.name, meant_or_usual(column.unit, words))});
 }
 
 // The number of the column with the same title here, if the number belongs to another specimen in
@@ -568,9 +569,10 @@ std::vector<OpenQuestion> questions_of(const std::vector<ExportColumn>& columns)
                     "--force COLUMN, its name or number",
                     {{"force", has_units ? "\"COLUMN\"" : "\"COLUMN [N]\""}}});
   if (forces.size() > 1) asks.push_back(which_of(forces));
-  const bool has_only_time = !with_role(columns, ColumnRole::time).empty() && std::none_of(columns.begin(), columns.end(), [](const ExportColumn& each) {
-    return each.role == ColumnRole::other && each.words.empty();
-  });
+  const bool has_only_time = !with_role(columns, ColumnRole::time).empty() &&
+                             std::none_of(columns.begin(), columns.end(), [](const ExportColumn& each) {
+                               return each.role == ColumnRole::other && each.words.empty();
+                             });
   if (!has_clear && unclear.empty() && has_only_time)
     asks.push_back({"there is no displacement: at which speed did the crosshead move?",
                     "--speed \"0.5 mm/s\" of fit and modulus",

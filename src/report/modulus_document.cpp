@@ -222,9 +222,8 @@ bool has_hidden_toe(const SmallDeflection& numbers) {
 std::string difference_in_words(const SmallDeflection& numbers, double difference) {
   if (has_hidden_toe(numbers))
     return numbers.toe_excess_explained > 0
-               ? fmt::format(
-                     "Friction and large deflection explain {} of it, and a toe may explain the rest.",
-                     format_percent(numbers.toe_excess_explained))
+               ? fmt::format("Friction and large deflection explain {} of it, and a toe may explain the rest.",
+                             format_percent(numbers.toe_excess_explained))
                : "Friction and large deflection do not explain it; a toe may.";
   return difference > 0 ? "Friction and large deflection steepen the linear region more than the chord. Use the chord, "
                           "or the modulus that fit determines."
@@ -370,7 +369,8 @@ Headline headline_of(const StandardTest& test) {
   const std::string chord =
       modulus_in_words(numbers.chord->modulus, relative_error(numbers.chord->stiffness), as(kind::pressure));
   if (numbers.chord_in_toe)
-    return {of_linear, fmt::format("{} from the chord of ISO 178 (0.05 to 0.25 % strain), which lies in a toe.", chord)};
+    return {of_linear,
+            fmt::format("{} from the chord of ISO 178 (0.05 to 0.25 % strain), which lies in a toe.", chord)};
   return {fmt::format("flexural modulus {} (ISO 178 chord, 0.05 to 0.25 % strain).", chord),
           fmt::format("{} from the steepest linear part ({}){}.", linear, rows,
                       has_hidden_toe(numbers) ? "; a toe may lower the chord" : ", for comparison")};
@@ -407,8 +407,7 @@ std::string friction_row(const FrictionGain& gain) {
 std::string_view maximum_in_words(const StandardTest& test) {
   if (is_broken(test)) return " (strength)";
   if (yields(test.numbers)) return "; the specimen yielded";
-  return ends_rising(test.numbers) ? "; still rising: not a strength"
-                                   : "; no failure, so not a strength";
+  return ends_rising(test.numbers) ? "; still rising: not a strength" : "; no failure, so not a strength";
 }
 
 Rows screen_rows(const StandardTest& test) {
@@ -426,9 +425,9 @@ Rows screen_rows(const StandardTest& test) {
       {"stiffness", stiffness},
       {"maximum", point_in_words(test, numbers.greatest) + std::string(has_stress ? maximum_in_words(test) : "")},
       {"3.5 % strain", numbers.at_conventional_strain && !is_broken(test)
-                              ? three_digits(*numbers.at_conventional_strain->stress, as(kind::pressure)) +
-                                    " (conventional stress σ_fC of ISO 178)"
-                              : ""},
+                           ? three_digits(*numbers.at_conventional_strain->stress, as(kind::pressure)) +
+                                 " (conventional stress σ_fC of ISO 178)"
+                           : ""},
       {"break", is_broken(test) ? point_in_words(test, numbers.end) : ""},
       {"supports", without_supports ? fmt::format("contacts that move inwards add {}; without them the modulus is {}",
                                                   percent_to_two_digits(*test.supports.alone),

@@ -196,6 +196,8 @@ inline std::vector<Situation> situations() {
     test.analysis.fit.shortest_wave = 0.1;
   });
   add("hidden_waves", Severity::condition, [](FittedTest& test) { test.analysis.fit.hidden_by_rig = 0.1; });
+  add("contradicts_file", Severity::doubt,
+      [](FittedTest& test) { test.measurement.contradictions = {"The file states span 1 mm, not span 2 mm."}; });
   add("relaxes", Severity::condition, [](FittedTest& test) {
     test.analysis.rig_errors.slow_force = 0.1;
     test.measurement.relaxation =
