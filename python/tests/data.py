@@ -156,6 +156,34 @@ step = "0.1 um"
         self.assertLess(np.median(off), 0.02 * np.abs(curves.force_off).max())  # the median: between two steps the force may snap
 
 
+class OldWorkbooks(unittest.TestCase):
+    def test_identity_a_workbook_of_excel_97_is_read_as_its_numbers_in_csv(self):
+        try:
+            import xlrd  # noqa: F401
+            import xlwt
+        except ImportError:
+            self.skipTest("xlrd and xlwt are not installed")
+        rows = [(0.1 * i, 0.01 * i, 0.3 * i + 0.001 * i * i) for i in range(80)]
+        book = xlwt.Workbook()
+        book.add_sheet("Notes").write(0, 0, "an empty sheet")
+        sheet = book.add_sheet("Data")
+        for j, title in enumerate(("Time (s)", "Crosshead (mm)", "Load (N)")):
+            sheet.write(0, j, title)
+            for i, row in enumerate(rows):
+                sheet.write(i + 1, j, row[j])
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "old.xls"
+            book.save(str(path))
+            plain = pathlib.Path(folder) / "old.csv"
+            plain.write_text("Time (s),Crosshead (mm),Load (N)\n" + "".join(f"{t!r},{w!r},{F!r}\n" for t, w, F in rows))
+            for chosen in (None, "Data", 2):
+                self.assertEqual(flexslip.read(path, sheet=chosen).data["Load"].tolist(), flexslip.read(plain).data["Load"].tolist())
+            of = {"displacement": "crosshead", "stiffness": "1 kN/mm", "span": "64 mm", "width": "10 mm", "height": "4 mm"}
+            self.assertEqual(flexslip.modulus(path, **of).modulus, flexslip.modulus(plain, **of).modulus)
+            with self.assertRaisesRegex(flexslip.InputError, "has the sheets 'Notes', 'Data', not 'Other'"):
+                flexslip.read(path, sheet="Other")
+
+
 class Campaigns(unittest.TestCase):
     def test_identity_a_frame_is_a_table(self):
         frame = pandas.DataFrame({"name": ["a", "b"], "file": ["examples/simulated/test.csv"] * 2, "diameter": [34.8, 34.9]})
