@@ -80,7 +80,7 @@ InputError wrong_cell(const Table& table, std::size_t row, const Column& column,
 // The error for a missing input: a section, "friction", or a key, "rig.stiffness". The remedy shows
 // an example.
 InputError missing(const Test& test, std::string_view key);
-// The same error with a reason after "is missing", "beside rollers = "pinned"", and a remedy.
+// The same error with a reason after "is missing", such as "for rollers = "pinned"", and a remedy.
 InputError missing(const Test& test, std::string_view key, std::string why, std::string remedy);
 
 }  // namespace flexslip

@@ -32,7 +32,7 @@ constexpr std::string_view section_of(Value Section::*) {
   return "record";
 }
 
-// The section of a key, and its member of it, or of a part of it.
+// The section of a key, and its member of the section or of a part of it.
 struct Member {
   std::string_view section;
   Slot (*slot)(const TestPart&);
@@ -102,11 +102,11 @@ constexpr std::array keys{
     flagged(estimate(at<&SpecimenInput::diameter>, "diameter", kind::length, Range::positive, "", R"("34.8 um")",
                      "0.027", "outer diameter of a round specimen or tube")),
     flagged(estimate(at<&SpecimenInput::inner_diameter>, "inner_diameter", kind::length, Range::positive, "",
-                     R"("30 um")", "0.02", "inner diameter of a tube, beside its outer diameter")),
+                     R"("30 um")", "0.02", "inner diameter of a tube; needs diameter, the outer one")),
     flagged(estimate(at<&SpecimenInput::wall>, "wall", kind::length, Range::positive, "", R"("3 um")", "0.003",
                      "wall thickness of a tube, instead of its inner diameter")),
     flagged(estimate(at<&SpecimenInput::width>, "width", kind::length, Range::positive, "", R"("50 um")", "0.04",
-                     "width of a rectangular section, beside its height")),
+                     "width of a rectangular section; needs height")),
     flagged(estimate(at<&SpecimenInput::height>, "height", kind::length, Range::positive, "", R"("30 um")", "0.02",
                      "height of a rectangular section, in the direction of bending")),
     flagged(estimate(at<&SpecimenInput::modulus>, "modulus", kind::pressure, Range::positive, "fit", R"("29.6 GPa")",
@@ -130,7 +130,8 @@ constexpr std::array keys{
        {"cracks", Holds::tables, nullptr, Range::any, 0, "", R"([{ deflection = "160 um", loss = "3 %" }])",
         R"([{ deflection = 0.12, loss = "3 %" }])", "deflections at which the specimen cracks, for simulate",
         " (`design` and `sweep` refuse it, other commands ignore it). When a deflection is first reached, the bending "
-        "stiffness falls at once and for good by the stated share of what is left ([theory.md](theory.md#cracks))"}),
+        "stiffness falls at once and for good by the stated share of the remaining stiffness "
+        "([theory.md](theory.md#cracks))"}),
     quantity(at<&CrackInput::deflection>, "deflection", kind::length, Range::positive, R"("160 um")", "0.12",
              "deflection at which the crack opens"),
     share(at<&CrackInput::loss>, "loss", Range::positive, R"("3 %")",
@@ -146,7 +147,7 @@ constexpr std::array keys{
     quantity(at<&RigInput::support_stiffness>, "support_stiffness", kind::stiffness, Range::positive_or_infinite,
              R"("5 kN/mm")", "2000", "vertical stiffness of each of the two supports, if they yield",
              ". Load train and supports in series then stand between the stage and the deflection, and a snap happens "
-             "on both. The deflection is always that of the midpoint below the ends of the specimen"),
+             "on both. The deflection is always measured from the ends of the specimen to midspan"),
     flagged(word(at<&RigInput::supports>, "supports", "edges|rollers", R"("edges")",
                  "what the specimen lies on: knife edges, or rollers with a radius; edges are assumed unless given")),
     flagged(estimate(at<&RigInput::roller_radius>, "roller_radius", kind::length, Range::non_negative, "", R"("5 mm")",
@@ -157,7 +158,7 @@ constexpr std::array keys{
         word(
             at<&RigInput::rollers>, "rollers", "fixed|pinned", R"("pinned")",
             "how the rollers move: not at all, or on pins; fixed unless given",
-            R"(. `"pinned"` rollers turn on pins, and friction is at most that of the pins, the same everywhere ([theory](theory.md#rollers-and-thickness)))")),
+            R"(. `"pinned"` rollers turn on pins, and friction is at most the friction of the pins, the same everywhere ([theory](theory.md#rollers-and-thickness)))")),
     quantity(at<&RigInput::pin_radius>, "pin_radius", kind::length, Range::positive, R"("1 mm")", "0.02",
              "radius of the pins on which the rollers turn"),
     quantity(at<&RigInput::pin_friction>, "pin_friction", kind::number, Range::non_negative, "0.1", "0.1",
@@ -165,7 +166,7 @@ constexpr std::array keys{
     word(
         at<&RigInput::friction_at>, "friction_at", "surface|axis", R"("axis")",
         "whether friction acts at the surface or at the axis of the specimen; surface unless given",
-        R"(. `"surface"`: the specimen has the thickness of its section and its axis lies half of it above the supports; friction cannot be read off below a deflection of twice the thickness. `"axis"`: the paper's model, a specimen without thickness)"),
+        R"(. `"surface"`: the specimen has the thickness of its section and its axis is half the thickness above the supports; friction cannot be determined at deflections below twice the thickness. `"axis"`: the paper's model, a specimen without thickness)"),
     quantity(at<&RigInput::nose_radius>, "nose_radius", kind::length, Range::positive, R"("5 mm")", "0.08",
              "radius of the loading nose; sharp unless given",
              ". It has no effect until the specimen is bent more sharply than nose and half depth allow; simulate, "
@@ -176,8 +177,8 @@ constexpr std::array keys{
         R"(. A nose whose friction is at least half of the difference between the sides' holds it, and two sides that differ act by their mean. `"free"`: a nose without friction, or one that turns; the weaker side slides, and `fit` reports lengths along the specimen twice as long ([theory](theory.md#two-supports)))"),
     word(
         at<&RigInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
-        "where a snap comes to rest: nearest stable state, or beyond",
-        R"(. Unless given, simulate takes the nearest, and fit what the record shows ([theory](theory.md#where-a-snap-comes-to-rest)). `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it carries the specimen on until friction has consumed it, as on a rig that is hardly damped; the specimen then sticks until the force has risen again)"),
+        "where a snap stops: nearest stable state, or beyond",
+        R"(. Unless given, simulate takes the nearest, and fit what the record shows ([theory](theory.md#where-a-snap-comes-to-rest)). `"nearest"`: the energy set free is lost at once, as in the paper. `"overshoot"`: it moves the specimen until friction has dissipated it, as on a rig with almost no damping; the specimen then sticks until the force has risen again)"),
     plain(at<&RigInput::support_material>, "support_material", Holds::text, R"("steel")", "material of the supports",
           "; friction is compared with the literature only if both materials are stated"),
     // friction
@@ -188,8 +189,7 @@ constexpr std::array keys{
     quantity(at<&FrictionInput::drift>, "drift", kind::inverse_length, Range::any, R"("0.2 1/mm")", "0.3",
              "slope of friction along the length S; 0 unless given", "; where it would carry μ below 0, μ is 0"),
     quantity(at<&FrictionInput::reference>, "reference", kind::length, Range::positive, R"("1.5 mm")", "1.2",
-             "length S at which friction is mu0, beside a drift; the span unless given",
-             ", and never less than the span"),
+             "length S at which friction with a drift is mu0; default: the span", ", and never less than the span"),
     at_most(
         1, "it is relative to mu0, and friction cannot be negative",
         quantity(at<&FrictionInput::amplitude, &WaveInput::amplitude>, "amplitude", kind::number, Range::non_negative,
@@ -234,7 +234,7 @@ constexpr std::array keys{
     quantity(at<&FrictionInput::cutoff>, "cutoff", kind::length, Range::positive, R"("1 um")", "0.001",
              "cutoff of the Gaussian filter that removes shorter waves from the heights; none unless given"),
     quantity(at<&FrictionInput::edge_radius>, "edge_radius", kind::length, Range::non_negative, R"("1 um")", "0.001",
-             "radius of the edge that climbs the surface; that of the rollers, or sharp, unless given",
+             "radius of the edge that slides over the surface; default: the rollers' radius, or sharp",
              ". It does not reach into valleys narrower than itself"),
     quantity(at<&FrictionInput::static_excess>, "static_excess", kind::number, Range::non_negative, "0.1", "0.1",
              "excess of static over kinetic friction; 0 unless given", ". Only for simulate"),
@@ -263,7 +263,7 @@ constexpr std::array keys{
           ", to check that no row is earlier than the one before. The model has no speed"),
     word(at<&StageInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file of stage positions"),
     word(at<&StageInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
-         "where a simulated snap comes to rest: as on the rig unless given", "; see `[rig] snaps`"),
+         "where a simulated snap stops; default: as on the rig", "; see `[rig] snaps`"),
     // record
     plain(at<&RecordInput::file>, "file", Holds::file, R"("ss14.csv")", "file with the measured record",
           ": a table of text, an export of a testing machine, or a workbook (.xlsx), read as `flexslip read` reads it"),
@@ -281,7 +281,7 @@ constexpr std::array keys{
     flagged(word(
         at<&RecordInput::displacement>, "displacement", "crosshead|deflection", R"("crosshead")",
         "what an export's displacement measures: the crosshead or the midpoint",
-        R"(. `"crosshead"` is corrected for the load train; `"deflection"` is that of the specimen's midpoint. Needed if the file does not say it)")),
+        R"(. `"crosshead"` is corrected for the load train; `"deflection"` is measured at the specimen's midpoint. Needed if the file does not say it)")),
     flagged(plain(at<&RecordInput::displacement_column>, "displacement_column", Holds::text, R"("Extension")",
                   "column of displacement in an export, by name or number, if it is not found")),
     flagged(plain(at<&RecordInput::specimen>, "specimen", Holds::whole_number, "2",
@@ -305,7 +305,7 @@ constexpr std::array keys{
         "standard deviation of the deflection that was there before displacement and force were set to zero, or of "
         "the bow of a specimen, which reads like it; 0.5 % of the span unless given, 0.3 % where the record begins "
         "before the contact"),
-    at_most(max_uncertainty, "such a force tells no friction",
+    at_most(max_uncertainty, "such a force does not determine friction",
             share(at<&RecordInput::slow_force_error>, "slow_force_error", Range::non_negative, R"("2 %")",
                   "standard deviation of slow deviations of the force, relative to the maximum force: the specimen or "
                   "the rig relaxes, the load cell drifts; 0.65 % unless given, and more where rests of the stage show "

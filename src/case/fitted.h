@@ -54,7 +54,7 @@ struct Provenance {
 // Drops of the force in all loadings except the evaluated one.
 struct DropsElsewhere {
   std::size_t drops = 0;
-  RowRange rows_of_most{};  // of the file: the loading with the most drops
+  RowRange rows_of_most{};  // of the file: the loading with the maximum of drops
 };
 
 struct FittedTest {

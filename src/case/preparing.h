@@ -23,7 +23,7 @@ struct StatedRows {
 
 // A record in preparation. Each step uses the result of the previous step.
 struct Preparing {
-  Measurement result;  // the result so far
+  Measurement result;  // the result up to this step
   Readings readings;
   Needs needs;
   double stiffness;                       // [N/m] of the load train

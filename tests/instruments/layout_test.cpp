@@ -176,7 +176,7 @@ TEST_CASE("layout: words of the preamble between blocks of rows are no row with 
   }
   CHECK(is_understood(text));
   const Export file = export_in(text, "e.csv");
-  CHECK(has(file.row_notes.back(), "not rows of 3 cells: lines 12, 21"));
+  CHECK(has(file.row_notes.back(), "do not have 3 cells: lines 12, 21"));
   // A sensor that failed is a row.
   const std::size_t at = text.find("Counts", 10);
   CHECK(export_in(text.replace(at, 6, "Failed"), "e.csv").specimens.front().lines.size() == rows + 1);
