@@ -24,7 +24,7 @@ std::string full_name(const CaseKey& key) {
 
 constexpr std::string_view of_uncertainty = ".uncertainty";
 
-// "rig.stiffness", also of "rig.stiffness.uncertainty". Null if there is none.
+// The key "rig.stiffness", also from "rig.stiffness.uncertainty". nullptr for other names.
 const CaseKey* named_key(std::string_view name) {
   if (name.ends_with(of_uncertainty)) {
     const CaseKey* key = named_key(name.substr(0, name.size() - of_uncertainty.size()));
@@ -50,8 +50,7 @@ std::string changed_key(std::string_view change) {
   if (is_whole && has_keys && named_key(name)) return std::string(name);
   std::vector<std::string> known;
   for (const CaseKey& key : case_keys())
-    if (key.section.find('.') == key.section.npos)
-      known.push_back(full_name(key));  // those of arrays change as a whole
+    if (key.section.find('.') == key.section.npos) known.push_back(full_name(key));  // arrays change as a whole
   const auto same =
       std::find_if(case_keys().begin(), case_keys().end(), [&](const CaseKey& key) { return key.name == name; });
   throw no_change(
@@ -62,7 +61,7 @@ std::string changed_key(std::string_view change) {
 namespace {
 
 bool is_text(const CaseKey& key, std::string_view value) {
-  if (value.starts_with('"') || value.starts_with('\'')) return false;  // as a file has it
+  if (value.starts_with('"') || value.starts_with('\'')) return false;  // as in a file
   switch (key.holds) {
     case Holds::word:
     case Holds::text:
@@ -71,11 +70,11 @@ bool is_text(const CaseKey& key, std::string_view value) {
     case Holds::file:
       return true;
     default:
-      return value == "inf";  // a number of TOML, and the word of a rig
+      return value == "inf";  // a number in TOML, and a word of the rig
   }
 }
 
-// As TOML reads it, or else text.
+// As TOML reads it, otherwise text.
 void insert(toml::table& section, const std::string& name, const CaseKey& key, const std::string& value) {
   if (!is_text(key, value)) try {
       toml::table parsed = parse_toml(fmt::format("value = {}\n", value), "--set");
@@ -86,7 +85,7 @@ void insert(toml::table& section, const std::string& name, const CaseKey& key, c
   section.insert_or_assign(name, value);
 }
 
-// Rollers that a change states leave no room for the edges of a case, nor edges for its rollers.
+// Stated rollers replace the edges of the case, and vice versa.
 void make_room_for(const std::vector<std::string>& changed, toml::table& table) {
   toml::table* rig = table["rig"].as_table();
   const auto is_changed = [&](std::string_view key) {

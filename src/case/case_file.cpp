@@ -20,11 +20,11 @@
 namespace flexslip {
 namespace {
 
-constexpr std::size_t max_bytes = 1 << 20;  // [bytes] a description of one test is a thousand times smaller
-constexpr double max_steps = 1e7;           // of a stage programme: minutes of work; more is a slip of the pen
-constexpr double max_turns = 1e5;           // of a stage programme with its cycles: likewise
+constexpr std::size_t max_bytes = 1 << 20;  // [bytes] a thousand times the description of a test
+constexpr double max_steps = 1e7;           // of a stage programme: minutes of work; more is a typing error
+constexpr double max_turns = 1e5;           // of a stage programme with its cycles; more is a typing error
 
-// What to write for a section that is missing, and for a key of which the example of its row would not do.
+// Examples for missing sections, and for keys whose own example does not fit.
 struct Example {
   std::string_view key;
   std::string_view physical;
@@ -51,7 +51,7 @@ constexpr std::array examples{
     Example{"sweep.axes", "[sweep.axes] with mu0 = [0.3, 0.5]", "[sweep.axes] with mu0 = [0.3, 0.5]"},
 };
 
-// Keys of a section that exclude each other: the first is refused beside any of the others.
+// Keys of a section that exclude each other. The first is refused together with any of the others.
 struct Clash {
   std::string_view section, key, others, problem, remedy;
 };
@@ -74,7 +74,7 @@ constexpr std::array clashes{
     Clash{"stage", "step", "file", one_programme, "delete it: the rows of the file are the steps"},
 };
 
-// And keys that are nothing without another.
+// Keys that need another key.
 constexpr std::string_view a_section = "add diameter, or width and height: the strain depends on the depth";
 constexpr std::array needs{
     Clash{"specimen", "strength", "diameter|width", "This needs a section of the specimen", a_section},
@@ -89,7 +89,7 @@ constexpr std::array needs{
           "add file = \"run.csv\", or delete it"},
 };
 
-// The keys of each model of friction, in the order of FrictionModel; those with ? may be left out.
+// The keys of each friction model, in the order of FrictionModel; ? marks optional keys.
 constexpr std::array<std::string_view, 8> keys_of_models{
     "mu0|drift?|reference?",
     "mu0|drift?|reference?",
@@ -110,7 +110,7 @@ bool says_one(const Test& test, std::string_view section, std::string_view names
   return std::any_of(parts.begin(), parts.end(), [&](std::string_view name) { return says(test, section, name); });
 }
 
-// "specimen.diameter" as the user finds it: "[specimen] diameter".
+// The field of a message for "specimen.diameter": "[specimen] diameter".
 std::string field_name(std::string_view key) {
   constexpr std::string_view nested = "friction.other";
   const bool is_nested = key.starts_with(nested) && key.substr(nested.size()).starts_with('.');
@@ -122,7 +122,7 @@ std::string field_name(std::string_view key) {
                                                                             : fmt::format("[{}]", key);
 }
 
-// The line of a key; one that the file does not have is looked for where it would stand, in its section.
+// The line of a key. A key that is not in the file has the line of its section.
 std::size_t line_of(const Test& test, std::string_view key) {
   while (!key.empty()) {
     if (const auto at = test.lines.find(key); at != test.lines.end()) return at->second;
@@ -149,7 +149,8 @@ bool is_in_unit(const toml::table& section, std::string_view name, std::string_v
   return !number.empty() && (number.back() == ' ' || is_digit(number.back()));
 }
 
-// Reads [friction], to which `further` keys belong with any model, or [friction.other], which has none. The model alone is one to fit.
+// Reads [friction], where `further` keys belong to any model, or [friction.other], which has no
+// such keys. A model without parameters is fitted.
 void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<std::string>& further) {
   keys.read(&friction);
   keys.need("model");
@@ -158,7 +159,7 @@ void read_friction(const Keys& keys, FrictionInput& friction, const std::vector<
   for (const std::string_view name : names) known.emplace_back(name.substr(0, name.find('?')));
   if (friction.model != FrictionModel::roughness) known.insert(known.end(), further.begin(), further.end());
   if (friction.model == FrictionModel::roughness && keys.has("other"))
-    keys.refuse("other", "[friction.other] stands beside a model to compute with, not beside a model to fit",
+    keys.refuse("other", "[friction.other] needs a model to compute with in [friction], not a model to fit",
                 "write a model to compute with into [friction], such as model = \"constant\" with mu0 = 0.5");
   keys.only(known);
   const bool is_to_fit = keys.size() == 1 && !further.empty();
@@ -198,7 +199,7 @@ void read_supports(const Keys& keys, Test& test) {
   throw wrong_value(test, key, std::move(problem), std::move(remedy));
 }
 
-// An export of a testing machine says the span and the section itself.
+// The export of a testing machine may state span and section.
 bool reads_export(const Test& test) { return test.record && test.record->is_export(); }
 
 void check_specimen(const Test& test) {
@@ -252,17 +253,17 @@ void check_rig(const Test& test) {
     refuse(test, "rig.supports", "The supports are \"edges\", but a roller_radius is stated",
            "delete it, or roller_radius");
   if (rig.supports == SupportKind::rollers && !has_radius)
-    throw missing(test, "rig.roller_radius", "beside supports = \"rollers\"",
-                  fmt::format("add that of yours, such as roller_radius = {}", written(0.05 * *rig.span)));
+    throw missing(test, "rig.roller_radius", "for supports = \"rollers\"",
+                  fmt::format("add yours, such as roller_radius = {}", written(0.05 * *rig.span)));
   if (rig.rollers != Rollers::fixed && !has_radius)
     refuse(test, "rig.rollers", "This needs rollers with a radius, and no radius is stated",
-           fmt::format("state that of yours, {}, or delete it", keys_in_words(test, "rig", {"roller_radius"})));
+           fmt::format("state the radius, {}, or delete it", keys_in_words(test, "rig", {"roller_radius"})));
   const bool is_pinned = rig.rollers == Rollers::pinned;
   for (const auto& [name, member] :
        {std::pair{"pin_radius", &RigInput::pin_radius}, {"pin_friction", &RigInput::pin_friction}}) {
     if (is_pinned && !(rig.*member))
-      throw missing(test, fmt::format("rig.{}", name), "beside rollers = \"pinned\"",
-                    fmt::format("add that of your rig, such as {} = {}", name,
+      throw missing(test, fmt::format("rig.{}", name), "for rollers = \"pinned\"",
+                    fmt::format("add yours, such as {} = {}", name,
                                 member == &RigInput::pin_friction ? "0.1" : written(0.2 * *rig.roller_radius)));
     if (!is_pinned && rig.*member)
       refuse(test, fmt::format("rig.{}", name), "This needs rollers on pins, and the rollers are 'fixed'",
@@ -270,7 +271,8 @@ void check_rig(const Test& test) {
   }
   if (is_pinned && !(*rig.pin_radius <= *rig.roller_radius))
     refuse(test, "rig.pin_radius",
-           fmt::format("The radius of the pin is {:g} times that of the roller", *rig.pin_radius / *rig.roller_radius),
+           fmt::format("The radius of the pin is {:g} times the radius of the roller",
+                       *rig.pin_radius / *rig.roller_radius),
            "check the units of both");
   if (is_pinned && !rig.pins_turn())
     refuse(test, "rig.pin_friction",
@@ -320,7 +322,7 @@ void check_record(const Test& test) {
             "delete one");
   if (record.is_export() && record.length)
     refuse(test, "record.length",
-           "A length needs stage or deflection, and force, beside it, with the titles of their columns");
+           "A length also needs stage or deflection, and force, with the titles of their columns");
   if (record.is_export() && test.reduced)
     refuse(test, "record.stage", "A reduced case needs two of the columns stage, deflection and force",
            "delete reduced = true if the file is an export of a testing machine, in physical units");
@@ -339,7 +341,7 @@ void check_record(const Test& test) {
                       "name the column of the force");
 }
 
-// What no key alone can tell.
+// Checks that involve several keys.
 void check(const Test& test) {
   Faults faults;
   const auto refuse_if = [&](const Clash& rule, bool is_beside) {
@@ -379,7 +381,7 @@ std::string quantity_text(const Test& test, const Kind& kind, double value) {
   return is_plain ? fmt::format("{}", value) : fmt::format("\"{}\"", exact_text(value, kind));
 }
 
-// Writes values as a case file has them.
+// Writes values in the notation of a case file.
 struct Writer {
   const Test& test;
   const CaseKey& key;
@@ -403,7 +405,7 @@ struct Writer {
     return fmt::format("{{ deflection = {} }}", quantity_text(test, kind::length, at.position));
   }
   template <class Value>
-  std::string operator()(Value value) const {  // a word, or a whole number
+  std::string operator()(Value value) const {  // a word or a whole number
     const auto number = static_cast<std::uint64_t>(value);
     return std::is_enum_v<Value> ? toml_text(words_of(key).at(static_cast<std::size_t>(number)))
                                  : std::to_string(number);
@@ -427,7 +429,7 @@ struct Writer {
     return fmt::format("[{}]", fmt::join(texts, ", "));
   }
 };
-// "name = value" of each member of a part that is required, or is not what it is where nothing is said.
+// "name = value" for each member of a part that is required or differs from its default.
 template <class Section>
 std::vector<std::string> lines_of(const Test& test, Section* part) {
   Section nothing{};
@@ -525,7 +527,7 @@ std::string KeyChange::in_case() const { return fmt::format("[{}] {} = {}", sect
 
 namespace {
 
-// What a command line has for a key: "--sign", or "--set rig.roller_radius".
+// The flag of a key: "--sign", or "--set rig.roller_radius".
 std::string flag_for(std::string_view section, std::string_view name) {
   const CaseKey* key = case_key(section, name);
   return key && key->has_flag ? flag_of(name) : fmt::format("--set {}.{}", section, name);

@@ -32,7 +32,7 @@ constexpr std::string_view section_of(Value Section::*) {
   return "record";
 }
 
-// The section of a key, and its member of it, or of a part of it.
+// The section of a key, and its member of the section or of a part of it.
 struct Member {
   std::string_view section;
   Slot (*slot)(const TestPart&);
@@ -102,11 +102,11 @@ constexpr std::array keys{
     flagged(estimate(at<&SpecimenInput::diameter>, "diameter", kind::length, Range::positive, "", R"("34.8 um")",
                      "0.027", "outer diameter of a round specimen or tube")),
     flagged(estimate(at<&SpecimenInput::inner_diameter>, "inner_diameter", kind::length, Range::positive, "",
-                     R"("30 um")", "0.02", "inner diameter of a tube, beside its outer diameter")),
+                     R"("30 um")", "0.02", "inner diameter of a tube; needs diameter, the outer one")),
     flagged(estimate(at<&SpecimenInput::wall>, "wall", kind::length, Range::positive, "", R"("3 um")", "0.003",
                      "wall thickness of a tube, instead of its inner diameter")),
     flagged(estimate(at<&SpecimenInput::width>, "width", kind::length, Range::positive, "", R"("50 um")", "0.04",
-                     "width of a rectangular section, beside its height")),
+                     "width of a rectangular section; needs height")),
     flagged(estimate(at<&SpecimenInput::height>, "height", kind::length, Range::positive, "", R"("30 um")", "0.02",
                      "height of a rectangular section, in the direction of bending")),
     flagged(estimate(at<&SpecimenInput::modulus>, "modulus", kind::pressure, Range::positive, "fit", R"("29.6 GPa")",
@@ -181,8 +181,7 @@ constexpr std::array keys{
     quantity(at<&FrictionInput::drift>, "drift", kind::inverse_length, Range::any, R"("0.2 1/mm")", "0.3",
              "slope of friction along the length S; 0 unless given", "; where it would carry μ below 0, μ is 0"),
     quantity(at<&FrictionInput::reference>, "reference", kind::length, Range::positive, R"("1.5 mm")", "1.2",
-             "length S at which friction is mu0, beside a drift; the span unless given",
-             ", and never less than the span"),
+             "length S at which friction with a drift is mu0; default: the span", ", and never less than the span"),
     at_most(
         1, "it is relative to mu0, and friction cannot be negative",
         quantity(at<&FrictionInput::amplitude, &WaveInput::amplitude>, "amplitude", kind::number, Range::non_negative,
@@ -227,7 +226,7 @@ constexpr std::array keys{
     quantity(at<&FrictionInput::cutoff>, "cutoff", kind::length, Range::positive, R"("1 um")", "0.001",
              "cutoff of the Gaussian filter that removes shorter waves from the heights; none unless given"),
     quantity(at<&FrictionInput::edge_radius>, "edge_radius", kind::length, Range::non_negative, R"("1 um")", "0.001",
-             "radius of the edge that climbs the surface; that of the rollers, or sharp, unless given",
+             "radius of the edge that slides over the surface; default: the rollers' radius, or sharp",
              ". It does not reach into valleys narrower than itself"),
     quantity(at<&FrictionInput::static_excess>, "static_excess", kind::number, Range::non_negative, "0.1", "0.1",
              "excess of static over kinetic friction; 0 unless given", ". Only for simulate"),
@@ -255,7 +254,7 @@ constexpr std::array keys{
           ", to check the order of the rows"),
     word(at<&StageInput::decimal>, "decimal", ".|,", R"(",")", "decimal mark of the file of stage positions"),
     word(at<&StageInput::snaps>, "snaps", "nearest|overshoot", R"("overshoot")",
-         "where a simulated snap comes to rest: as on the rig unless given", "; see `[rig] snaps`"),
+         "where a simulated snap stops; default: as on the rig", "; see `[rig] snaps`"),
     // record
     plain(at<&RecordInput::file>, "file", Holds::file, R"("ss14.csv")", "file with the measured record",
           ": [any file](reading-exports.md) that `flexslip read` reads"),
@@ -297,7 +296,7 @@ constexpr std::array keys{
         "standard deviation of the deflection that was there before displacement and force were set to zero, or of "
         "the bow of a specimen, which reads like it; 0.5 % of the span unless given, 0.3 % where the record begins "
         "before the contact"),
-    at_most(max_uncertainty, "such a force tells no friction",
+    at_most(max_uncertainty, "such a force does not determine friction",
             share(at<&RecordInput::slow_force_error>, "slow_force_error", Range::non_negative, R"("2 %")",
                   "standard deviation of slow deviations of the force, relative to the maximum force: the specimen or "
                   "the rig relaxes, the load cell drifts; 0.65 % unless given, and more where rests of the stage show "

@@ -1,5 +1,6 @@
-// Every key of a case file, described once: a row says what it holds and which member of a Test that is. The reader, the writer, refusals, flags, --set,
-// the columns of a campaign's table, the axes of maps and sweeps, `flexslip keys` and docs/case-file-keys.md are made of the rows.
+// Every key of a case file, described once: its type and its member of Test. The reader, the
+// writer, error messages, flags, --set, campaign tables, axes of maps and sweeps, `flexslip keys`
+// and docs/case-file-keys.md use these rows.
 #pragma once
 
 #include <span>
@@ -23,17 +24,18 @@ enum class Holds {
   estimate,      // a quantity of `kind`, within `range`, or { value, uncertainty }
   word,          // one of `words`
   text,
-  title,           // of a column that holds a quantity of `kind`
+  title,           // title of a column with a quantity of `kind`
   file,            // relative to the case file
   name_or_number,  // of a sheet: text, or a whole number from 1
   place,           // in a record: a row, a stage position, or { deflection = … }
-  lengths,         // an array of them
+  lengths,         // an array of lengths
   section,
-  axes,    // of a sweep: a section whose keys are numbers of the case that vary
-  tables,  // an array of tables, whose keys are in a section of their own: "specimen.cracks"
+  axes,    // of a sweep: a section whose keys are the varied keys of the case
+  tables,  // an array of tables with keys in their own section, "specimen.cracks"
 };
 
-// What the keys of a section are members of, and what a key may be there. A number or a text that is not optional is required.
+// The structs that keys are members of, and the types of keys. A number or text that is not
+// optional is required.
 using TestPart =
     std::variant<SpecimenInput*, CrackInput*, RigInput*, FrictionInput*, WaveInput*, StageInput*, RecordInput*>;
 using Slot =
@@ -51,49 +53,51 @@ inline bool is_required(const Slot& slot) {
 struct CaseKey {
   std::string_view name;
   Holds holds;
-  const Kind* kind;  // none where that has no meaning
+  const Kind* kind;  // nullptr if a kind has no meaning
   Range range;
   int min;                         // of a whole number
-  std::string_view words;          // "find|keep|reverse"; beside a quantity, what may stand in its place
-  std::string_view example;        // as it is written in a file: "\"34.8 um\""
-  std::string_view reduced;        // likewise, with reduced = true; "": not there
+  std::string_view words;          // "find|keep|reverse"; for a quantity, words allowed instead of it
+  std::string_view example;        // as in a file: "\"34.8 um\""
+  std::string_view reduced;        // with reduced = true; "": the key does not exist then
   std::string_view meaning;        // a phrase
-  std::string_view more;           // what docs/case-file-keys.md adds (Markdown)
-  double max = infinity;           // the greatest value within the range
-  std::string_view why_max = "";   // a remedy for one that is greater
-  std::string_view gone = "";      // a word of earlier versions; "": none
-  std::string_view why_gone = "";  // a remedy for it
-  bool has_flag = false;           // flag_of its name says it of a data file without a case
-  std::string_view section = "";   // "": a key of the case itself
+  std::string_view more;           // addition in docs/case-file-keys.md (Markdown)
+  double max = infinity;           // maximum within the range
+  std::string_view why_max = "";   // remedy above the maximum
+  std::string_view gone = "";      // a word of earlier versions, no longer valid; "": no such word
+  std::string_view why_gone = "";  // its remedy
+  bool has_flag = false;           // has a flag for data files without a case (flag_of)
+  std::string_view section = "";   // "": a key outside sections
   Slot (*slot)(const TestPart&) = nullptr;
 
-  // Its member of a part; none of a part that has no such member.
+  // The member of a part; nullptr if the part has no such member.
   Slot of(const TestPart& part) const { return slot ? slot(part) : Slot(); }
 };
 
 std::span<const CaseKey> case_keys();
 
-// The sections that the keys are in, "specimen", "specimen.cracks", …, in their order.
+// All sections with keys in order: "specimen", "specimen.cracks", …
 std::vector<std::string> case_sections();
 
-// The key of a section or of a table in it: "friction.other" has those of "friction", "friction.waves[2]" likewise, "specimen.cracks[1]" those of
-// "specimen.cracks", and each of "sweep.axes" is one of its axes. Null if there is none.
+// The key with a name in a section, or in a table of a section. "friction.other" has the keys of
+// "friction", "specimen.cracks[1]" the keys of "specimen.cracks", and every name in "sweep.axes" is
+// an axis. nullptr for other names.
 const CaseKey* case_key(std::string_view section, std::string_view name);
 
-// The number that a key of a section of a test holds, to be read or set: of an array the last one, of an estimate its value. Null if it holds none.
+// The number of a key of a test, for reading and writing: of an array the last, of an estimate its
+// value. nullptr if the key has no number.
 double* number_of(Test& test, const CaseKey& key);
 
 // "--inner-diameter"
 std::string flag_of(std::string_view name);
 
-// The words of "find|keep|reverse", and those of a key.
+// The words of "find|keep|reverse", and the words of a key.
 std::vector<std::string_view> words_of(std::string_view list);
 std::vector<std::string_view> words_of(const CaseKey& key);
 
 // "a, b or c"
 std::string in_words(const std::vector<std::string>& names, std::string_view before_last = "or");
 
-// What it holds, in words: "a length", "\"find\", \"keep\" or a force".
+// The type of a key in words: "a length", "\"find\", \"keep\" or a force".
 std::string what_holds(const CaseKey& key);
 
 }  // namespace flexslip

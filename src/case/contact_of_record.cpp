@@ -13,13 +13,13 @@
 #include "io/input_error.h"
 #include "numerics/elementary.h"
 
-// Where displacements are counted from: the contact that a case states, or that the record shows.
+// The zero of displacements: the stated contact, or the contact of the record.
 namespace flexslip {
 namespace {
 
 bool begins_before_contact(const Record& record, const Contact& contact, double noise) {
-  // Rows whose force is within four times the noise of zero say that there is no contact yet, if they are this many more than a
-  // specimen in contact from the first row on would show.
+  // Rows with a force within four times the noise of zero lie before the contact, if there are this
+  // many more than for a specimen in contact from the first row.
   constexpr double min_free_rows = 5;
   if (contact.status != ContactStatus::found) return false;
   const auto free =
@@ -28,9 +28,10 @@ bool begins_before_contact(const Record& record, const Contact& contact, double 
   return static_cast<double>(free - record.force.begin()) >= min_free_rows + 4 * noise / (contact.slope * step);
 }
 
-// What is known of a test before its record is looked at. Without a span, as of a modulus that asks none, the curve is as good as straight.
+// Facts about a test before its record is examined. Without a span, as for some moduli, the curve
+// is treated as straight.
 BeginningOf beginning_of(const Test& input, const Record& record, double stiffness) {
-  constexpr double straight = 20;  // [greatest deflection]
+  constexpr double straight = 20;  // [maximum deflection]
   BeginningOf beginning{.span = straight * *std::max_element(record.deflection.begin(), record.deflection.end()),
                         .load_train_stiffness = stiffness};
   if (!(beginning.span > 0)) beginning.span = 1;
@@ -45,8 +46,8 @@ BeginningOf beginning_of(const Test& input, const Record& record, double stiffne
   return beginning;
 }
 
-// [N] The force under which a record begins whose file counts from the contact, where none of its specimen could be there; below zero where no
-// specimen makes it; else 0.
+// [N] The force at the start of a record whose file counts from the contact, if the specimen cannot
+// cause it, or if it is negative. Otherwise 0.
 double force_at_beginning(const Record& record, const Contact& contact, double slope, double contact_error,
                           double noise) {
   constexpr double surely = 3, of_noise = 4, of_greatest = 0.01;
@@ -60,18 +61,19 @@ double force_at_beginning(const Record& record, const Contact& contact, double s
   return record.force.front() > slope * way + of_noise * noise ? record.force.front() : 0;
 }
 
-// Fewer readings than a fit needs are bent far enough to tell of friction.
+// True if too few readings for a fit reach the minimum deflection for friction.
 bool tells_no_friction(const Test& input, const Record& record) {
   const Scales scales(*input.rig->span, 1);
   return readings_judged(to_reduced(record, scales), fibre_of(input, scales)).size() < min_readings;
 }
 
-// Do at least so many points lie behind a contact?
+// True if enough points lie after a contact.
 bool leaves(std::size_t points, const Record& record, double contact) {
   return record.stage.size() >= points && record.stage[record.stage.size() - points] >= contact;
 }
 
-// Does the straight part meet zero force farther behind the contact than friction and supports explain? All before it is then a toe.
+// True if the linear region meets zero force farther after the contact than friction and supports
+// explain. Everything before it is then a toe.
 bool begins_with_toe(const Record& record, const LinearRegion& straight, const BeamGeometry& geometry, double contact,
                      double contact_error) {
   constexpr double surely = 3;
@@ -81,23 +83,24 @@ bool begins_with_toe(const Record& record, const LinearRegion& straight, const B
   return straight.origin - contact > surely * error + (middle - contact) * steeper / (1 + steeper);
 }
 
-// Whether the record shows a contact of its own that displacements are to be counted from.
+// True if the record shows a contact from which displacements should be counted.
 bool shows_contact(const Preparing& at, const Contact& contact) {
   const std::optional<ContactRule>& rule = at.input().record->contact;
   if (rule) return rule == ContactRule{ContactWord::find};
   if (contact.status != ContactStatus::found) return false;
-  // The stage's own zero is far from where the force begins to rise, and that is where the record begins.
+  // The zero of the stage is far from the start of the force, where the record begins.
   constexpr double far = 10, near = 0.25;
   const double offset = contact.offset.value;
   const bool begins_elsewhere = std::abs(offset) > far * contact.offset.standard_error &&
                                 std::abs(offset - at.result.record.stage.front()) < near * std::abs(offset);
-  // Where EI is not stated the slope tells it, and the slope is that of a line through the contact; of a straight part it is not.
-  const bool tells_slope = !states_stiffness(at.input()) && !at.result.straight_is_initial &&
-                           leaves(at.needs.points, at.result.record, offset);
-  return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0 || tells_slope;
+  // Without a stated EI, EI follows from the slope of a line through the contact, unless it follows
+  // from the linear region.
+  const bool determines_slope = !states_stiffness(at.input()) && !at.result.straight_is_initial &&
+                                leaves(at.needs.points, at.result.record, offset);
+  return at.result.begins_free || begins_elsewhere || at.result.begins_under > 0 || determines_slope;
 }
 
-// The points of the record that lie before a contact.
+// The points of the record before a contact.
 std::optional<RowRange> rows_before_contact(const Preparing& at, const Contact& contact) {
   if (contact.points_before == 0) return {};
   return RowRange{at.sampling().rows[at.result.first] + 1,
@@ -125,7 +128,7 @@ PreparationStep count_from_own_contact(Preparing& at, const Contact& contact) {
   Measurement& result = at.result;
   result.contact = ContactSource::found;
   result.contact_offset = contact.offset.value;
-  // A baseline is off by its error, where it is led on to the contact.
+  // The extrapolated baseline has an error at the contact.
   result.contact_error = elementary::length(contact.offset.standard_error, result.baseline.error / contact.slope);
   result.own_contact = counted_from(contact.offset.value, contact);
   return {.changed = true,
@@ -135,7 +138,7 @@ PreparationStep count_from_own_contact(Preparing& at, const Contact& contact) {
           .otherwise = switch_to("contact", "first row")};
 }
 
-// From the zero of the file, from the first row, or from what the case states.
+// From the zero of the file, from the first row, or from the stated contact.
 PreparationStep count_from_stated_contact(Preparing& at, const Contact& contact, double usual_error) {
   Measurement& result = at.result;
   const std::optional<ContactRule>& rule = at.input().record->contact;
@@ -146,7 +149,7 @@ PreparationStep count_from_stated_contact(Preparing& at, const Contact& contact,
     result.own_contact = counted_from(result.contact_offset, contact);
   }
   result.contact_error = stated ? stated->uncertainty.value_or(usual_error) : usual_error;
-  if (contact.status == ContactStatus::found) {  // wide enough to hold the record's own
+  if (contact.status == ContactStatus::found) {  // includes the contact of the record
     const Estimate& own = result.own_contact.offset;
     result.contact_error =
         elementary::length(result.contact_error, std::max(std::abs(own.value) - own.standard_error, 0.0));
@@ -161,7 +164,7 @@ PreparationStep count_from_stated_contact(Preparing& at, const Contact& contact,
   return step;
 }
 
-// What the contact is taken off at, and how certainly.
+// The subtracted contact and its uncertainty.
 PreparationStep find_contact_of_record(Preparing& at) {
   Measurement& result = at.result;
   const Record& record = result.record;
@@ -194,7 +197,7 @@ SmallDeflectionOptions straight_options(const Preparing& at) {
   return options;
 }
 
-// Counts from the contact, and leaves out the points before it.
+// Counts from the contact and removes the points before it.
 void take_off_contact(Preparing& at) {
   Measurement& result = at.result;
   const std::vector<double>& stage = result.record.stage;

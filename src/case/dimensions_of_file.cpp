@@ -148,7 +148,7 @@ void complete_from_file(Test& test, const ExportedTest& found, std::vector<Prepa
   const bool is_half = specimen.width.has_value() != specimen.height.has_value();
   if (section_of(test)) return;
   if (found.diameter && (found.width || found.thickness) && !is_half) {
-    note(fmt::format("no section is taken from the file, which states a diameter beside a {}",
+    note(fmt::format("no section is taken from the file, which states both a diameter and a {}",
                      found.width && found.thickness ? "width and a thickness"
                      : found.width                  ? "width"
                                                     : "thickness"),

@@ -15,11 +15,11 @@
 #include "io/input_error.h"
 #include "numerics/statistics.h"
 
-// Which loading is evaluated, and where it ends.
+// The choice of the evaluated loading, and its end.
 namespace flexslip {
 namespace {
 
-// The row of the file, from 1, before that of the point after so many.
+// The row of the file, from 1, before the point with this index.
 std::size_t row_before(const Preparing& at, std::size_t points) { return rows_of_points(at.sampling(), points); }
 
 struct Loading {
@@ -28,10 +28,11 @@ struct Loading {
   std::string_view why{};
 };
 
-// The first loading that goes about as far as any, or whose force no later one reaches again: what comes after is another specimen, a damaged one.
-// Fails:      InputError where the stage only goes back.
+// The first loading that reaches almost the largest deflection, or whose force no later loading
+// reaches. The specimen of later loadings is damaged.
+// Fails:      InputError if the stage only moves back.
 Loading loading_to_evaluate(const Preparing& at, const Record& record, const std::vector<Leg>& legs) {
-  constexpr double as_far = 0.95;  // of the way of that which goes farthest, and of the force
+  constexpr double as_far = 0.95;  // of the largest deflection and of the force
   const std::vector<double>& stage = record.stage;
   const auto greatest_force = [&](const Leg& leg) {
     const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
@@ -43,7 +44,7 @@ Loading loading_to_evaluate(const Preparing& at, const Record& record, const std
   for (const Leg& leg : legs)
     if (leg.direction == Direction::loading) loadings.push_back(leg);
   Loading evaluated{{0, stage.size(), Direction::loading}, {0, loadings.size()}};
-  std::vector<double> later(loadings.size(), -infinity);  // the greatest force of those that come after
+  std::vector<double> later(loadings.size(), -infinity);  // the maximum force of later loadings
   for (std::size_t i = loadings.size(); i-- > 1;) later[i - 1] = std::max(later[i], greatest_force(loadings[i]));
   for (std::size_t i = 0; i < loadings.size() && evaluated.counted.number == 0; ++i) {
     const double end = stage[loadings[i].last - 1];
@@ -67,8 +68,8 @@ Loading loading_to_evaluate(const Preparing& at, const Record& record, const std
                               switch_to("sign", at.input().record->sign == SignRule::reverse ? "keep" : "reverse"))});
 }
 
-// Fails:      InputError where a loading begins under more than a fifth of its greatest force, and the force falls steadily to nearly none: an
-//             unloading, or rows that run backwards.
+// Fails:      InputError if a loading starts above a fifth of its maximum force and the force falls
+//             steadily to almost zero: an unloading, or rows that run backwards.
 void require_rise(const Preparing& at, const Record& record, const Leg& leg) {
   const auto force = std::span(record.force).subspan(leg.first, leg.last - leg.first);
   constexpr std::size_t fewest = 30, parts = 20;
@@ -81,10 +82,10 @@ void require_rise(const Preparing& at, const Record& record, const Leg& leg) {
                  static_cast<double>(end - begin);
   }
   const auto greatest = std::max_element(mean.begin(), mean.end());
-  constexpr double little = 0.2, rise = 0.05;  // of the greatest
+  constexpr double little = 0.2, rise = 0.05;  // of the maximum
   const double first = std::min(mean.front(), force_at_start(force));
   if (first < little * *greatest || mean.back() > little * *greatest) return;
-  constexpr std::ptrdiff_t at_once = 5;  // where it gives way, it falls in less
+  constexpr std::ptrdiff_t at_once = 5;  // a failing specimen loses its force within fewer points
   std::ptrdiff_t between = 0;
   for (auto part = greatest + 1; part != mean.end(); ++part) {
     if (*part > *(part - 1) + rise * *greatest) return;
@@ -102,7 +103,7 @@ void require_rise(const Preparing& at, const Record& record, const Leg& leg) {
                  "unloading of a test, give the rows of its loading"});
 }
 
-// Drops of the force of a loading from a point on, which come after what is evaluated.
+// The drops of a loading after a point, which are not evaluated.
 std::size_t drops_behind(const Preparing& at, const Leg& loading, std::size_t from) {
   Record record = points_between(at.all, loading.first, loading.last);
   record.stage = advancing(record.stage);
@@ -111,7 +112,7 @@ std::size_t drops_behind(const Preparing& at, const Leg& loading, std::size_t fr
                                                 [&](const Drop& drop) { return loading.first + drop.before >= from; }));
 }
 
-// A load train under a force gives way by no more than the stage moves: the rest is the deflection.
+// Under load, a load train deforms by at most the travel of the stage; the rest is deflection.
 void require_stiff_enough(const Preparing& at, const Record& record) {
   const Record rise = first_rise(record);
   const double force = rise.force.back() - rise.force.front();
@@ -141,7 +142,7 @@ void require_points(const Preparing& at, const Record& record) {
                                            record.force.size(), rows, at.needs.points),
                     .remedy = rows < at.needs.points
                                   ? ""
-                                  : "check that the rows stand in the order of time, and the column of the "
+                                  : "check that the rows are in the order of time, and the column of the "
                                     "displacement: a loading ends where it goes back"});
 }
 
@@ -185,7 +186,7 @@ Done choose_loading(Preparing& at) {
 
 namespace {
 
-// Ends the loading before the failure, which the way back may tell.
+// Ends the loading before the failure, which the unloading may reveal.
 Done find_end(Preparing& at) {
   if (at.last_row) {
     if (at.result.end != MeasurementEnd::until) return {};
@@ -232,10 +233,10 @@ Done end_before_failure(Preparing& at) {
 
 namespace {
 
-// Of the falls of the force during which a reckoned stage runs back, the one that asks for the stiffest load train.
-// The stage must run back by more than its noise, and by more than a load train explains that is a third stiffer.
+// The force drop with a computed stage running back that requires the stiffest load train. The
+// stage must run back beyond its noise, and beyond what a load train stiffer by a third explains.
 std::optional<LeastTrain> least_train(const Record& record) {
-  constexpr double noise_range = 5, of_fall = 0.25;  // [1] of what the load train gives back in the fall
+  constexpr double noise_range = 5, of_fall = 0.25;  // [1] of the elongation that the load train releases in the drop
   const double noise = stage_noise(record.stage);
   std::optional<LeastTrain> found;
   std::size_t farthest = 0;
@@ -293,7 +294,8 @@ InputError stage_runs_back(const Preparing& at, std::size_t point, double farthe
 }  // namespace
 
 Done hold_stage(Preparing& at) {
-  // A stage that runs back by less, the larger of both, is one whose encoder is noisy; farther, the record is another test, or out of order.
+  // A stage that runs back by less than the larger limit has a noisy encoder. Beyond it, the record
+  // is another test or out of order.
   constexpr double max_noise = 0.005;  // [travel]
   constexpr double noise_range = 5;    // [noise of the stage] between the extremes of some hundred readings
   std::vector<double>& stage = at.result.record.stage;
@@ -319,7 +321,7 @@ Done hold_stage(Preparing& at) {
   if (held == 0) return {};
   return PreparationStep{
       .changed = true,
-      .done = fmt::format("where the stage runs back, at {} {}, its farthest position so far is used", held,
+      .done = fmt::format("where the stage runs back, at {} {}, its farthest position until then is used", held,
                           held == 1 ? "point" : "points"),
       .value = value_in(at.input(), largest, {}, kind::length)};
 }

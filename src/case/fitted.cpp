@@ -27,8 +27,8 @@ constexpr std::array models{ProfileModel::roughness, ProfileModel::constant, Pro
                             ProfileModel::sinusoid, ProfileModel::sinusoids};
 
 InputFile input_file(const std::string& name) {
-  if (name == "-" || name == "standard input") return {"standard input", ""};  // the latter is what read_case calls it
-  if (!std::filesystem::is_regular_file(name)) return {name, ""};              // a pipe, which is read once
+  if (name == "-" || name == "standard input") return {"standard input", ""};  // the name that read_case uses
+  if (!std::filesystem::is_regular_file(name)) return {name, ""};              // a pipe can be read only once
   const auto digest = digest_of(*open_to_read(name));
   return {name, digest.sha256};
 }
@@ -68,13 +68,13 @@ std::vector<Drop> drops_of_loadings(const Measurement& measurement) {
   return all;
 }
 
-// All passes of a record together; none of a record of one.
+// The joint fit of all passes; empty for a record of one pass.
 std::optional<PassesFit> fit_all_passes(const Measurement& measurement, const TestDescription& description,
                                         const Scales& scales) {
   if (!measurement.cycles) return std::nullopt;
   const ReducedRecord reduced = to_reduced(*measurement.cycles, scales);
   if (find_legs(reduced.stage).size() < 2) return std::nullopt;
-  constexpr double of_slope = 0.2;  // a slope that friction, a seat or a large deflection bends
+  constexpr double of_slope = 0.2;  // a slope changed by friction, seating or large deflection
   PassesProblem problem{
       .record = reduced,
       .rig = {scales.reduced_stiffness(description.load_train_stiffness), description.fibre},
@@ -104,10 +104,10 @@ TestDescription description_of(const Measurement& measurement, const BendingStif
           .rig_errors = rig_errors_of(measurement)};
 }
 
-// A bending stiffness that is another by far than what the record begins with is a unit or an exponent gone wrong; nothing can be computed with
-// it. What is only doubtful is fitted, and said to be (the finding wrong_stiffness).
+// A bending stiffness far from the initial slope has a wrong unit or exponent and prevents any
+// calculation. A doubtful one is fitted and reported (finding wrong_stiffness).
 void require_same_world(const Test& input, const Record& record, double bending_stiffness) {
-  constexpr double farthest = 1e15;  // a span in another unit makes it 1e9
+  constexpr double farthest = 1e15;  // a span in another unit gives 1e9
   const StiffnessFromSlope slope = stiffness_from_slope(record, span_of(input));
   if (!slope.found) return;
   const double ratio = bending_stiffness / slope.value;
@@ -171,7 +171,7 @@ DescribedTest describe(const Measurement& measurement, const AnalysisOptions& op
   const Test& input = measurement.test;
   const BendingStiffnessUsed stiffness = bending_stiffness_of(input, measurement);
   TestDescription description = description_of(measurement, stiffness);
-  const Scales scales = scales_of(input, stiffness);  // refuses what is no slender beam
+  const Scales scales = scales_of(input, stiffness);  // refuses thick specimens
   if (states_stiffness(input)) require_same_world(input, measurement.record, stiffness.value);
   description.passes = fit_all_passes(measurement, description, scales);
   DescribedTest described{stiffness, std::move(description), options};
@@ -184,16 +184,16 @@ namespace {
 
 FittedTest fit_measured(Measurement measurement, const AnalysisOptions& options) {
   Stages stages;
-  const Test input = measurement.test;  // completed with what the file says
+  const Test input = measurement.test;  // completed from the file
   const auto [stiffness, description, of_record] = describe(measurement, options);
   const BeamGeometry geometry = geometry_of(input);
   const SmallDeflection standard = small_deflection_of(measurement);
   stages.enter("", 0.95);
   TestAnalysis analysis = analyse(measurement.record, description, of_record);
-  std::optional<PassesFit> passes = analysis.passes;  // which may turn out not to explain the evaluated loading
+  std::optional<PassesFit> passes = analysis.passes;  // they may not explain the evaluated loading
   stages.enter("verdict", 0.05);
   Judgement judgement = judge(analysis);
-  if (!judgement.determines_friction) {  // cracks took their part of the work
+  if (!judgement.determines_friction) {  // cracks took part of the work
     analysis.energy.friction_share = analysis.energy.friction_share_error = not_a_number;
     analysis.work_share_sensitivities.reset();
   }

@@ -17,7 +17,7 @@ namespace flexslip {
 
 namespace {
 
-// The error of a value, at the place of a key.
+// The error of a value, with the place of its key.
 InputError placed(const Test& test, const InputError& error, const std::string& key) {
   const InputFault place = wrong_value(test, key, "").fault;
   InputFault fault = error.fault;
@@ -28,7 +28,7 @@ InputError placed(const Test& test, const InputError& error, const std::string& 
   return InputError(std::move(fault));
 }
 
-// Reads what the key of a table holds into the member of a test that it is, of each type that there is.
+// Reads the value of a key into a member of a test, for each type of member.
 struct Reader {
   const Keys& keys;
   const Test& test;
@@ -58,9 +58,9 @@ struct Reader {
   }
   void operator()(std::string& value) const {
     value = text();
-    if (key.holds == Holds::file) {  // relative to the case file: from here on to the working directory
+    if (key.holds == Holds::file) {  // relative to the case file; from here on to the working directory
       if (value != "-") value = (std::filesystem::path(test.source).parent_path() / value).string();
-      announce_input(value);  // now, though it may be read only after others were written
+      announce_input(value);  // now, although it may be read after other files were written
     }
     const bool names_one_of_export = key.section == "record" && !keys.has("stage") && !keys.has("deflection");
     if (key.holds != Holds::title || names_one_of_export) return;
@@ -92,7 +92,7 @@ struct Reader {
     const Keys both(*parts, path(), test);
     both.only({"value", "uncertainty"});
     known.value = both.quantity("value", *key.kind, key.range);
-    const bool is_place = key.range == Range::any;  // no share of it says anything
+    const bool is_place = key.range == Range::any;  // a share of a position means nothing
     known.uncertainty = both.is_percent("uncertainty") && !is_place
                             ? known.value * both.share("uncertainty", Range::non_negative)
                             : both.quantity("uncertainty", *key.kind, Range::non_negative);
@@ -146,7 +146,7 @@ struct Reader {
     else
       sheet = text();
   }
-  // A word beside a quantity says what none does.
+  // A word leaves the quantity empty.
   void operator()(std::optional<double>& value) const {
     for (const std::string_view word : words_of(key))
       if (is_word(word)) return;
@@ -213,7 +213,7 @@ void Keys::only(const std::vector<std::string>& known) const {
   for (auto&& [name, value] : table_) {
     if (std::find(known.begin(), known.end(), name.str()) != known.end()) continue;
     const CaseKey* described = case_key(path_, name.str());
-    const bool is_elsewhere = described && described->name == name.str();  // of another model, in this section
+    const bool is_elsewhere = described && described->name == name.str();  // of another model in this section
     const std::string keys = (known.size() == 1 ? "the only key is " : "the keys are ") + listed(known);
     InputFault fault =
         wrong_value(test_, key(name.str()), is_elsewhere ? "This key has no meaning here" : "There is no such key",
@@ -258,7 +258,7 @@ double Keys::quantity(std::string_view name, const Kind& kind, Range range) cons
 
 std::uint64_t Keys::whole_number(std::string_view name, std::int64_t min) const {
   const toml::node& node = need(name);
-  const auto value = node.value<std::int64_t>();  // of 1e5, too
+  const auto value = node.value<std::int64_t>();  // also from 1e5
   if (!node.is_number() || !value || *value < min)
     refuse(name, fmt::format("{} is not a whole number of at least {}", kind_of_node(node), min));
   return static_cast<std::uint64_t>(*value);

@@ -1,4 +1,4 @@
-// One table of a case file, read by its keys: what a key holds, or an InputError that says what it should.
+// The reader of one table of a case file. A wrong value is an InputError that names the right type.
 #pragma once
 
 #include <cstddef>
@@ -15,12 +15,13 @@
 
 namespace flexslip {
 
-// A node as a message says it: "'12 mm'", "the number 12", "a table".
+// A node in a message: "'12 mm'", "the number 12", "a table".
 std::string kind_of_node(const toml::node& node);
 
 class Keys {
  public:
-  // The path of the table, "specimen", or "" for the whole file. Table and test must outlive this.
+  // `path`: of the table, "specimen", or "" for the whole file. Table and test must outlive the
+  // reader.
   Keys(const toml::table& table, std::string path, const Test& test);
 
   std::string key(std::string_view name) const;  // as in Test::lines
@@ -28,23 +29,23 @@ class Keys {
   const toml::node* find(std::string_view name) const { return table_.get(name); }
   bool has(std::string_view name) const { return find(name) != nullptr; }
 
-  // Reads all into the members of a part that the keys are (case_keys.h).
-  // Fails:      InputError, of all at once, for keys that are no member of it and values that the keys do not hold, or for required keys that are not
-  //             there: one misspelt should not be reported as missing, too.
+  // Reads all keys into their members of a part (case_keys.h).
+  // Fails:      InputError with all unknown keys and wrong values at once; otherwise for missing
+  //             required keys, because a misspelt key would also be reported as missing.
   void read(const TestPart& part) const;
 
-  // Refuses all keys but these.
+  // Refuses all other keys.
   void only(const std::vector<std::string>& known) const;
 
-  // All below refuse a key that is not there.
+  // The functions below refuse a missing key.
   const toml::node& need(std::string_view name) const;
   double quantity(std::string_view name, const Kind& kind, Range range) const;
   double share(std::string_view name, Range range) const;  // a number, or text in percent
   bool is_percent(std::string_view name) const;
   std::uint64_t whole_number(std::string_view name, std::int64_t min) const;
-  std::size_t word(std::string_view name, const std::vector<std::string_view>& known) const;  // which of them
+  std::size_t word(std::string_view name, const std::vector<std::string_view>& known) const;  // index of the word
 
-  // A quantity that stands at `key`, which need not be one of this table.
+  // A quantity at `key`, which may be outside this table.
   double value(const toml::node& node, const std::string& key, const Kind& kind, Range range) const;
 
   [[noreturn]] void refuse(std::string_view name, std::string problem, std::string remedy = "") const;

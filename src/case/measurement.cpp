@@ -46,7 +46,7 @@ static_assert(std::all_of(std::begin(steps), std::end(steps), [](const Step& ste
 double stiffness_for(const Readings& readings) {
   const Test& input = readings.test;
   if (input.rig && input.rig->stiffness) return rig_stiffness_of(input);
-  // A deflection with its force needs no stiffness: what the stage did is not asked then.
+  // A measured deflection with its force needs no stiffness, because the stage is not used.
   if (!readings.has(Reading::stage)) return infinity;
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",

@@ -26,10 +26,10 @@
 namespace flexslip {
 namespace {
 
-// How fine friction may be.
-constexpr double max_periods = 1e6;         // of a wave: what trace_loading_curve takes, half a minute
-constexpr double finest_period = 1e-9;      // [L] of a wave, likewise
-constexpr double max_correlations = 2.4e5;  // of a rough profile, which has four knots to each
+// Limits on the wavelength of friction.
+constexpr double max_periods = 1e6;         // of a wave: the limit of trace_loading_curve, half a minute
+constexpr double finest_period = 1e-9;      // [L] of a wave, by the same limit
+constexpr double max_correlations = 2.4e5;  // of a rough profile, with four knots for each
 
 constexpr std::array lengths_of_sections{&SpecimenInput::diameter, &SpecimenInput::inner_diameter, &SpecimenInput::wall,
                                          &SpecimenInput::width, &SpecimenInput::height};
@@ -39,7 +39,7 @@ bool states_section_error(const SpecimenInput& specimen) {
                      [&](auto length) { return specimen.*length && (specimen.*length)->uncertainty; });
 }
 
-// [1] Of a second moment, by the uncertainties of the lengths of its section.
+// [1] The error of a second moment from the uncertainties of its lengths.
 double section_error_of(const Test& test) {
   const auto moment_with = [&](auto length, double change) {
     Test other = test;
@@ -50,8 +50,7 @@ double section_error_of(const Test& test) {
   for (auto length : lengths_of_sections) {
     const std::optional<Known>& known = *test.specimen.*length;
     if (!known) continue;
-    constexpr double small =
-        1e-4;  // of the length, and of a wall or of what an inner diameter leaves, as far as I is linear
+    constexpr double small = 1e-4;  // relative step of a length, over which I is linear
     const double step = small * known->value;
     const double slope = (moment_with(length, step) - moment_with(length, -step)) / (2 * step);
     error = elementary::length(error, slope * known->uncertainty.value_or(0));
@@ -59,7 +58,7 @@ double section_error_of(const Test& test) {
   return error / second_moment(*section_of(test));
 }
 
-// What the test says of the bending stiffness, if it says something.
+// The stated bending stiffness of the test; empty if it states none.
 std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   if (!test.specimen) return std::nullopt;
   const auto& [product, modulus] = std::pair(test.specimen->bending_stiffness, test.specimen->modulus);
@@ -79,7 +78,7 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   return used;
 }
 
-// All positions at which the stage turns, halts or ends, cycle by cycle.
+// All positions at which the stage turns, rests or ends, cycle by cycle.
 std::vector<double> written_out(const StageInput& stage) {
   std::vector<double> turns{stage.program.front()};
   turns.reserve(1 + static_cast<std::size_t>(stage.cycles) * (stage.program.size() - 1));
@@ -143,7 +142,7 @@ StageProgramme measured_programme(const Test& test) {
   return {std::move(table.columns.front().values), reach, true, true};
 }
 
-// Does the stage ever unload?
+// True if the stage ever unloads.
 bool turns_back(const Test& test) {
   if (!test.stage) return false;
   const auto positions = test.stage->file ? programme_of(test).positions : written_out(*test.stage);
@@ -174,7 +173,7 @@ struct Side {
   }
 };
 
-// A table, over lengths [m].
+// A table over lengths [m].
 FrictionTable read_friction_table(const Side& side) {
   const Test& test = side.test;
   const Kind length_kind = kind_in(test, kind::length);
@@ -197,10 +196,10 @@ FrictionTable read_friction_table(const Side& side) {
   return friction;
 }
 
-// Refuses a path over a trace whose slopes show no friction that could be computed with. [m], [1]
+// Refuses a path over a height profile with slopes beyond the limits of friction. [m], [1]
 void require_climbable(const std::vector<double>& path, const HeightTrace& trace, double mu, const std::string& source,
                        const Kind& kind) {
-  constexpr double most = 20;  // [1] of any friction that is computed with
+  constexpr double most = 20;  // [1] of any computed friction
   const auto fault = too_steep(path, trace.step, mu, most);
   if (!fault) return;
   const double steepest = slope_of_friction(most, mu);
@@ -217,7 +216,8 @@ void require_climbable(const std::vector<double>& path, const HeightTrace& trace
                        : "if it is noise, remove short waves with a cutoff; otherwise check the unit of the heights"});
 }
 
-// Between the heights of the trace, from midspan; the flat surface's beyond its ends. Over lengths [m].
+// Between the heights of the profile, from midspan; beyond its ends the flat surface. Over lengths
+// [m].
 FrictionTable read_surface(const Side& side) {
   const Test& test = side.test;
   const FrictionInput& surface = side.friction;
@@ -245,7 +245,7 @@ FrictionTable read_surface(const Side& side) {
     throw side.wrong("trace_begin",
                      fmt::format("The trace ends at {}, before the support, {} from midspan",
                                  readable_length(test, first + extent), readable_length(test, half_span)),
-                     "check its unit, that of the trace, and direction");
+                     "check its unit, the unit of the trace, and direction");
   FrictionTable table;
   const auto add = [&](double s, double mu) {
     if (!(s > 0)) return;
@@ -259,7 +259,7 @@ FrictionTable read_surface(const Side& side) {
   return table;
 }
 
-// What a file of the friction holds, if it has one.
+// The content of the friction file, if there is one.
 std::shared_ptr<const FrictionTable> points_of(const Side& side) {
   const FrictionInput& friction = side.friction;
   if (friction.points) return friction.points;
@@ -288,13 +288,13 @@ Friction of_roughness(const Side& side, const Scales& scales, double S_max) {
   return Friction::rough(*side.friction.mu0, *side.friction.rms, correlation_length, *side.friction.seed, S_max);
 }
 
-// Without a reference the mean holds at the span.
+// Without a reference, mu0 holds at the span.
 Friction of_waves(const Side& side, const Scales& scales, double S_max) {
   const Test& test = side.test;
   const FrictionInput& friction = side.friction;
   FrictionWaves waves{*friction.mu0, friction.drift.value_or(0) * scales.span(), {}};
   if (friction.reference) {
-    constexpr double rounding = 1e-3;  // of the four digits that a length is shown in
+    constexpr double rounding = 1e-3;  // of the four digits of a displayed length
     waves.S_reference = scales.reduced_length(*friction.reference);
     if (!(waves.S_reference >= 1 - rounding && waves.S_reference <= max_stage))
       throw ImpossibleTest(side.wrong(
@@ -320,12 +320,12 @@ Friction of_waves(const Side& side, const Scales& scales, double S_max) {
   return Friction::waves(std::move(waves));
 }
 
-// What friction there may be, in words: "friction of at most 20".
+// The limit of friction in words.
 std::string friction_limit(const Fibre& fibre) {
   return fmt::format("the limit{} is {:g}", fibre.on_edges() ? "" : " at the surface", fibre.max_friction());
 }
 
-// The friction of a support as asked for, and the fibre that is to meet it at lengths up to S_max [L].
+// The requested friction of a support, and the fibre that meets it at lengths up to S_max [L].
 struct Asked {
   const Side& side;
   const Friction& kinetic;
@@ -333,15 +333,16 @@ struct Asked {
   const Scales& scales;
   double S_max;
 
-  // [1/L] How steep it may be.
+  // [1/L] The maximum steepness.
   double limit_of(const Fibre& on) const { return steepest_followed(on, kinetic.max_up_to(S_max), S_max); }
   std::string length(double reduced) const { return readable_length(side.test, scales.physical_length(reduced)); }
 };
 
-// [L] The greatest radius of rollers on which so steep a profile is followed; none where it is not on edges either.
+// [L] The largest roller radius at which a profile of this steepness can be followed; empty if no
+// radius suffices.
 std::optional<double> widest_that_follows(const Asked& asked) {
-  // How much steeper than a limit that stays below the true one by twice this share: of the four digits that a radius is shown in. Nearly linear in the
-  // radius, each of which costs tables of its own.
+  // The search stays below the limit by twice this share, a rounding of the four displayed digits.
+  // The limit is nearly linear in the radius, and each radius needs its own tables.
   constexpr double close = 1e-4;
   const Supports& supports = asked.fibre.supports();
   const auto excess = [&](double radius) {
@@ -352,9 +353,9 @@ std::optional<double> widest_that_follows(const Asked& asked) {
   return zero_by_secant(excess, on_edges, {supports.radius, excess(supports.radius)}, close);
 }
 
-// What would be followed instead of a profile that is so many times too steep.
+// The remedy for a profile that is too steep by a factor.
 std::string less_steep(const Asked& asked, double excess) {
-  constexpr double rounding = 1e-3;  // of the four digits that a quantity is shown in
+  constexpr double rounding = 1e-3;  // of the four digits of a displayed quantity
   const double enough = excess * (1 + rounding);
   const auto* waves = std::get_if<FrictionWaves>(&asked.kinetic.form());
   std::string words = "write a profile that is less steep";
@@ -371,7 +372,7 @@ std::string less_steep(const Asked& asked, double excess) {
   return fmt::format("{}, or a roller_radius of at most {}", words, asked.length(*widest * (1 - rounding)));
 }
 
-// Refuses friction that changes so fast along the specimen that the point that touches would jump.
+// Refuses friction that changes so fast along the specimen that the contact point would jump.
 void require_followed(const Asked& asked) {
   const auto& [side, kinetic, fibre, scales, S_max] = asked;
   const double steepest = kinetic.steepest();
@@ -393,7 +394,7 @@ void require_followed(const Asked& asked) {
                    less_steep(asked, steepest / limit));
 }
 
-// Refuses what the mechanics of a fibre does not cover: more than its max_friction, or steeper than steepest_followed.
+// Refuses friction above max_friction of the fibre, or steeper than steepest_followed.
 void require_covered(const Asked& asked) {
   const auto& [side, kinetic, fibre, scales, S_max] = asked;
   const double most = kinetic.max_up_to(S_max);
@@ -426,11 +427,11 @@ void require_covered(const Asked& asked) {
       fmt::format("The drift of {} takes friction from {:g} at {} to {:g} at {}, and {}",
                   readable(waves.drift / scales.span(), kind_in(side.test, kind::inverse_length)), without_drift,
                   asked.length(waves.S_reference), most, asked.length(waves.drift > 0 ? S_max : 1), limit_in_words),
-      waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and that of reference");
+      waves.S_reference == 1 ? "check its unit, or bend less far" : "check its unit, and the unit of reference");
 }
 
-// The length [L] up to which the friction of one support counts where the specimen is drawn in to S_max [L]: under a free nose one of two may
-// slide alone.
+// [L] The range of lengths for the friction of one support, if the specimen slides in up to S_max
+// [L]. Under a free nose, one of the two supports may slide alone.
 double one_sided_reach(const Test& test, double S_max) {
   return test.other && test.rig->nose == Nose::free ? 1 + 2 * (S_max - 1) : S_max;
 }
@@ -446,9 +447,9 @@ Friction friction_of(const Side& side, const Fibre& fibre, const Scales& scales,
   return pins ? capped(friction, *pins, reach) : friction;
 }
 
-// Of a surface that is local_maximum on the way in and come down on the way out, on edges that are alike.
-// Fails:      InputError where that is not covered: two surfaces, rollers, an excess at rest, or slopes on which the specimen
-//             would slide out by itself.
+// The friction of a surface on two equal edges, uphill on the way in and downhill on the way out.
+// Fails:      InputError for two surfaces, rollers, an excess of static friction, or slopes on
+//             which the specimen would slide out unaided.
 Friction on_both_ways(const Test& test, const Friction& inwards, const Fibre& fibre, const Scales& scales) {
   const FrictionInput& friction = *test.friction;
   const auto refuse = [&](std::string_view key, const std::string& found) {
@@ -527,7 +528,7 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
   if (const auto stated = stated_stiffness(test)) return *stated;
   const double span = span_of(test);
   if (const auto& straight = measurement.straight; measurement.straight_is_initial) {
-    constexpr double of_one = 0.3;  // standard deviation of a friction that is as likely any up to 1
+    constexpr double of_one = 0.3;  // standard deviation of a friction that is uniform up to 1
     const double bend = of_one * max_steepening(geometry_of(test), straight->middle(measurement.record));
     const double error = elementary::length(elementary::length(default_stiffness_error, bend),
                                             straight->slope.standard_error / straight->slope.value);
@@ -540,7 +541,8 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
                       .problem = "The force must rise over at least 5 rows after contact so that the bending stiffness "
                                  "can be determined; it does not",
                       .remedy = "write the modulus or bending_stiffness into [specimen]"});
-  // The slope is that of a line through the contact: where that is, and how far the load train gives way, is known as well as the record tells.
+  // The slope belongs to a line through the contact. The errors of the contact and of the load train
+  // are as small as the record determines them.
   const double by_contact = measurement.contact_error / slope.deflection;
   const double by_train = measurement.is_derived ? rig_errors_of(measurement).load_train *
                                                        beam_slope(slope.value, span) / rig_stiffness_of(test)
@@ -578,7 +580,7 @@ Supports supports_of(const Test& test, const Scales& scales) {
         fmt::format("The roller radius of {:g} spans and half the thickness of {:g} spans add up to {:g} spans or more",
                     supports.radius, supports.half_depth, widest_supports),
         "check the units of both, and the span");
-  constexpr double thinnest = 1e-6;  // [L] what a thinner one slides before it slides in is lost in rounding
+  constexpr double thinnest = 1e-6;  // [L] of thinner specimens, the outward sliding is lost in rounding
   if (is_thick && supports.half_depth < thinnest)
     throw wrong_value(
         test, "specimen",
@@ -607,7 +609,7 @@ RigErrors rig_errors_of(const Measurement& measurement) {
   if (test.rig) {
     take(errors.span, test.rig->span);
     take(errors.support_radius, test.rig->roller_radius);
-    if (test.rig->stiffness)  // supports that yield in series with it are exact
+    if (test.rig->stiffness)  // supports in series with it are exact
       take(errors.load_train, test.rig->stiffness,
            support_compliance_of(test) > 0 ? rig_stiffness_of(test) / *test.rig->stiffness : 1);
   }
@@ -616,7 +618,7 @@ RigErrors rig_errors_of(const Measurement& measurement) {
     errors.force_gain = test.record->gain_error.value_or(errors.force_gain);
     errors.slow_force = test.record->slow_force_error.value_or(errors.slow_force);
     if (test.record->preload_error) errors.preload = *test.record->preload_error / span_of(test);
-    constexpr double most = 0.05;  // [L] beyond, the beginning of the curve is another test's
+    constexpr double most = 0.05;  // [L] beyond it, the start of the curve belongs to another test
     if (errors.preload > most)
       throw wrong_value(test, "record.preload_error",
                         fmt::format("The preload error is {:.3g} % of the span, more than 5 %", 100 * errors.preload),
@@ -712,7 +714,7 @@ BendingTest bending_test_of(const Test& test, const Scales& scales, double farth
 
 double periods_up_to(const Friction& friction, double stage) {
   constexpr double scales_a_period = 4;
-  const double drawn_in = 2.5 * stage * stage;  // S - 1, a deflection as far as the stage
+  const double drawn_in = 2.5 * stage * stage;  // S - 1, for a deflection equal to the stage
   return drawn_in / (scales_a_period * friction.smooth_scale());
 }
 

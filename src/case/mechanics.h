@@ -1,7 +1,8 @@
-// The mechanics of a test: the one place where what a user wrote meets the types of the core.
+// The mechanics of a test: the conversion of user input to the types of the core.
 //
-// A reduced test has the scales 1 and 1: "SI" below is then the model's scaled variables. All functions throw an InputError
-// that points at the line of the case, or of the file it names, that cannot be computed.
+// A reduced test has the scales 1 and 1; "SI" below then means the model's scaled variables. All
+// functions throw an InputError that names the line of the case, or of a file named there, with the
+// invalid value.
 #pragma once
 
 #include <algorithm>
@@ -21,20 +22,21 @@
 
 namespace flexslip {
 
-inline constexpr double thickest = 0.2;  // [L] beyond it shear, which the elastica leaves out, adds 10 % to w
+inline constexpr double thickest = 0.2;  // [L] beyond it, shear adds 10 % to w, and the elastica has no shear
 
-// How far the stage may move.
-inline constexpr double min_stage = 1e-6;  // [L] of the stage: what the loading curve can be traced for
-inline constexpr double max_stage = 100;   // [L] of the stage: a fibre is through its supports within a few spans
+// The range of the stage.
+inline constexpr double min_stage = 1e-6;  // [L] of the stage: limit of the loading curve
+inline constexpr double max_stage = 100;   // [L] of the stage: a specimen slips off its supports within a few spans
 
-// There is no such test: a specimen too thick for its span, a rig too soft to bend it. What other errors refuse cannot be computed, or is not stated.
+// An impossible test: a specimen too thick for its span, a rig too soft to bend it. Other errors
+// mean that a value is missing or cannot be computed.
 struct ImpossibleTest : InputError {
   explicit ImpossibleTest(const InputError& error) : InputError(error) {}
 };
 
 enum class StiffnessSource {
-  stated,         // by the case, with its uncertainty
-  assumed_error,  // by the case, without: default_stiffness_error
+  stated,         // by the case, with an uncertainty
+  assumed_error,  // by the case, without an uncertainty: default_stiffness_error
   initial_slope,  // of the record, F = 48 EI w/L^3
 };
 
@@ -46,30 +48,34 @@ struct BendingStiffnessUsed {
   StiffnessSource source;
 };
 
-// Does the test state its bending stiffness, or leave it to the fit?
+// True if the test states its bending stiffness; false if the fit determines it.
 bool states_stiffness(const Test& test);
 
-// What a test says of its specimen as a beam.
+// The beam properties of a specimen.
 BeamGeometry geometry_of(const Test& test);
 
-// The bending stiffness that a test states; or, where it leaves that to the fit, the one from the initial slope of the record: that of its straight part
-// where it tells no friction, or else of its beginning.
-// Fails:      InputError if it states none; if the force does not rise where the record begins.
+// The stated bending stiffness of a test. If the fit determines it: from the initial slope of the
+// record, or from its linear region if the deflection is too small for friction.
+// Fails:      InputError if it is not stated, or if the force does not rise at the start of the
+//             record.
 BendingStiffnessUsed bending_stiffness_of(const Test& test);
 BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& measurement);
 
 // Fails:      InputError if the test has no span.
 double span_of(const Test& test);
 
-// [N/m] Of the load train alone; and of load train and supports together, which is what stands between the stage and the deflection.
-// Fails:      InputError if the test has no stiffness of the rig.
+// [N/m] The stiffness of the load train; of load train and supports in series, between stage and
+// deflection.
+// Fails:      InputError if the rig stiffness is missing.
 double load_train_stiffness_of(const Test& test);
 double rig_stiffness_of(const Test& test);
 
-// [m/N] What the two supports of a test, each of which carries half the force, add to the compliance of the load train: 0 of rigid ones.
+// [m/N] The compliance that the two supports add to the load train; each carries half the force. 0
+// for rigid supports.
 double support_compliance_of(const Test& test);
 
-// [N/m] Of a load train and supports in line, from that of the load train; and back, infinite where the supports alone are as soft.
+// [N/m] Converts the stiffness of a load train to load train and supports in series, and back;
+// infinite if the supports alone are as soft.
 inline double with_supports(double load_train, double compliance) {
   return compliance == 0 ? load_train : 1 / (1 / load_train + compliance);
 }
@@ -77,65 +83,72 @@ inline double without_supports(double both, double compliance) {
   return compliance == 0 ? both : 1 / std::max(1 / both - compliance, 0.0);
 }
 
-// What the stage is to do.
+// The path of the stage.
 struct StageProgramme {
-  std::vector<double> positions;  // [m] in steps: of every reading; else the turning points, exactly followed
-  double farthest;                // [m] the greatest of them
+  std::vector<double> positions;  // [m] every reading, if in steps; otherwise turning points, followed exactly
+  double farthest;                // [m] the maximum
   bool in_steps;
-  bool measured;  // read from a file
+  bool measured;  // true if read from a file
 };
 
-// The programme of a test, its cycles and steps written out; a measured one is read from its file.
-// Fails:      InputError if the test has none, or one that goes nowhere, farther than a specimen bends, behind the contact, or
-//             back in time.
+// The programme of a test with all cycles and steps. A measured programme is read from its file.
+// Fails:      InputError if the test has no programme, or one that does not move, moves too far,
+//             starts before the contact, or runs back in time.
 StageProgramme programme_of(const Test& test);
 
-// Fails:      InputError if the test has no span; ImpossibleTest if its specimen is as thick as a fifth of it: no slender beam.
+// Fails:      InputError if the test has no span; ImpossibleTest if the thickness exceeds a fifth
+//             of the span.
 Scales scales_of(const Test& test, const BendingStiffnessUsed& stiffness);
-Scales scales_of(const Test& test);  // as it states its bending stiffness
+Scales scales_of(const Test& test);  // with the stated bending stiffness
 
-// What the specimen of a test stands on, and how far off: rollers or edges, with its thickness if friction acts at its surface.
+// The supports of a test: rollers or knife edges, with the thickness of the specimen if friction
+// acts at its surface.
 // Fails:      InputError if rollers and thickness leave no span.
 Supports supports_of(const Test& test, const Scales& scales);
 Fibre fibre_of(const Test& test, const Scales& scales);
 
-// Fails:      InputError if the test has no stiffness of the rig.
+// Fails:      InputError if the rig stiffness is missing.
 Rig rig_of(const Test& test, const Scales& scales);
 
-// By how much the rig may be off what the test states: as it says, and as is usual where it does not.
-// Fails:      InputError if that of the preload exceeds a twentieth of the span.
+// The errors of the rig, as stated or by default.
+// Fails:      InputError if the preload error exceeds a twentieth of the span.
 RigErrors rig_errors_of(const Measurement& measurement);
 
-// The key by which the snaps of a test overshoot; "" if they do not.
+// The key that makes snaps overshoot; "" if they do not.
 std::string_view key_of_overshoot(const Test& test);
 
-// [1] The friction at which rollers turn on their pins; none of rollers that are not on pins.
+// [1] The friction at which rollers turn on their pins; empty for other supports.
 std::optional<double> pin_limit_of(const Test& test);
 
-// The kinetic friction of a test for lengths up to S_max [L], of both supports together: of supports that are not alike the mean, or under a free nose
-// that of the way on which the specimen is drawn in (contact/two_supports.h).
-// Fails:      InputError if the test has none, a model without parameters, or one that is not covered.
+// The kinetic friction of a test for lengths up to S_max [L], of both supports together. For unlike
+// supports it is the mean, or under a free nose the friction along the path of the specimen
+// (contact/two_supports.h).
+// Fails:      InputError if the test has no friction, a model without parameters, or a profile
+//             beyond the limits.
 Friction friction_of(const Test& test, const Fibre& fibre, const Scales& scales, double S_max);
 
-// The test with what the files of its friction hold, so that they are not read again.
+// The test with the content of its friction files, so that they are read once.
 Test with_files_read(Test test);
 
-// What is to be computed, for stage positions up to `farthest` [L]: friction at rest and in sliding, rig, snaps.
-// Fails:      InputError as friction_of and rig_of; ImpossibleTest if the rig is too soft to bend the specimen, or its pins too tight to turn.
+// The input of a simulation for stage positions up to `farthest` [L]: static and kinetic friction,
+// rig, snaps.
+// Fails:      InputError as friction_of and rig_of; ImpossibleTest if the rig is too soft or the
+//             pins are too tight.
 BendingTest bending_test_of(const Test& test, const Scales& scales, double farthest);
 
-// So many periods of friction, at most, come to the supports while the stage moves up to a position [L].
+// The maximum number of periods of friction that reach the supports up to a stage position [L].
 double periods_up_to(const Friction& friction, double stage);
 
-// None without a section.
+// Empty without a section.
 std::optional<SurfaceStrain> surface_of(const Test& test, const Scales& scales);
 
-// [1/L] The curvature at which the specimen breaks, infinite where none is stated; and that from which it wraps the nose, as its axis is bent more
-// sharply than nose and half depth allow: up to there the radius of the nose has no effect. Infinite for a sharp nose.
+// [1/L] The curvature at which the specimen breaks, infinite if not stated; and the curvature at
+// which it wraps the nose. Below the latter, the radius of the nose has no effect. Infinite for a
+// sharp nose.
 double breaking_curvature_of(const Test& test, const Scales& scales);
 double nose_curvature_of(const Test& test, const Scales& scales);
 
-// Where the specimen of a test cracks.
+// The cracks of the specimen.
 std::vector<Crack> cracks_of(const Test& test, const Scales& scales);
 
 // Reduced errors of the readings, for measure_friction and fit_friction.

@@ -1,4 +1,4 @@
-// What is done to the readings of a file before they are evaluated, step by step: nothing that is not listed here.
+// The steps that prepare the readings of a file. Every change is listed here.
 #pragma once
 
 #include <array>
@@ -14,28 +14,28 @@ namespace flexslip {
 
 struct PreparedValue {
   double value;                 // [SI unit of the kind]
-  std::optional<double> error;  // standard deviation, where it is known
+  std::optional<double> error;  // standard deviation, if known
   Kind kind;
 };
 
 // A value in the units of a test.
 PreparedValue value_in(const Test& test, double value, std::optional<double> error, const Kind& kind);
 
-// Rows of the file, counted from 1, both among them.
+// Rows of the file, from 1, both included.
 struct RowRange {
   std::size_t first, last;
 };
 
 struct PreparationStep {
   std::string_view name{};               // one of preparation_steps
-  bool changed = false;                  // the numbers are not as in the file, or rows are left out
-  std::string done{};                    // in words, a sentence without its full stop
-  std::optional<PreparedValue> value{};  // taken off, applied or found
-  std::optional<RowRange> rows{};        // that it is about; none: all
-  std::optional<KeyChange> otherwise{};  // for having it otherwise; none if nothing would
+  bool changed = false;                  // true if numbers or rows differ from the file
+  std::string done{};                    // in words, without a full stop
+  std::optional<PreparedValue> value{};  // subtracted, applied or found
+  std::optional<RowRange> rows{};        // affected rows; empty: all
+  std::optional<KeyChange> otherwise{};  // the key that changes this decision; empty if there is none
 };
 
-// Their names, in the order in which they are done; the same in every language and version.
+// The names of the steps in order; the same in every version.
 inline constexpr std::array<std::string_view, 21> preparation_steps{
     "columns", "missing",      "metadata",   "sign",     "first", "overload", "repeated",
     "held",    "interpolated", "unloaded",   "thinning", "stray", "holds",    "way_back",

@@ -37,7 +37,8 @@ std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, 
 
 namespace {
 
-// What the file and the test leave open, each with its remedy. Of a rig, `stiffness` is the question that its stiffness answers; none if it is not asked.
+// The open questions on the rig, each with its remedy. `stiffness` is the question for the
+// stiffness, or empty if it is not needed.
 std::vector<std::string> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
                                              const std::optional<double>& span_of_file) {
   std::vector<std::string> questions;
@@ -50,7 +51,8 @@ std::vector<std::string> questions_about_rig(const Test& input, const Needs& nee
   return questions;
 }
 
-// Where more than one question is open, all of them are asked at once; one alone is asked by what needs its answer.
+// Asks several open questions at once. A single question is asked by the code that needs its
+// answer.
 void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
   if (questions.size() < 2) return;
   fault.problem = fmt::format("{} more inputs are needed{}", questions.size(), where);
@@ -119,7 +121,7 @@ const ExportedSpecimen& specimen_of(const Test& input, const Export& file) {
                     .remedy = instruction_to_set(input, KeyChange{"record", "specimen", "1"})});
 }
 
-// The column with a role; the key that names it is what a file that has none, or several, is asked for.
+// The column with a role. The remedy names `key`.
 const ExportColumn& column_for(std::string_view key, const Test& input, const Export& file,
                                const ExportedSpecimen& specimen, ColumnRole role) {
   return column_with(
@@ -127,7 +129,8 @@ const ExportColumn& column_for(std::string_view key, const Test& input, const Ex
       instruction_to_set(input, switch_to(key, "…")) + ": the name of the column, or its number in the file, from 1");
 }
 
-// The columns of a specimen, without their values, with the roles that they have for a case: of displacements only that which is evaluated.
+// The columns of a specimen without values, with the roles for a case. Only the evaluated
+// displacement keeps its role.
 std::vector<ExportColumn> asked_columns(const RecordInput& asked, const ExportedSpecimen& specimen) {
   std::vector<ExportColumn> columns;
   std::array<std::size_t, 3> count{};  // of those unclear, of the crosshead, of the midpoint
@@ -173,7 +176,7 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
                                                words_for(other).word(), words_for(role).word()),
                         .remedy = instruction_to_set(input, switch_to("displacement", words_for(other).word())) +
                                   "; or " + instruction_to_set(input, switch_to("displacement_column", column.name)) +
-                                  " besides, if its name is wrong"});
+                                  " too, if its name is wrong"});
     }
     return {displacement_with(found), *asked.displacement, true};
   }
@@ -183,7 +186,7 @@ FoundDisplacement displacement_of(const Test& input, const Export& file, const E
           {.file = file.origin.source,
            .problem = "The file has times, and no displacement",
            .remedy = instruction_to_set(input, KeyChange{"record", "speed", each.with_test.front().value})});
-  // A deflectometer comes first: ISO 178 prefers it.
+  // A deflectometer is preferred (ISO 178).
   for (const DisplacementOf kind : {DisplacementOf::deflection, DisplacementOf::crosshead})
     if (has_role(specimen, role_of(kind))) return {displacement_with(role_of(kind)), kind, false};
   const ExportColumn& column = displacement_with(ColumnRole::displacement);
@@ -205,7 +208,7 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
   const std::vector<std::string>& sheets = file.origin.alike;
   if (!sheets.empty())
     questions.push_back(
-        fmt::format("which of the sheets {}, which hold such a table each? {}", listed(sheets),
+        fmt::format("which of the sheets {}, each with a table of readings? {}", listed(sheets),
                     instruction_to_set(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
   if (count > 1 && !asked.specimen)
     questions.push_back(fmt::format("which of the {} specimens? {}", count,
@@ -230,8 +233,8 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
                       file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");
 }
 
-// Fails:      InputError where the times of a file say that its rows run backwards or are out of order, or that a second record begins where
-//             displacement and time do anew.
+// Fails:      InputError if times show that rows run backwards or are out of order, or that a
+//             second record starts with the displacement.
 void require_one_run(const Test& input, const ExportedSpecimen& specimen, const ExportColumn& displacement,
                      const std::string& file) {
   const auto is_time = [](const ExportColumn& column) { return column.role == ColumnRole::time; };
@@ -253,7 +256,8 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
                       .problem = "Time falls from row to row",
                       .remedy = "write the rows in the reverse order"});
   if (falling == 0) return;
-  // A clock that begins anew, at a stage of the test or at midnight, falls to where it began or farther.
+  // A clock that restarts, in a new stage of the test or at midnight, falls to its first time or
+  // below.
   std::vector<double> steps;
   for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(std::abs(times[i] - times[i - 1]));
   const double step = median_of(std::move(steps));
@@ -284,7 +288,7 @@ void require_one_run(const Test& input, const ExportedSpecimen& specimen, const 
   }
 }
 
-// A column in SI, whose unit a case says in its title.
+// A column in SI. The remedy for a missing unit is a title with its unit.
 std::vector<double> in_si_of(const Test& input, const Export& file, const ExportColumn& column, const Kind& kind,
                              std::string_view key) {
   return in_si(file, column, kind, words_for(column.role).usual_unit, [&](std::string_view unit) {
@@ -296,10 +300,10 @@ std::vector<double> in_si_of(const Test& input, const Export& file, const Export
 struct FoundColumn {
   Reading reading;
   const ExportColumn* column;
-  std::string_view key;  // that names it
+  std::string_view key;  // names the column
 };
 
-// Columns of a specimen in SI, without the rows in which one of them has no number.
+// Columns of a specimen in SI, without rows that lack a number in one of them.
 Readings readings_of(const Test& input, const Export& file, const ExportedSpecimen& specimen,
                      const std::vector<FoundColumn>& found) {
   const auto* until = input.record->until ? std::get_if<AtRow>(&*input.record->until) : nullptr;
@@ -332,7 +336,7 @@ std::string notes_of(const Export& file) {
   return notes;
 }
 
-// What is said of columns that are columns of a call or of a file.
+// The description of columns, of a call or of a file.
 std::string named_in_words(const std::vector<Reading>& columns, const Table& table) {
   static constexpr std::string_view names[] = {"stage", "deflection", "force", "length pulled in"};
   std::string words;
@@ -342,7 +346,7 @@ std::string named_in_words(const std::vector<Reading>& columns, const Table& tab
   return words + ", as stated";
 }
 
-// The fault of a column that a case names by its title is told by that title, and not by the flag of its role.
+// The error of a column that a case names, with its title instead of the flag of its role.
 InputError by_title(const InputError& error, const ExportOptions& options) {
   InputFault fault = error.fault;
   for (const auto& [role, title] : options.columns)
@@ -354,7 +358,7 @@ void require_one_sheet(const Test& input, const Export& file) {
   const std::vector<std::string>& alike = file.origin.alike;
   if (alike.empty()) return;
   throw wrong_value(input, "record.sheet",
-                    fmt::format("The sheets {} hold such a table each, and none is chosen", listed(alike)),
+                    fmt::format("Each of the sheets {} holds a table of readings", listed(alike)),
                     instruction_to_set(input, KeyChange{"record", "sheet", toml_text(alike.front())}));
 }
 
@@ -370,7 +374,7 @@ void convert_stress(Readings& readings, const Export& file, const ExportColumn& 
   columns.done += "; it holds a stress, from which the force is calculated by span and section";
 }
 
-// The columns that a case names by their titles.
+// The columns that a case names by title.
 Readings readings_of_named(const Test& input, const Export& file) {
   const RecordInput& asked = *input.record;
   require_one_sheet(input, file);
@@ -389,7 +393,7 @@ Readings readings_of_named(const Test& input, const Export& file) {
   return readings;
 }
 
-// The columns of an export, which says itself what they are.
+// The columns of an export, from its own description.
 Readings readings_of_export(const Test& input, const Needs& needs, const Export& file) {
   const RecordInput& asked = *input.record;
   require_answers(input, needs, file);
@@ -421,7 +425,7 @@ Readings readings_of_export(const Test& input, const Needs& needs, const Export&
   return readings;
 }
 
-// The columns that a call holds in memory.
+// The columns of a call in memory.
 Readings readings_given(const Test& input) {
   const RecordInput& asked = *input.record;
   Readings readings{.test = input, .table = *asked.given, .columns = {}};

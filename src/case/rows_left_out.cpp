@@ -14,20 +14,22 @@
 #include "data/sampling.h"
 #include "io/input_error.h"
 
-// Which rows of a record are points of it: its readings, once each, as many as a test has use for, up to the end of the load cell.
+// The selection of points from the rows of a record: valid readings, without repetitions, up to the
+// end of the load cell's range, and not too many.
 namespace flexslip {
 namespace {
 
-// Of records of more rows that count every so many are used: a test has a few hundred features, whatever the readings of them.
+// Longer records are thinned evenly: a test has a few hundred features, for any number of readings.
 constexpr std::size_t max_record_points = 2000;
-constexpr std::size_t max_cyclic_points = 10000;  // of a test that is unloaded
+constexpr std::size_t max_cyclic_points = 10000;  // for a test with unloading
 
-// How many rows lie before a place, a row or where the stage or the deflection first gets there; and how many up to it, itself among them.
+// The number of rows before a place, which is a row or the first row at a stage or deflection; and
+// up to and including it.
 struct RowsTo {
   std::size_t before, up_to;
 };
 
-// Fails:      InputError where the record does not get there.
+// Fails:      InputError if the record does not reach the place.
 RowsTo rows_to(const PlaceInRecord& place, std::string_view key, const Preparing& at) {
   const Test& input = at.input();
   const Table& table = at.table();
@@ -58,7 +60,7 @@ Done begin_where_stated(Preparing& at) {
   if (asked.until) at.stated.until = rows_to(*asked.until, "record.until", at).up_to;
   if (asked.first) at.stated.first = rows_to(*asked.first, "record.first", at).before;
   const auto up_to = [&](std::size_t rows) { return rows > 0 ? at.table().file_row(rows - 1) + 1 : 0; };
-  const std::size_t before = up_to(at.stated.first);  // of the file
+  const std::size_t before = up_to(at.stated.first);  // in the file
   if (at.stated.until) at.last_row = up_to(*at.stated.until);
   if (at.last_row && before >= *at.last_row)
     throw wrong_value(
@@ -88,7 +90,7 @@ Done end_before_overload(Preparing& at) {
 
 namespace {
 
-// Of the rows [first, last) of the table, those that count, as rows of the table.
+// The selected rows in [first, last), as rows of the table.
 Sampling sampled(const Preparing& at, std::size_t first, std::size_t last) {
   const std::size_t count = last - first;
   const std::size_t most =
@@ -102,7 +104,7 @@ Sampling sampled(const Preparing& at, std::size_t first, std::size_t last) {
   return sampling;
 }
 
-// Rows of a table as those of its file.
+// Converts rows of a table to rows of its file.
 void count_as_file(const Table& table, Sampling& sampling) {
   if (table.missing_rows.empty()) return;
   for (auto* each : {&sampling.rows, &sampling.halts})
@@ -116,7 +118,7 @@ Done say_left_out(const Preparing& at, std::size_t count, std::string_view what)
   return PreparationStep{.changed = true, .done = fmt::format("{} of the {} rows {}", count, at.rows_looked_at, what)};
 }
 
-// Takes points out of the record and of its sampling.
+// Removes points from the record and its sampling.
 void take_out(const std::vector<std::size_t>& points, Preparing& at) {
   std::vector<std::size_t> kept;
   for (std::size_t point = 0; point < at.all.force.size(); ++point)
@@ -126,7 +128,7 @@ void take_out(const std::vector<std::size_t>& points, Preparing& at) {
   at.result.sampling.rows = std::move(kept);
 }
 
-// Readings that are none, counted and named.
+// Invalid readings, with count and name.
 Done leave_out_spikes_at(const std::vector<std::size_t>& spikes, std::string_view what, Preparing& at) {
   if (spikes.empty()) return {};
   const auto row = [&](std::size_t point) { return at.sampling().rows[point] + 1; };
@@ -145,7 +147,7 @@ Done leave_out_spikes_at(const std::vector<std::size_t>& spikes, std::string_vie
       .rows = range};
 }
 
-// Single forces that no specimen can have made, in any loading.
+// Single forces that the specimen cannot cause, in any loading.
 std::vector<std::size_t> spikes_of_force(const Record& record, double stiffness) {
   std::vector<std::size_t> spikes;
   for (const Leg& leg : find_legs(record.stage)) {
@@ -204,7 +206,7 @@ Done leave_out_stray_positions(Preparing& at) {
                              "that the displacement jumps to and comes back from at once", at);
 }
 
-// What the force does while the stage halts: the first reading there belongs to the loading.
+// Removes the rows during rests of the stage; the first reading of a rest belongs to the loading.
 Done leave_out_holds(Preparing& at) {
   const std::vector<std::size_t> halts = find_halts(at.all.stage);
   Sampling left = at.sampling();
@@ -234,7 +236,7 @@ std::optional<Relaxation> relaxation_of(const Preparing& at) {
   return relaxation_at(rests, last + 1 - first, result.force_noise);
 }
 
-// The way back of the stage before the first loading, which bends nothing that is evaluated.
+// Removes the movement back before the first loading, which is not evaluated.
 Done leave_out_way_back(Preparing& at) {
   const std::vector<Leg> legs = find_legs(at.all.stage);
   if (legs.size() < 2 || legs.front().direction == Direction::loading) return {};

@@ -27,7 +27,8 @@ EnergyAccount difference(const EnergyAccount& after, const EnergyAccount& before
   return change;
 }
 
-// Legs of a path, in indices of its points. The way from the straight fibre to the first point belongs to the first leg.
+// The legs of a path, as indices of its points. The start from the straight fibre belongs to the
+// first leg.
 template <class Point>
 std::vector<Leg> legs_along(const std::vector<Point>& path, const LegOptions& options) {
   std::vector<double> stages{0};
@@ -41,7 +42,7 @@ std::vector<Leg> legs_along(const std::vector<Point>& path, const LegOptions& op
   return legs;
 }
 
-// Where the specimen first wraps the nose.
+// The stage position at which the specimen first wraps the nose.
 std::optional<double> wraps_nose_from(const Test& input, const History& history, const Fibre& fibre,
                                       const Scales& scales) {
   const double most = nose_curvature_of(input, scales);
@@ -114,8 +115,10 @@ Simulation simulated(const Test& input, const History& history, const Fibre& fib
 
 namespace {
 
-// Gaussian noise on the force, and so on the deflection, which an experiment infers from the force and the stage.
-// Units:      deviation in those of the case, stiffness of the load train likewise. The same seed gives the same readings.
+// Gaussian noise on the force. It also affects the deflection, which is computed from force and
+// stage.
+// Units:      deviation and load-train stiffness in the units of the case. The same seed gives the
+//             same readings.
 void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiffness, std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto uniform = [&] { return (static_cast<double>(generator() >> 11) + 0.5) * 0x1p-53; };
@@ -128,7 +131,7 @@ void add_noise(std::vector<SimulatedPoint>& path, double deviation, double stiff
   }
 }
 
-// Why the path ends before its programme does.
+// The reason why the path ends before its programme.
 std::string reason_of_end(const Test& input, HistoryStatus status, const Simulation& test) {
   const std::string last = readable(test.path.empty() ? 0 : test.path.back().stage, kind_in(input, kind::length));
   if (status == HistoryStatus::slipped_through)
@@ -139,11 +142,12 @@ std::string reason_of_end(const Test& input, HistoryStatus status, const Simulat
       input.source, last);
 }
 
-// A continuous path has so many points on each stretch of sliding and each snap, and fine roughness has very many.
-// Fails:      InputError for more than fit into a gigabyte.
+// A continuous path has a number of points on each sliding segment and each snap. Fine roughness
+// has very many.
+// Fails:      InputError for more than a gigabyte.
 void require_path_that_fits(const Test& input, const Friction& friction, const std::vector<double>& turns, int points) {
   constexpr double max_points = 8e6;  // of a hundred bytes
-  double periods = 0;                 // passed at most
+  double periods = 0;                 // maximum number passed
   for (std::size_t i = 1; i < turns.size(); ++i)
     periods += std::abs(periods_up_to(friction, turns[i]) - periods_up_to(friction, turns[i - 1]));
   const double expected = 2 * periods * points;
@@ -155,7 +159,7 @@ void require_path_that_fits(const Test& input, const Friction& friction, const s
                   std::max(std::floor(max_points / (2 * periods)), 2.0)));
 }
 
-// Where the nose first lifts off a specimen that stays bent; "" where it does not.
+// The stage position at which the nose first lifts off a bent specimen; "" if it never does.
 std::string lift_in_words(const Test& input, const History& history, const Scales& scales) {
   const auto apart = std::find_if(history.path.begin(), history.path.end(),
                                   [](const PathPoint& point) { return point.motion == Motion::apart; });
@@ -166,7 +170,7 @@ std::string lift_in_words(const Test& input, const History& history, const Scale
       readable(scales.physical_length(apart->w), kind_in(input, kind::length)));
 }
 
-// What the mechanics leaves out of a specimen: that it breaks, and that it shears.
+// Effects missing from the mechanics: fracture and shear.
 std::vector<std::string> left_out_in_words(const Test& input, const Simulation& test, const Scales& scales) {
   std::vector<std::string> remarks;
   const double breaks_at = breaking_curvature_of(input, scales);
@@ -190,8 +194,8 @@ std::vector<std::string> left_out_in_words(const Test& input, const Simulation& 
 }  // namespace
 
 SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest) {
-  constexpr double min_measured_travel = 0.02;  // of a turn of a stage that was measured, with its noise
-  constexpr double min_stated_travel = 1e-9;    // of one that was written down
+  constexpr double min_measured_travel = 0.02;  // of a turn in a measured, noisy stage path
+  constexpr double min_stated_travel = 1e-9;    // of a turn in a stated programme
   const Scales scales = scales_of(input);
   const StageProgramme programme = programme_of(input);
   const LegOptions legs{programme.measured ? min_measured_travel : min_stated_travel};
@@ -214,7 +218,7 @@ SimulatedTest simulate(const Test& input, const SimulationOptions& options, doub
         fmt::format("from the stage position {} on, the specimen is bent more sharply than the nose and "
                     "wraps around it; what follows is for a sharp nose",
                     readable(scales.physical_length(*test.wraps_nose_from), kind_in(input, kind::length))));
-  // A stage in steps stands where it was asked to, without the rounding of there and back.
+  // A stage in steps is at the requested positions, without rounding.
   if (programme.in_steps)
     for (std::size_t i = 0; i < test.path.size(); ++i) test.path[i].stage = programme.positions[i];
   for (std::string& remark : left_out_in_words(input, test, scales)) remarks.push_back(std::move(remark));

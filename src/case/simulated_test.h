@@ -1,4 +1,4 @@
-// The test that a case describes, computed forward: what it would measure, and what there is to say of that.
+// The simulation of the test that a case describes, and remarks on it.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@
 
 namespace flexslip {
 
-// A point of a path. Units: those of the case.
+// A point of a path, in the units of the case.
 struct SimulatedPoint {
   double stage, deflection, force;
   double length;  // of the axis between the contacts
@@ -24,16 +24,16 @@ struct SimulatedPoint {
   std::string_view motion;
   double drawn_in, imaged;
   double strain = 0, stress = 0;  // of the surface at midspan
-  double left = 0, right = 0;     // drawn in over each support
+  double left = 0, right = 0;     // sliding length over each support
   EnergyAccount energy{};         // [EI/L] from the start of the test
 };
 
-// From a turn of the stage to the next.
+// The part of a path between two turns of the stage.
 struct SimulatedLeg {
   Direction direction;
   double from, to;          // stage positions, in the units of the case
-  EnergyAccount change;     // [EI/L] the last up to the end of the test, which may be beyond the last point
-  double work_of_fracture;  // [EI/L] likewise
+  EnergyAccount change;     // [EI/L] the last leg up to the end of the test, possibly beyond the last point
+  double work_of_fracture;  // [EI/L] up to the end of the test too
 };
 
 struct Simulation {
@@ -44,7 +44,7 @@ struct Simulation {
   std::optional<double> wraps_nose_from;  // [L] stage position
   std::vector<SimulatedLeg> legs;
   EnergyAccount energy{};  // at the end
-  // Which numbers of the points are told: those that are not are told by others, or do not exist.
+  // Flags for numbers of the points: false if a number does not exist or duplicates another.
   bool has_surface, has_three_lengths, has_two_sides;
 };
 
@@ -52,17 +52,17 @@ Simulation simulated(const Test& input, const History& history, const Fibre& fib
                      const LegOptions& options);
 
 struct SimulationOptions {
-  int points = 200;        // on each stretch of sticking or sliding, where the stage moves continuously; at least 2
-  double noise = 0;        // [N] standard deviation of the force readings, in the units of the case
+  int points = 200;        // on each segment of sticking or sliding of a continuous stage; at least 2
+  double noise = 0;        // [N] standard deviation of force readings, in the units of the case
   std::uint64_t seed = 1;  // of the noise
   HistoryProgress progress = {};
 };
 
-// What was followed: what figures are drawn of.
+// The simulated path, the input of figures.
 struct FollowedTest {
   BendingTest bending_test;
   History history;
-  std::vector<double> stages;  // [L] between which the stage moved, or at which it stood
+  std::vector<double> stages;  // [L] stage positions of turns and rests
   bool in_steps;
   LegOptions legs;
 };
@@ -73,14 +73,15 @@ struct SimulatedTest {
   Simulation simulation;
   FollowedTest followed;
   std::vector<std::string> remarks;  // sentences
-  std::string why_it_ends;           // before its programme does; "" if it does not
+  std::string why_it_ends;           // the reason for an early end; "" if the programme was completed
 };
 
-// Friction is made ready for stage positions up to `farthest` [L], of which figures may ask beyond the programme.
-// Fails:      InputError as bending_test_of; for a path that does not fit into a gigabyte.
+// `farthest` [L]: friction is prepared up to this stage position, which figures may need beyond the
+// programme.
+// Fails:      InputError as bending_test_of; for a path of more than a gigabyte.
 SimulatedTest simulate(const Test& input, const SimulationOptions& options, double farthest = 0);
 
-// The test as a picture shows it: of a stage in steps also between its readings.
+// The test for figures: a stage in steps is also shown between its readings.
 struct SimulatedPortrait {
   History history;
   std::vector<Leg> legs;  // of its path
@@ -88,7 +89,7 @@ struct SimulatedPortrait {
 };
 SimulatedPortrait portrait_of(const SimulatedTest& test, const std::vector<Crack>& cracks);
 
-// Its overall equilibria at some stage positions [L].
+// All its equilibria at some stage positions [L].
 OverallPortrait overall_portrait(const SimulatedTest& test, std::span<const double> stages);
 
 }  // namespace flexslip

@@ -18,7 +18,7 @@
 namespace flexslip {
 namespace {
 
-// [L] From the origin of the straight part, whatever the contact that the record counts from.
+// [L] From the origin of the linear region, for any contact of the record.
 std::optional<LoadingRead> loading_read(const Measurement& measurement, const SmallDeflection& numbers,
                                         const Scales& scales) {
   const auto counted = [&](std::size_t point) { return measurement.record.deflection[point] - numbers.origin; };
@@ -31,7 +31,7 @@ std::optional<LoadingRead> loading_read(const Measurement& measurement, const Sm
   return read;
 }
 
-// Of both supports, as the case states it to simulate with.
+// Of both supports, as stated for a simulation.
 std::optional<ShareRange> stated_friction(const Test& test) {
   if (!test.friction || !test.friction->mu0) return std::nullopt;
   const double mu = *test.friction->mu0;
@@ -39,7 +39,8 @@ std::optional<ShareRange> stated_friction(const Test& test) {
   return ShareRange{std::min(mu, other), std::max(mu, other)};
 }
 
-// Of the supports of a case, or where it states none of edges and of rollers of the usual radius; [L] of a span.
+// The supports of a case; if not stated, knife edges and rollers of the usual radius; [L] of a
+// span.
 std::vector<Supports> possible_supports(const Test& test, const Scales& scales) {
   std::vector<Supports> possible{supports_of(test, scales)};
   if (const auto usual = standard_roller_radius(geometry_of(test))) {
@@ -49,7 +50,7 @@ std::vector<Supports> possible_supports(const Test& test, const Scales& scales) 
   return possible;
 }
 
-// By the map of the specimen on its supports, for the friction of the case, or that which is usual.
+// For the friction of the case or the usual range, by the map of the specimen on its supports.
 Steepening steepening_of(const Test& test) {
   return [&test](DeflectionRange earlier, DeflectionRange later) {
     const BeamGeometry geometry = geometry_of(test);
@@ -134,7 +135,8 @@ SupportsGain supports_gain(const Measurement& measurement, const SmallDeflection
                       .work = none_yet,
                       .is_stated = said.has_value(),
                       .turns = pins < range.most};
-  // Not only its ends: a specimen that friction holds, before its surface slides back in, is the less strong the more there is of it.
+  // Interior points too: with friction, before the surface slides back in, strength decreases with
+  // friction.
   constexpr int frictions = 3;
   for (int i = 0; i < frictions; ++i) {
     const double friction = std::lerp(range.least, range.most, i / (frictions - 1.0));

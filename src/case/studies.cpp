@@ -16,9 +16,9 @@
 namespace flexslip {
 namespace {
 
-constexpr double longest_by_default = 1.5;  // [L] about where a real test ends: deflections to half the span
+constexpr double longest_by_default = 1.5;  // [L] about the end of a real test, at a deflection of half the span
 
-// The length up to which to compute.
+// The maximum length of the computation.
 double longest_of(const EquilibriumChoice& choice, const Test& input, const Scales& scales) {
   if (choice.longest.empty()) return longest_by_default;
   const Kind kind = kind_in(input, kind::length);
@@ -28,15 +28,15 @@ double longest_of(const EquilibriumChoice& choice, const Test& input, const Scal
                     .problem = fmt::format("{} is not a length greater than the span", in_quotes(choice.longest))});
 }
 
-// Enough points that no period or piece of the friction goes unseen: spaced evenly in √(S - 1), the last are the farthest
-// apart, 2 (S_max - 1)/n.
+// Enough points to resolve every period and piece of friction. Points are evenly spaced in √(S -
+// 1); the last are the farthest apart, 2 (S_max - 1)/n.
 int points_for(const Friction& friction, double S_max) {
   const double for_waves = 8 * (S_max - 1) / friction.smooth_scale();
   const double for_knots = 4 * static_cast<double>(friction.knots().size());
   return static_cast<int>(std::clamp(std::max(for_waves, for_knots), 500.0, static_cast<double>(max_equilibria)));
 }
 
-constexpr std::size_t min_inverted_points = 12;  // a noise, and a profile that is more than a handful of points
+constexpr std::size_t min_inverted_points = 12;  // for a noise estimate and a useful profile
 
 std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffness) {
   constexpr std::string_view remedy =
@@ -45,7 +45,7 @@ std::vector<std::string> assumptions_in_words(const BendingStiffnessUsed& stiffn
     return {fmt::format("the bending stiffness is taken to be uncertain by {:g} %; {}", 100 * stiffness.relative_error,
                         remedy)};
   if (stiffness.source == StiffnessSource::initial_slope)
-    return {fmt::format("the bending stiffness is that of the initial slope, uncertain by {:.2g} %; {}",
+    return {fmt::format("the bending stiffness follows from the initial slope, uncertain by {:.2g} %; {}",
                         100 * stiffness.relative_error, remedy)};
   return {};
 }
@@ -93,9 +93,10 @@ InvertedTest invert_test(const Test& asked, const OtherSupports& other) {
   std::string why;
   if (profile.points.empty())
     why = fmt::format(
-        "{}: friction cannot be read off: all deflections are below {}, or no friction explains them; check the units",
+        "{}: friction cannot be determined: all deflections are below {}, or no friction explains them; check the "
+        "units",
         measurement.file,
-        is_thick ? "twice the thickness of the specimen, up to where its surface hardly slides" : "0.02 spans");
+        is_thick ? "twice the thickness of the specimen, where its surface slides almost nowhere" : "0.02 spans");
   return {std::move(measurement), stiffness, scales, std::move(profile), std::move(remarks), std::move(why)};
 }
 
@@ -113,7 +114,7 @@ std::optional<ForceWindow> window_of(const std::vector<std::string>& words) {
 
 ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,
                            const std::optional<ShareRange>& friction) {
-  constexpr std::size_t min_points_of_line = 11;  // they tell the noise
+  constexpr std::size_t min_points_of_line = 11;  // for a noise estimate
   Measurement measurement = read_measurement(input, {.points = min_points_of_line});
   const BeamGeometry geometry = geometry_of(measurement.test);
   const SmallDeflection numbers = small_deflection_of(measurement, window);

@@ -1,4 +1,5 @@
-// What is asked of a test besides a fit and a simulation: all its equilibria, the friction read off its record, the numbers of the bending standards.
+// Studies of a test other than fit and simulation: equilibria, pointwise friction, results of the
+// bending standards.
 #pragma once
 
 #include <functional>
@@ -20,10 +21,10 @@
 namespace flexslip {
 
 struct EquilibriumChoice {
-  bool region = false;  // all equilibria, not the curve of loading
-  int points = 0;   // along the length, from 2 to max_equilibria; 0: as many as the friction needs, or 100 of a region
-  int levels = 41;  // of the friction in a region, from 2 to max_levels
-  std::string longest{};  // length between the supports up to which to compute, with its unit; empty: 1.5 spans
+  bool region = false;  // true for all equilibria, false for the loading curve
+  int points = 0;       // along the length, 2 to max_equilibria; 0: as many as the friction needs, or 100 for a region
+  int levels = 41;      // of friction in a region, 2 to max_levels
+  std::string longest{};  // maximum arc length between the supports, with unit; empty: 1.5 spans
 };
 
 inline constexpr int max_equilibria = 1'000'000;
@@ -41,11 +42,11 @@ struct EquilibriumStudy {
 };
 
 // Domain:     counts as above.
-// Fails:      InputError for a case without span, bending stiffness or friction, as scales_of and friction_of; for `longest`, naming the flag, unless
-//             it is a length beyond the span.
+// Fails:      InputError for a case without span, bending stiffness or friction, as scales_of and
+//             friction_of; for `longest`, naming the flag, unless it is a length beyond the span.
 EquilibriumStudy study_equilibria(const Test& input, const EquilibriumChoice& choice);
 
-// As a picture shows them.
+// The equilibria for figures.
 EquilibriumPortrait portrait_of(const EquilibriumStudy& study);
 
 struct InvertedTest {
@@ -53,11 +54,11 @@ struct InvertedTest {
   BendingStiffnessUsed stiffness;
   Scales scales;
   FrictionProfile profile;
-  std::vector<std::string> remarks;  // sentences: what was assumed, and left out
-  std::string why_no_answer;         // "" if a reading tells a friction
+  std::vector<std::string> remarks;  // assumptions and omissions, sentences
+  std::string why_no_answer;         // "" if a reading determines friction
 };
 
-// Supports other than those of the case; none: those of the case.
+// Supports that replace those in the case; empty: the supports of the case.
 using OtherSupports = std::function<std::optional<Supports>(const Test& completed, const Scales& scales)>;
 
 // Fails:      InputError as read_measurement, bending_stiffness_of, scales_of and rig_of.
@@ -70,12 +71,13 @@ struct ModulusStudy {
   SupportsGain supports;
 };
 
-// The straight part as two words say it, "0.1" and "30 %"; none of none.
+// The linear region from two words, "0.1" and "30 %"; empty without words.
 // Domain:     no words, or two.
-// Fails:      InputError that names the flag --window, unless they are rising shares from 0 to 1.
+// Fails:      InputError for --window, unless they are increasing shares from 0 to 1.
 std::optional<ForceWindow> window_of(const std::vector<std::string>& words);
 
-// Fails:      InputError as read_measurement, and for a record of fewer points than tell the noise.
+// Fails:      InputError as read_measurement; for a record with too few points to determine its
+//             noise.
 ModulusStudy study_modulus(const Test& input, const std::optional<ForceWindow>& window,
                            const std::optional<ShareRange>& friction);
 

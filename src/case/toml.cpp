@@ -12,10 +12,10 @@
 namespace flexslip {
 namespace {
 
-// Holds a text to the tokens that case files are made of: words, plain numbers, texts in quotes on one line, = [ ] { } , and
-// comments. toml++ 3.3 answers some of what is outside them, most of it no TOML, with undefined behaviour or a failed
-// assertion, as fuzzing showed: "µ" outside quotes, "[" without a name, "[}", "1262-05-7n 3". Dates and multi-line strings
-// go with them, for which a case file has no use.
+// Restricts a text to the tokens of case files: words, plain numbers, quoted texts on one line, = [
+// ] { } , and comments. For some other texts, mostly invalid TOML, toml++ 3.3 has undefined
+// behaviour or failed assertions, as fuzzing showed: "µ" outside quotes, "[" without a name, "[}",
+// "1262-05-7n 3". This also excludes dates and multi-line strings, which case files do not need.
 class TokenCheck {
  public:
   TokenCheck(std::string_view text, const std::string& source) : text_(text), source_(source) {}
@@ -27,7 +27,7 @@ class TokenCheck {
       const char c = text_[at_];
       if (c == '\n') {
         ++line_;
-        if (in_header_) open_.clear();  // if its bracket is not closed, TOML refuses it
+        if (in_header_) open_.clear();  // TOML refuses an unclosed bracket
         in_header_ = false;
         line_is_blank_ = true;
         ++at_;
@@ -70,7 +70,7 @@ class TokenCheck {
 
   void take_text(char quote) {
     if (at_ > 0 && std::string_view(" \t\r\n=[{,").find(text_[at_ - 1]) == std::string_view::npos)
-      refuse("A quote stands in the middle of a text");
+      refuse("A quote is in the middle of a text");
     if (text_.substr(at_, 3) == std::string(3, quote)) refuse("A text in quotes must stand on one line");
     for (++at_; at_ < text_.size() && text_[at_] != quote && text_[at_] != '\n'; ++at_)
       if (quote == '"' && text_[at_] == '\\') ++at_;
@@ -81,7 +81,7 @@ class TokenCheck {
   void take_word() {
     const std::size_t end = std::min(text_.find_first_not_of(letters, at_), text_.size());
     const std::string_view word = text_.substr(at_, end - at_);
-    constexpr std::ptrdiff_t max_parts = 16;  // a key of many thousands takes the parser out of its stack
+    constexpr std::ptrdiff_t max_parts = 16;  // a key with thousands of parts overflows the stack of the parser
     if (std::count(word.begin(), word.end(), '.') >= max_parts) refuse("The key has too many parts");
     const bool is_key = next_after(end) == '=' && last_ != '=' && (open_.empty() || open_.back() == '{');
     const bool is_whole =
@@ -98,7 +98,7 @@ class TokenCheck {
     if (word == "true" || word == "false") return true;
     if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
     if (word == "inf" || word == "nan") return true;
-    const std::size_t sign = word.find_first_of("+-");  // of the exponent, or else it is a date
+    const std::size_t sign = word.find_first_of("+-");  // of the exponent, otherwise it is a date
     const bool has_odd_sign = sign != std::string_view::npos && word.find_first_of("eE") + 1 != sign;
     return word.find_first_of("0123456789") == 0 && !has_odd_sign &&
            word.find_first_not_of("0123456789.eE+-_") == std::string_view::npos;
@@ -126,8 +126,8 @@ class TokenCheck {
   std::size_t line_ = 1;
   bool line_is_blank_ = true;
   bool in_header_ = false;
-  std::string open_;  // the brackets that are
-  char last_ = '\n';  // of the tokens so far
+  std::string open_;  // open brackets
+  char last_ = '\n';  // last character of the tokens
 };
 
 }  // namespace
@@ -159,7 +159,7 @@ toml::table& table_at(toml::table& parent, std::string_view name) {
     if (const toml::node* value = parent.get(name)) {
       const auto both = value_and_uncertainty(value->value<std::string_view>().value_or(""));
       if (both)
-        table.insert_or_assign("value", std::string(both->first));  // the uncertainty beside it gives way
+        table.insert_or_assign("value", std::string(both->first));  // replaces the uncertainty in the text
       else
         table.insert_or_assign("value", *value);
     }

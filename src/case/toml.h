@@ -1,4 +1,4 @@
-// TOML text to a table of toml++, whatever the text.
+// Safe conversion of any text to a TOML table of toml++.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,18 @@
 
 namespace flexslip {
 
-// Domain:     keys, numbers and one-line texts, as case files have them: no dates, no multi-line texts.
-// Fails:      InputError with file and line for anything else.
+// Domain:     keys, numbers and one-line texts; no dates, no multi-line texts.
+// Fails:      InputError with file and line for other content.
 toml::table parse_toml(std::string_view text, const std::string& source);
 
-// "90.65 N/m" and "0.3 %" of "90.65 N/m ± 0.3 %"; none of a text without an uncertainty.
+// "90.65 N/m" and "0.3 %" of "90.65 N/m ± 0.3 %"; empty for a text without an uncertainty.
 std::optional<std::pair<std::string_view, std::string_view>> value_and_uncertainty(std::string_view text);
 
-// The table of this name in another. What stands there and is none becomes its "value", as of a quantity that is to have an uncertainty.
+// The subtable with a name. Another value there becomes its "value", as for a quantity that gets an
+// uncertainty.
 toml::table& table_at(toml::table& parent, std::string_view name);
 
-// A text in quotes, as such a file has it.
+// A text in quotes, in the notation of TOML.
 std::string toml_text(std::string_view text);
 
 }  // namespace flexslip

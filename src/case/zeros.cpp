@@ -15,11 +15,11 @@
 #include "data/no_readings.h"
 #include "io/input_error.h"
 
-// Which way the columns count, and where the force is zero.
+// The signs of the columns and the zero of the force.
 namespace flexslip {
 namespace {
 
-// In any unit, the force or what is proportional to it.
+// The force, or a proportional quantity, in any unit.
 std::vector<double> force_or_difference(const Readings& readings) {
   if (readings.has(Reading::force)) return readings.of(Reading::force);
   std::vector<double> difference = readings.of(Reading::stage);
@@ -37,7 +37,7 @@ Record record_of(const Readings& readings, double stiffness) {
              : record_from_deflection_and_force(of(Reading::deflection), of(Reading::force), stiffness);
 }
 
-// By the rows of the table between those that the case states as numbers.
+// From the rows of the table between stated rows.
 Signs signs_of(const Preparing& at) {
   const SignRule rule = at.input().record->sign;
   if (rule == SignRule::reverse) return {-1, -1};
@@ -49,7 +49,7 @@ Signs signs_of(const Preparing& at) {
   const auto force = std::span(all).subspan(first, last - first);
   const std::size_t points = points_before_wrap(force);
   const Signs signs = find_signs(std::span(at.readings.displacement()).subspan(first, points), force.first(points));
-  // Without a force column its sign is that of the displacements it is the difference of.
+  // Without a force column, the sign of the force follows from the displacements.
   return !at.readings.has(Reading::force) && signs.force != signs.displacement ? Signs{1, 1} : signs;
 }
 
@@ -62,7 +62,7 @@ void require_finite(const Record& record, const Table& table) {
                     .remedy = "check the units"});
 }
 
-// Values of the rows of a table, at those of its file; NaN at rows without a number.
+// The values of a table at the rows of its file; NaN at rows without a number.
 std::vector<double> of_file_rows(const std::vector<double>& values, const Table& table) {
   std::vector<double> all(table.rows_of_file(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t row = 0; row < values.size(); ++row) all[table.file_row(row)] = values[row];
@@ -120,7 +120,7 @@ Record with_force_zero(const Preparing& at, const Baseline& zero) {
                        : record_from_deflection_and_force(record.deflection, force, at.stiffness);
 }
 
-// Fails:      InputError where the stage stands still all along, which bends no specimen.
+// Fails:      InputError for a stage that never moves.
 void require_moving(const Preparing& at, const Record& record) {
   const auto [least, most] = std::minmax_element(record.stage.begin(), record.stage.end());
   if (*least < *most) return;
@@ -144,7 +144,7 @@ PreparationStep take_off_baseline(Preparing& at) {
   const Baseline& baseline = at.result.baseline;
   at.all = with_force_zero(at, baseline);
   return {.changed = true,
-          .done = fmt::format("the force that {} before contact is subtracted, and led on behind it",
+          .done = fmt::format("the force that {} before contact is extrapolated and subtracted",
                               baseline.settles_by != 0 ? "settles" : "drifts"),
           .value = value_in(at.input(), baseline.change, baseline.error, kind::force),
           .rows = RowRange{1, rows_of_points(at.sampling(), baseline.points)},
@@ -171,7 +171,7 @@ PreparationStep take_off_mean_before_contact(Preparing& at, const Record& rise) 
 
 Done count_force_from_zero(Preparing& at) {
   const Record asked_for = at.last_row ? first_points(at.all, points_before(*at.last_row, at.sampling())) : at.all;
-  require_points(at, asked_for);  // where rows do not count, none may be left
+  require_points(at, asked_for);  // no row may be left after omissions
   require_moving(at, asked_for);
   const Record rise = first_rise(asked_for);
   Baseline& baseline = at.result.baseline;

@@ -222,8 +222,7 @@ std::string no_loss(T test, std::string_view begin) {
 std::string friction_in_words(T test, const Verdict& verdict) {
   if (test.analysis.status == AnalysisStatus::deflection_too_small)
     return "none: the deflection is too small to determine friction";
-  if (!test.judgement.determines_friction)
-    return "none: friction cannot be determined on a specimen that loses stiffness";
+  if (!test.judgement.determines_friction) return "none: an unmeasured loss of stiffness hides it";
   const FrictionFit& fit = test.analysis.fit;
   const auto on_rollers = friction_on_rollers(test);
   const bool supposes_slips =
@@ -277,10 +276,10 @@ std::string spacing_in_words(T test) {
   if (has_spacing) clauses.push_back(fmt::format("one drop per {} of specimen", spacing));
   if (has_wave) {
     const std::string period = length(analysis.fit.waves.front().wavelength.value);
-    clauses.push_back(period == spacing ? "friction varies with the same period"
+    clauses.push_back(period == spacing ? "friction varies along it with the same period"
                                         : fmt::format("friction varies with a period of {}", period));
   } else if (analysis.fit.model == ProfileModel::roughness && !analysis.fit.mu0_is_bound) {
-    clauses.emplace_back("no regular spacing");
+    clauses.emplace_back("the spacing is irregular");
   }
   return in_clauses(clauses);
 }

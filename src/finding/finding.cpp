@@ -89,7 +89,8 @@ std::string checks_in_words(const Answer& answer) {
     return is_check(finding) && finding.severity == Severity::unjudged;
   });
   return fmt::format(
-      "{} checks passed{}{}.", good == checks ? fmt::format("All {}", checks) : fmt::format("{} of {}", good, checks),
+      "{} checks of the fit passed{}{}.",
+      good == checks ? fmt::format("All {}", checks) : fmt::format("{} of {}", good, checks),
       unjudged > 0 ? fmt::format(", {} not possible", unjudged) : "",
       good < checks && answer.verdict.code == VerdictCode::crack ? ", as expected of a cracked specimen" : "");
 }

@@ -171,7 +171,7 @@ std::string sensitivities_in_words(T test, bool has_work) {
                                     signed_number(each.friction_moves)));
     if (!each.is_supposed && (!of_work || std::abs(each.work_moves) > std::abs(of_work->work_moves))) of_work = &each;
   }
-  if (clauses.empty()) clauses.emplace_back("no input changes friction by 0.01");
+  if (clauses.empty()) clauses.emplace_back("no input changes friction by 0.01 or more");
   if (has_work && of_work && std::abs(of_work->work_moves) >= noticeable)
     clauses.push_back(
         fmt::format("{} +{}: share of the work {}", of_work->title, of_work->step, signed_points(of_work->work_moves)));

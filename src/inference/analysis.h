@@ -1,5 +1,8 @@
 // The analysis of one measured test: its friction along the specimen with errors, its drops, and
 // the work of friction. Inputs are in SI units, results in reduced variables with their Scales.
+//
+// The order of a whole evaluation: find_contact (beginning.h), fit_passes (passes.h) if the record
+// reloads, analyse, judge (judgement.h); then summary_of and summarise (campaign.h) over many tests.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +46,8 @@ FrictionlessForceRatio frictionless_force_ratio(const ReducedRecord& record, con
 struct StiffnessFromSlope {
   bool found = false;  // to max_stiffness_error or better; if not, nothing else is valid
   double value = 0;    // [N m^2] EI
-  // [1] standard deviation: slope, 3 % for friction and large deflection, 3 %; no contact or load train
+  // [1] standard deviation of the slope, with 3 % for friction and large deflection; without the
+  // errors of contact and load train
   double relative_error = 0;
   double deflection = 0;  // [m] an error of the contact divided by it is the relative error of EI
 };

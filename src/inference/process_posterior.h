@@ -38,7 +38,7 @@ struct ProcessPosterior {
   double noise_correlation;
   std::vector<WavePosterior> waves;  // of the modes with the most probable waves, one entry per wave
   double log_evidence_of_wave;       // of the evidence ratio with and without a wave
-  double carried_by_readings;        // its upper limit
+  double carried_by_readings;        // upper limit of log_evidence_of_wave
   std::vector<Explanation> explanations;
   std::vector<double> innovations;  // [1] of the readings, by the most probable mode
   ProfileBand band;

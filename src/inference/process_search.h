@@ -29,8 +29,8 @@ struct Component {
   // [1] Of ln λ of each wave, with the log_posterior linearised anew at each step. Wavelengths and
   // errors of the rig are correlated.
   std::array<double, max_waves> wavelength_deviation{};
-  // [rad] The change of the phase of each wave at the middle with ln of the lengths, along this
-  // valley.
+  // [rad] The change of the phase of each wave at the middle with ln of the lengths, in the direction
+  // in which wavelengths and errors of the rig compensate each other.
   std::array<double, max_waves> turn{};
 };
 

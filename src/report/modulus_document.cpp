@@ -318,7 +318,7 @@ std::vector<Remark> remarks_on_curve(const StandardTest& test) {
         {fmt::format("The maximum force is at a deflection of {:.0f} % of the span. Beyond 10 %, the "
                      "standards' formulas for stress and strain do not hold.",
                      share),
-         fmt::format("The maximum lies at {:.0f} % of the span; the standards' formulas hold up to 10 %.", share)});
+         fmt::format("At the maximum, the deflection is {:.0f} % of the span; the formulas hold up to 10 %.", share)});
   }
   if (numbers.shear_share && *numbers.shear_share > shear_worth_a_word)
     list.push_back(shear_remark(test, *numbers.shear_share));
@@ -398,7 +398,7 @@ std::string signed_range(const ShareRange& share) {
 
 std::string friction_row(const FrictionGain& gain) {
   const auto& [least, most] = gain.friction;
-  return fmt::format("{} at these supports: modulus {}, stress {}",
+  return fmt::format("if {} at these supports: modulus {}, stress {}",
                      least == most ? fmt::format("{:g}", least) : fmt::format("{:g} to {:g}", least, most),
                      signed_range(gain.modulus), signed_range(gain.strength));
 }

@@ -287,7 +287,7 @@ TEST_CASE("table: exports and preparations that cannot be are refused") {
 TEST_CASE("table: a place in the record is a row, or one position") {
   const auto until = [](const std::string& place) { return complaint("[record]\nfile = '/a'\nuntil = " + place); };
   CHECK(has(complaint("[record]\nfile = '/a'\nlength = 'dS [mm]'"),
-            "A length needs stage or deflection, and force, beside it"));
+            "A length also needs stage or deflection, and force"));
   CHECK(has(until("0"), "The number 0 is not a whole number of at least 1"));
   CHECK(has(until("{ }"), "A place is either a stage or a deflection, and neither is stated"));
   CHECK(has(until("{ stage = '1 mm', deflection = '1 mm' }"),
@@ -574,7 +574,7 @@ TEST_CASE("table: what is no case file is refused as what it is") {
   CHECK(has(complaint("[stage]\nprogram = [ # none\n}"), ":3: A value is missing before }"));
   CHECK(has(complaint("[rig]\nspan = 1262-05-07"), ":2: '1262-05-07' is not a number, true, false or text in quotes"));
   CHECK(has(complaint("[rig]\nspan = 1278 um"), ":2: 'um' is not a number, true, false or text in quotes"));
-  CHECK(has(complaint("a = \"1\"'2'"), "A quote stands in the middle of a text"));
+  CHECK(has(complaint("a = \"1\"'2'"), "A quote is in the middle of a text"));
   CHECK(has(complaint("\n[\nrig]"), ":2: The name of a section is missing after ["));
   CHECK(has(complaint("[rig]\nspan = \"\"\"1 \\\n µm\"\"\""), ":2: A text in quotes must stand on one line"));
   CHECK(read("\xEF\xBB\xBF[rig]\nspan = '3 µm' # µ").rig->span == 3e-6);

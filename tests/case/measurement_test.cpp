@@ -319,7 +319,7 @@ TEST_CASE("measurement: a displacement that is stated to be another than its nam
   CHECK(
       told.find(
           "column 'Deflection': The column is titled as deflection, but it is stated as crosshead. Write displacement "
-          "= \"deflection\" into [record]; or write displacement_column = \"Deflection\" into [record] besides") !=
+          "= \"deflection\" into [record]; or write displacement_column = \"Deflection\" into [record] too") !=
       std::string::npos);
   CHECK(complaint(
             [&] { folder.exported(above, "displacement = 'crosshead'\ndisplacement_column = 'Deflection'\n"); }) == "");

@@ -294,7 +294,7 @@ TEST_CASE("table: friction beyond what is computed is refused with key, value, l
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\n")) == "");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"-40 1/mm\"\nreference = \"1.4 mm\"\n")) ==
         "case.toml:11: [friction] drift: The drift of -40 1/mm takes friction from 19 at 1.4 mm to 23.88 at 1.278 mm, "
-        "and the limit is 20. Check its unit, and that of reference.");
+        "and the limit is 20. Check its unit, and the unit of reference.");
   CHECK(refusal_of(drifting("mu0 = 19\ndrift = \"1 1/mm\"\nreference = \"2.5 mm\"\n")) == "");
   CHECK(refusal_of(drifting("mu0 = 0.3\nstatic_excess = 19.8\n")) ==
         "case.toml:11: [friction] static_excess: An excess of 19.8 raises static friction to 20.1, and the limit is "

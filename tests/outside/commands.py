@@ -307,9 +307,9 @@ program = ["0 um", "900 um"]
             self.refused(command, case, says=["loose.toml:", '[rig] rollers: \'loose\' is not "fixed" or "pinned"', "a feature of earlier versions"])
 
     def test_supports_of_a_case_that_are_none_are_refused(self):
-        for rig, said in (('rollers = "pinned"', "State that of yours, [rig] roller_radius, or delete it"), (self.PINNED.replace("pinned", "held"), '"fixed" or "pinned"'),
-                          (self.PINNED.replace('"pinned"', '"fixed"'), "This needs rollers on pins, and the rollers are 'fixed'"), (self.PINNED.replace("1 mm", "6 mm"), "The radius of the pin is 1.2 times that of the roller"),
-                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'This value is missing beside rollers = "pinned"'),
+        for rig, said in (('rollers = "pinned"', "State the radius, [rig] roller_radius, or delete it"), (self.PINNED.replace("pinned", "held"), '"fixed" or "pinned"'),
+                          (self.PINNED.replace('"pinned"', '"fixed"'), "This needs rollers on pins, and the rollers are 'fixed'"), (self.PINNED.replace("1 mm", "6 mm"), "The radius of the pin is 1.2 times the radius of the roller"),
+                          (self.PINNED.replace("pin_friction = 0.1", ""), "such as pin_friction = 0.1"), (self.PINNED.replace("pin_friction = 0.1", ""), 'This value is missing for rollers = "pinned"'),
                           (self.PINNED.replace('pin_radius = "1 mm"', ""), "such as pin_radius = '1 mm'"), (self.PINNED.replace("0.1", "7"), "ratio of the radii of roller and pin")):
             self.refused("simulate", self.bar("p.toml", 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]', rig=rig), says=[said])
         ends = 'mu0 = 0.3\n[stage]\nprogram = ["0 mm", "13 mm"]'

@@ -120,7 +120,7 @@ class Remedies(InFolder):
 
     def test_all_open_questions_come_at_once(self):
         path = self.record("Time,Extension,Load")
-        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["3 more inputs are needed", "(1) is 'Extension'", "(2) what is the unit of 'Extension'",
+        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["3 more inputs are needed", "(1) was 'Extension' measured at the crosshead", "(2) what is the unit of 'Extension'",
                                                               "(3) what is the unit of 'Load'"])
         self.refused("fit", path, says=["5 more inputs are needed", "(4) how stiff is the load train, if", '--stiffness "', "(5) how far are the supports apart?", '--span "'])
         case = self.file("case.toml", f'[record]\nfile = "{path}"\n')
