@@ -44,7 +44,7 @@ py::list figures_of_fit(Fitted test) {
   for (const Chapter& chapter : document_of(test))
     for (const Block& block : chapter.blocks)
       if (const auto* pictures = std::get_if<Pictures>(&block))
-        for (const Plot& plot : pictures->plots()) all.append(plain(plot));
+        for (const Plot& plot : pictures->plots(two_columns)) all.append(plain(plot));
   return all;
 }
 

@@ -1,6 +1,8 @@
 #include "answers/design_fields.h"
 
 #include <cmath>
+#include <optional>
+#include <variant>
 
 #include "answers/mechanics_fields.h"
 #include "data/names.h"
@@ -98,6 +100,28 @@ Fields<ReloadStudy> reload_fields() {
             &ReloadStudy::changes);
 }
 
+Fields<OpenStudy> open_fields() {
+  using N = const OpenNumber&;
+  const auto ranges = Fields<OpenNumber>()
+                          .words("parameter", "number of friction that the case does not state",
+                                 [](N each) { return each.axis.parameter.name; })
+                          .own("from", kind::number, "lower end of its range, in the unit of the parameter",
+                               [](N each) { return std::get<AxisRange>(each.axis.values).from; })
+                          .own("to", kind::number, "upper end of its range, in the unit of the parameter",
+                               [](N each) { return std::get<AxisRange>(each.axis.values).to; })
+                          .words("reason", "origin of the range", &OpenNumber::reason);
+  return Fields<OpenStudy>()
+      .count("designs", "number of designs over these ranges", &OpenStudy::designs)
+      .count("snapping", "number of these designs in which the specimen snaps", &OpenStudy::snapping)
+      .number("least_snap_share", "smallest of the largest snaps of the designs, as a share of the maximum force",
+              &OpenStudy::min_snap)
+      .number("greatest_snap_share", "largest snap of all designs, as a share of the maximum force",
+              &OpenStudy::max_snap)
+      .number("least_force", kind::force, "smallest maximum force of a design", &OpenStudy::min_force)
+      .number("greatest_force", kind::force, "largest maximum force of a design", &OpenStudy::max_force)
+      .list("ranges", "numbers of friction that the case does not state, with their ranges", ranges, &OpenStudy::open);
+}
+
 // The parameters of the case, each in its unit.
 Fields<DescribedDesign> changed_parameter_fields() {
   Fields<DescribedDesign> fields;
@@ -149,6 +173,14 @@ Fields<DescribedDesign> design_fields() {
       .list("changes", "single changes that reverse the answer", change_fields(), changes_of)
       .group("reload", "whether a second loading will distinguish slips from cracks; null unless requested",
              reload_fields(), [](const DescribedDesign& design) { return design.answer.reload; })
+      .group("open",
+             "outcomes over the friction that the case does not state, whose middle is the design; null if it states "
+             "all",
+             open_fields(),
+             [](const DescribedDesign& design) {
+               const auto& open = design.answer.open;
+               return open && !open->open.empty() ? open : std::nullopt;
+             })
       .group("parameters", "parameters of the design, in their units; null if infinite", changed_parameter_fields())
       .group("units", "units of plain numbers", units_of_numbers<DescribedDesign>());
 }

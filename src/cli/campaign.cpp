@@ -22,6 +22,7 @@ struct CampaignRequest {
   std::optional<std::string> common;
   std::vector<std::string> changes;
   std::string report;
+  double figure_width = 17;  // [cm]
   bool figures = true;
   bool test_reports = false;
   bool full = false;
@@ -35,7 +36,7 @@ CampaignOptions campaign_options(const CampaignRequest& request) {
   options.analysis = [&request](const Test& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
   options.stop = &interrupted();
-  if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options);
+  if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options, 10 * request.figure_width);
   options.progress = progress_of("tests", request.output);
   return options;
 }
@@ -60,7 +61,9 @@ void run_campaign_command(const CampaignRequest& request) {
         return request.full ? campaign_text(run.campaign) : campaign_screen(run.campaign, screen_style(request.output));
       });
   if (!request.report.empty())
-    note_pictures(request.output, write_campaign_report(request.report, run.campaign, request.figures));
+    note_pictures(request.output,
+                  write_campaign_report(request.report, run.campaign,
+                                        request.figures ? std::optional(10 * request.figure_width) : std::nullopt));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !is_answered(test); });
   if (without_answer > 0)
@@ -82,6 +85,7 @@ void add_campaign_command(CLI::App& app) {
                     "Write report.html, tables, figures and each test's results into this folder; results that are "
                     "already there are not computed again",
                     announce_campaign_report);
+  add_figure_width_option(command, request.figure_width);
   command.add_flag("!--no-figures", request.figures, "Write only the tables, without report.html and figures");
   command.add_flag("--test-reports", request.test_reports, "Also write the report of each test, with its figures");
   command.add_flag("--full", request.full, "Print all tests and tables, not only what fits on one screen");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,8 @@
 #include "cli/options.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
+#include "design/open_study.h"
+#include "design/planned_case.h"
 #include "report/answer_documents.h"
 #include "report/figures.h"
 
@@ -41,9 +44,16 @@ void require_one_answer(const DesignRequest& request) {
 
 void run_design(const DesignRequest& request) {
   require_one_answer(request);
-  const Test input = one_loading_of(request.test.read());
+  const PlannedCase planned_case = read_planned_case(request.test.file, request.test.changes);
+  const Test& input = planned_case.loading;
   const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
+    for (const OpenNumber& each : planned_case.open)
+      if (std::none_of(axes.begin(), axes.end(),
+                       [&](const DesignAxis& axis) { return axis.parameter.name == each.axis.parameter.name; }))
+        note(request.output, fmt::format("{} is not stated: the map is for {}", each.axis.parameter.name,
+                                         readable(value_of(input, each.axis.parameter.name).value(),
+                                                  kind_in(input, each.axis.parameter.kind()))));
     const auto points = design_map(input, axes, request.threads);
     write_rows(request.output, design_map_fields(axes), points, map_fields(axes), points,
                {Scales(1, 1), input.reduced});
@@ -57,6 +67,8 @@ void run_design(const DesignRequest& request) {
          fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
   DesignAnswer answer = answer_of(input);
   if (request.decide) answer.reload = reload_study(input, reload_options(request, input));
+  if (!planned_case.open.empty() || !request.figure.empty())
+    answer.open = open_study(input, planned_case.open, request.threads);
   write_words(
       request.output,
       [&] {
@@ -82,15 +94,14 @@ void add_design_command(CLI::App& app) {
   add_option(command, "--noise FORCE", request.noise,
              "With --decide, standard deviation of the force readings; default: 0.1 % of the maximum force")
       ->needs(decide);
-  add_threads_option(command, "-j,--threads NUMBER", request.threads,
-                     "With --over or --decide, number of tests computed at the same time");
+  add_threads_option(command, "-j,--threads NUMBER", request.threads, "Number of tests computed at the same time");
   add_figure_option(command, request.figure);
   add_output_options(command, request.output, "text, or of CSV with --over");
   command.footer(
       "Says whether a specimen on this rig will snap and where first, what the record will show, how stiff the load\n"
       "train would have to be for no snap, and which single changes would reverse the answer. The case is one for\n"
       "flexslip simulate: its farthest stage position is the travel of one loading, and its step is the distance\n"
-      "between readings.\n"
+      "between readings. If it does not state friction, the answer covers a range that fits the specimen.\n"
       "With --over, writes a CSV of these answers over mu0, amplitude, wavelength, phase, span, diameter, height, "
       "width,\n"
       "modulus, stiffness, travel, step, reference or pin_friction.\n"

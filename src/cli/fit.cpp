@@ -8,6 +8,7 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "finding/answer.h"
+#include "io/text.h"
 #include "report/answer_documents.h"
 #include "report/page.h"
 #include "report/report.h"
@@ -19,6 +20,7 @@ struct FitRequest {
   TestRequest test;
   AnalysisChoice analysis;
   std::string profile, curves, draws, report;
+  double figure_width = 17;  // [cm]
   bool full = false;
   Output output;
 };
@@ -42,9 +44,10 @@ void run_fit(const FitRequest& request) {
       request.output, [&] { return fit_json(test); },
       [&] {
         return (request.full ? fit_text(test) : fit_screen(test.name, answer_of(test), screen_style(request.output))) +
-               (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", request.report));
+               (request.report.empty() ? "" : fmt::format("\nThe report: {}/report.html\n", printable(request.report)));
       });
-  if (!request.report.empty()) note_pictures(request.output, write_report_with_studio(request.report, test));
+  if (!request.report.empty())
+    note_pictures(request.output, write_report_with_studio(request.report, test, 10 * request.figure_width));
   if (const auto code = answer_of(test).verdict.code; !is_answered(code))
     throw CalculationFailed(fmt::format("{}: {}; the answer says why", test.measurement.file, word_of(code)));
 }
@@ -63,6 +66,7 @@ void add_fit_command(CLI::App& app) {
       command, "--draws", request.draws,
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
   add_report_option(command, request.report, "Write report.html and figures/ into this folder", announce_report);
+  add_figure_width_option(command, request.figure_width);
   command.add_flag("--full", request.full, "Print every table and remark, not only what fits on one screen");
   add_output_options(command, request.output);
   command.footer(

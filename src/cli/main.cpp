@@ -17,6 +17,7 @@
 #include "cli/version.h"
 #include "io/call_files.h"
 #include "io/input_error.h"
+#include "io/text.h"
 
 namespace flexslip {
 namespace {
@@ -25,7 +26,7 @@ constexpr int exit_not_calculated = 1;
 constexpr int exit_wrong_input = 2;
 
 int complain(std::string_view message, int exit_code) {
-  std::cerr << fmt::format("flexslip: {}\n", message);
+  std::cerr << fmt::format("flexslip: {}\n", printable(message));
   return exit_code;
 }
 

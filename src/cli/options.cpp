@@ -220,6 +220,13 @@ void add_figure_option(CLI::App& command, std::string& path) {
       });
 }
 
+void add_figure_width_option(CLI::App& command, double& width) {
+  add_option(command, "--figure-width CM", width,
+             "With --report, width of the figures in centimetres: 17 for a page, 8.5 for a column")
+      ->check(number_between(min_figure_width / 10, max_figure_width / 10))
+      ->capture_default_str();
+}
+
 void add_report_option(CLI::App& command, std::string& folder, const std::string& meaning,
                        void (*announce)(CallFiles&, const std::string& folder, const std::string& option)) {
   add_option(command, "--report FOLDER", folder, meaning)->each([announce](const std::string& path) {

@@ -141,8 +141,10 @@ void add_quiet_flag(CLI::App& command, Output& output);
 void add_output_flags(CLI::App& command, Output& output, const std::string& json);
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise = "text");
 
-// Add --figure; --report, and announce its files; --jobs, by default the number of cores.
+// Add --figure; --figure-width [cm]; --report, and announce its files; --jobs, by default the number
+// of cores.
 void add_figure_option(CLI::App& command, std::string& path);
+void add_figure_width_option(CLI::App& command, double& width);
 void add_report_option(CLI::App& command, std::string& folder, const std::string& meaning,
                        void (*announce)(CallFiles&, const std::string& folder, const std::string& option));
 void add_threads_option(CLI::App& command, std::string_view option, unsigned& threads, const std::string& meaning);

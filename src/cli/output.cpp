@@ -15,6 +15,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "io/text.h"
 #include "io/text_file.h"
 
 namespace flexslip {
@@ -46,7 +47,7 @@ void note_pictures(const Output& output, const Drawing& drawing) {
 }
 
 void note(const Output& output, std::string_view remark) {
-  if (!output.quiet) std::cerr << fmt::format("flexslip: {}\n", remark);
+  if (!output.quiet) std::cerr << fmt::format("flexslip: {}\n", printable(remark));
 }
 
 namespace {

@@ -9,6 +9,7 @@
 
 #include "bending_test/design.h"
 #include "design/design_result.h"
+#include "design/open_study.h"
 #include "design/reload_study.h"
 
 namespace flexslip {
@@ -47,6 +48,7 @@ struct DesignAnswer {
   // are below 1e-5 spans, where the phase has no visible effect.
   std::optional<PhaseStudy> phases;
   std::optional<ReloadStudy> reload{};  // empty unless requested: reload_study(input, ...)
+  std::optional<OpenStudy> open{};      // empty unless requested: open_study(input, ...)
 };
 
 // Fails:      throws InputError as design_of.

@@ -4,6 +4,8 @@
 #include <cctype>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace flexslip {
 namespace {
 
@@ -123,9 +125,21 @@ std::string replaced(std::string_view text, std::string_view what, std::string_v
 }
 
 std::string html_escaped(std::string_view text) {
-  std::string out = replaced(text, "&", "&amp;");
-  for (const auto& [character, entity] : {std::pair{"<", "&lt;"}, std::pair{">", "&gt;"}, std::pair{"\"", "&quot;"}})
-    out = replaced(out, character, entity);
+  std::string out;
+  out.reserve(text.size());
+  while (!text.empty()) {
+    const auto [bytes, is_control] = first_character(text);
+    const char c = text.front();
+    if (bytes == 0)
+      out += "\ufffd";
+    else if (is_control && c != '\n' && c != '\t')
+      out += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[bytes - 1]));
+    else if (c == '&' || c == '<' || c == '>' || c == '"')
+      out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : "&quot;";
+    else
+      out += text.substr(0, bytes);
+    text.remove_prefix(std::max<std::size_t>(bytes, 1));
+  }
   return out;
 }
 

@@ -46,7 +46,8 @@ std::string capitalised(std::string_view phrase);
 // Text with every occurrence replaced.
 std::string replaced(std::string_view text, std::string_view what, std::string_view by);
 
-// Text escaped for HTML and SVG, also inside double quotes.
+// Text escaped for HTML and SVG, also inside double quotes. Control characters other than line
+// breaks and tabs, which neither format allows, become "\x1b"; U+FFFD replaces invalid UTF-8.
 std::string html_escaped(std::string_view text);
 
 }  // namespace flexslip

@@ -221,43 +221,71 @@ std::string friction_in_standard(const CampaignTest& test) {
 
 // ---- Tables
 
+// The tests with their verdicts and friction.
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
-  const double per_length = units.length.factor;
-  PrintedTable table{
-      .head = {"Test", "Verdict", "Sawtooth", "Friction", titled("Spacing", units.length), "σ",
-               titled("ℓ", units.length), "A", titled("λ", units.length), titled("EI", units.bending_stiffness),
-               titled("Residual", units.force), "Drops", titled("Work", units.energy), "Work (%)",
-               titled("E_f", units.modulus), titled("σ_f", units.strength), "Friction in E_f, σ_f (%)", "Doubts"},
-      .rows = {},
-      .folding = Folding::never,
-      .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
+  PrintedTable table{.head = {"Test", "Verdict", "Sawtooth", "Friction", titled("Spacing", units.length), "Drops",
+                              "Work (%)", "Doubts"},
+                     .rows = {},
+                     .folding = Folding::never,
+                     .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
   for (const auto& test : campaign.tests) {
     if (!test.summary) continue;
     const TestSummary& summary = *test.summary;
-    const bool has_friction = std::isfinite(summary.mu0.value);
-    const bool is_rough = summary.model == ProfileModel::roughness && has_friction;
-    const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
-      if (!estimate) return std::string();
-      return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
-    };
     std::vector<std::string> remarks = test.remarks;
     if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
     const double share = summary.friction_share;
-    table.rows.push_back(
-        {test.name, test.verdict, std::string(name_of(summary.category)),
-         !has_friction          ? ""
-         : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
-                                : written(summary.mu0, 1),
-         format_significant(per_length * summary.spacing, 2), is_rough ? written(summary.roughness, 1) : "",
-         is_rough ? written(summary.correlation_length, per_length) : "", of_wave(summary.amplitude, 1),
-         of_wave(summary.wavelength, per_length), written(summary.bending_stiffness, units.bending_stiffness.factor),
-         format_significant(units.force.factor * summary.residual_rms, 3), fmt::format("{}", summary.drops),
-         format_significant(units.energy.factor * summary.work_of_fracture, 3),
-         std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
-         test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
-         test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
-         friction_in_standard(test), fmt::format("{}", fmt::join(remarks, "; "))});
+    table.rows.push_back({test.name, test.verdict, std::string(name_of(summary.category)),
+                          !std::isfinite(summary.mu0.value) ? ""
+                          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
+                                                 : written(summary.mu0, 1),
+                          format_significant(units.length.factor * summary.spacing, 2),
+                          fmt::format("{}", summary.drops),
+                          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
+                          fmt::format("{}", fmt::join(remarks, "; "))});
+  }
+  return table;
+}
+
+// How friction varies along the specimens; empty without a test that shows it.
+PrintedTable variation_rows(const Campaign& campaign, WriteEstimate* written) {
+  const TableUnit length = units_of(campaign).length;
+  PrintedTable table{.head = {"Test", "σ", titled("ℓ", length), "A", titled("λ", length)}, .rows = {}};
+  for (const auto& test : campaign.tests) {
+    if (!test.summary || !std::isfinite(test.summary->mu0.value)) continue;
+    const TestSummary& summary = *test.summary;
+    const auto of_roughness = [&](const Estimate& estimate, double factor) {
+      return summary.model == ProfileModel::roughness && std::isfinite(estimate.value) ? written(estimate, factor) : "";
+    };
+    const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
+      if (!estimate || !std::isfinite(estimate->value)) return std::string();
+      return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
+    };
+    std::vector<std::string> row{test.name, of_roughness(summary.roughness, 1),
+                                 of_roughness(summary.correlation_length, length.factor), of_wave(summary.amplitude, 1),
+                                 of_wave(summary.wavelength, length.factor)};
+    if (std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); }))
+      table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Stiffness, work, and the numbers of the bending standards.
+PrintedTable stiffness_rows(const Campaign& campaign, WriteEstimate* written) {
+  const CampaignUnits units = units_of(campaign);
+  PrintedTable table{.head = {"Test", titled("EI", units.bending_stiffness), titled("Residual", units.force),
+                              titled("Work", units.energy), titled("E_f", units.modulus), titled("σ_f", units.strength),
+                              "Friction in E_f, σ_f (%)"},
+                     .rows = {}};
+  for (const auto& test : campaign.tests) {
+    if (!test.summary) continue;
+    const TestSummary& summary = *test.summary;
+    table.rows.push_back({test.name, written(summary.bending_stiffness, units.bending_stiffness.factor),
+                          format_significant(units.force.factor * summary.residual_rms, 3),
+                          format_significant(units.energy.factor * summary.work_of_fracture, 3),
+                          test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
+                          test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
+                          friction_in_standard(test)});
   }
   return table;
 }
@@ -401,20 +429,23 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
   std::vector<Chapter> chapters;
   if (has_answers)
     chapters = {{"",
-                 {Pictures{[&campaign] {
-                    std::vector figures{distribution_figure(campaign)};
+                 {Pictures{[&campaign](double width) {
+                    std::vector figures{distribution_figure(campaign, width)};
                     if (has_losses(campaign)) figures.push_back(losses_figure(campaign));
                     return figures;
                   }},
                   tests}},
                 {"By category: mean (minimum to maximum)",
                  {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
-                {"Between specimens", {specimen_rows(campaign)}}};
+                {"Between specimens", {specimen_rows(campaign)}},
+                {"Variation of friction along the specimens", {variation_rows(campaign, written)}},
+                {"Stiffness and work", {stiffness_rows(campaign, written)}}};
   chapters.push_back({"Deflection too small to determine friction", {rows_without_friction(campaign)}});
   chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
   if (has_answers)
-    for (const Chapter& chapter : {Chapter{"Force curves", {Pictures{[&campaign] { return atlas_pages(campaign); }}}},
-                                   Chapter{"Meaning of the columns", {column_rows(campaign)}}})
+    for (const Chapter& chapter :
+         {Chapter{"Force curves", {Pictures{[&campaign](double width) { return atlas_pages(campaign, width); }}}},
+          Chapter{"Meaning of the columns", {column_rows(campaign)}}})
       chapters.push_back(chapter);
   return chapters;
 }

@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "io/text.h"
 #include "numerics/beam.h"
@@ -28,34 +33,40 @@ constexpr std::array<Category, 3> categories{{{SawtoothCategory::clear, "clear s
                                               {SawtoothCategory::nominal, "nominal sawtooth"},
                                               {SawtoothCategory::none, "almost no sawtooth"}}};
 
-// The last number in a name: 14 of "SS14 b".
-std::optional<double> number_named_in(std::string_view name) {
-  const auto last = std::find_if(name.rbegin(), name.rend(), is_digit);
-  const auto first = std::find_if_not(last, name.rend(), is_digit);
-  if (last == name.rend() || last.base() - first.base() > 6) return std::nullopt;
-  return std::stod(std::string(first.base(), last.base()));
+// True if a word of a name ends before this position.
+bool is_between_words(std::string_view name, std::size_t at) {
+  return at == 0 || at >= name.size() || std::string_view(" ,;:_-/").find(name[at - 1]) != std::string_view::npos;
 }
 
-// The numbers in the names of the tests, if they differ and are close enough for an axis; otherwise
-// none.
-std::vector<double> named_numbers_of(const Campaign& campaign) {
-  std::vector<double> numbers;
-  std::set<double> seen;
-  for (const auto& test : campaign.tests) {
-    const auto number = number_named_in(test.name);
-    numbers.push_back(number.value_or(0));
-    if (test.summary && !(number && seen.insert(*number).second)) return {};
+// The common beginning of names up to the end of a word [bytes].
+std::size_t common_beginning(const std::vector<std::string>& names) {
+  std::size_t common = names.front().size();
+  for (const std::string& name : names) {
+    const auto [end, other] = std::mismatch(name.begin(), name.end(), names.front().begin(),
+                                            names.front().begin() + static_cast<std::ptrdiff_t>(common));
+    common = static_cast<std::size_t>(end - name.begin());
   }
-  const double most = 4 * static_cast<double>(campaign.tests.size()) + 10;
-  return *seen.rbegin() - *seen.begin() <= most ? numbers : std::vector<double>{};
+  while (common > 0 && (!is_between_words(names.front(), common) || common == names.front().size())) --common;
+  return common;
 }
 
+// The characters of a text in UTF-8.
+std::vector<std::string> characters_of(const std::string& text) {
+  std::vector<std::string> characters;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xc0) != 0x80 || characters.empty()) characters.emplace_back();
+    characters.back() += c;
+  }
+  return characters;
+}
+
+// At most 20 characters: the beginning and the end of a longer name.
 std::string clipped(const std::string& name) {
-  constexpr std::size_t longest = 20;  // [characters] of a title
-  std::size_t characters = 0;
-  for (std::size_t i = 0; i < name.size(); ++i)
-    if ((static_cast<unsigned char>(name[i]) & 0xc0) != 0x80 && ++characters == longest) return name.substr(0, i) + "…";
-  return name;
+  constexpr std::ptrdiff_t longest = 20, begin = 9, end = longest - begin - 1;
+  const std::vector<std::string> characters = characters_of(name);
+  if (std::ssize(characters) <= longest) return name;
+  return fmt::format("{}…{}", fmt::join(characters.begin(), characters.begin() + begin, ""),
+                     fmt::join(characters.end() - end, characters.end(), ""));
 }
 
 double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> category, Spread CategorySpread::*spread) {
@@ -111,97 +122,152 @@ Plot losses_figure(const Campaign& campaign) {
                                 label(0.9 * most, 0.97 * most, "cracks")}}}};
 }
 
-Plot distribution_figure(const Campaign& campaign) {
-  if (std::none_of(campaign.tests.begin(), campaign.tests.end(),
-                   [](const auto& test) { return test.summary.has_value(); }))
-    throw std::invalid_argument("distribution_figure: no test has a summary");
-  const std::vector<double> numbers = named_numbers_of(campaign);
+std::vector<std::string> labels_of(const std::vector<std::string>& names) {
+  if (names.empty()) return {};
+  std::vector<std::string> parts = names;
+  for (int end = 0; end < 2 && names.size() > 1; ++end) {
+    const std::size_t common = common_beginning(parts);
+    for (std::string& part : parts) {
+      part.erase(0, common);
+      std::reverse(part.begin(), part.end());  // the second time forwards again
+    }
+  }
+  const bool are_names = std::none_of(parts.begin(), parts.end(), [](const auto& part) { return part.empty(); });
+  std::vector<std::string> labels;
+  for (const std::string& part : are_names ? parts : names) labels.push_back(clipped(printable(part)));
+  const std::multiset<std::string> all(labels.begin(), labels.end());
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (all.count(labels[i]) > 1) labels[i] = clipped(fmt::format("{}: {}", i + 1, labels[i]));
+  return labels;
+}
+
+namespace {
+
+// The label of each test of a campaign.
+std::vector<std::string> test_labels(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const CampaignTest& test : campaign.tests) names.push_back(test.name);
+  return labels_of(names);
+}
+
+// The places of the tests along the axis of a figure: a range for each category, wide enough for
+// its title.
+struct Places {
+  struct Range {
+    Category category;
+    double from, to;
+    std::vector<std::pair<std::size_t, double>> tests{};  // in the campaign, with their places
+  };
+  std::vector<Range> ranges;
+  double end = 0;
+};
+
+Places places_of(const Campaign& campaign, double width) {
+  constexpr double title = 24, margins = 17;  // [mm]
+  std::vector<std::vector<std::size_t>> tests(categories.size());
+  double count = 0, groups = 0;
+  for (std::size_t k = 0; k < categories.size(); ++k) {
+    for (std::size_t i = 0; i < campaign.tests.size(); ++i)
+      if (campaign.tests[i].summary && campaign.tests[i].summary->category == categories[k].category)
+        tests[k].push_back(i);
+    count += static_cast<double>(tests[k].size());
+    groups += tests[k].empty() ? 0 : 1;
+  }
+  const double share = std::min(title / (width - margins), 1 / groups), least = share * (count + groups);
+  Places places;
+  for (std::size_t k = 0; k < categories.size(); ++k) {
+    if (tests[k].empty()) continue;
+    const auto here = static_cast<double>(tests[k].size());
+    Places::Range range{categories[k], places.end, places.end + std::max(here + 1, least)};
+    double place = (range.from + range.to + 1 - here) / 2;  // in the middle of the range
+    for (const std::size_t i : tests[k]) range.tests.emplace_back(i, place++);
+    places.end = range.to;
+    places.ranges.push_back(std::move(range));
+  }
+  return places;
+}
+
+}  // namespace
+
+Plot distribution_figure(const Campaign& campaign, double width) {
+  const Places places = places_of(campaign, width);
+  if (places.ranges.empty()) throw std::invalid_argument("distribution_figure: no test has a summary");
   std::vector<double> wavelengths;
   for (const auto& test : campaign.tests)
     if (test.summary && test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
   const TableUnit best = best_unit_of(wavelengths, kind::length);
   const PlotUnit length{typeset(best.name), best.factor};
+  const std::vector<std::string> labels = test_labels(campaign);
 
   PlotTable tests{"tests",
-                  {"test", "category (0 clear; 1 nominal; 2 none)", "suspect", "mu0", "mu0 low", "mu0 high",
+                  {"place", "test (its number in the campaign)", "suspect", "mu0", "mu0 low", "mu0 high",
                    length.column("wavelength"), length.column("low"), length.column("high"), "wave claimed"}};
-  double first = infinity, last = -infinity, shortest = infinity, longest = 0, highest = 1;
-  std::set<SawtoothCategory> with_tests, with_waves;
-  for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
-    if (!campaign.tests[i].summary) continue;
-    const TestSummary& test = *campaign.tests[i].summary;
-    const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
-    const double number = numbers.empty() ? static_cast<double>(i + 1) : numbers[i];
-    // a limit is drawn as a line without a mark
-    const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;
-    const Estimate wave = has_wave ? *test.wavelength : Estimate{not_known, not_known, not_known, not_known};
-    tests.rows.push_back({number, static_cast<double>(test.category), test.suspect ? 1.0 : 0.0, mu0, test.mu0.low,
-                          test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
-                          test.wave_claimed ? 1.0 : 0.0});
-    with_tests.insert(test.category);
-    if (has_wave) with_waves.insert(test.category);
-    first = std::min(first, number);
-    last = std::max(last, number);
-    shortest = std::fmin(shortest, length(wave.low));
-    longest = std::fmax(longest, length(wave.high));
-    highest = std::fmax(highest, test.mu0.high);
-  }
-  const double space = std::max(1.0, 0.07 * (last - first));
+  double shortest = infinity, longest = 0, highest = 1;
+  Axis x{"", "", 0, places.end};
+  bool has_waves = false;
+  for (const Places::Range& range : places.ranges)
+    for (const auto& [i, place] : range.tests) {
+      const TestSummary& test = *campaign.tests[i].summary;
+      const bool has_wave = test.category != SawtoothCategory::none && test.wavelength && test.amplitude;
+      // a limit is drawn as a line without a mark
+      const double mu0 = test.mu0_is_bound ? not_known : test.mu0.value;
+      const Estimate wave = has_wave ? *test.wavelength : Estimate{not_known, not_known, not_known, not_known};
+      tests.rows.push_back({place, static_cast<double>(i + 1), test.suspect ? 1.0 : 0.0, mu0, test.mu0.low,
+                            test.mu0.high, length(wave.value), length(wave.low), length(wave.high),
+                            test.wave_claimed ? 1.0 : 0.0});
+      x.names.push_back({place, as_it_is(labels[i])});
+      has_waves = has_waves || has_wave;
+      shortest = std::fmin(shortest, length(wave.low));
+      longest = std::fmax(longest, length(wave.high));
+      highest = std::fmax(highest, test.mu0.high);
+    }
   const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  Axis x{numbers.empty() ? "Test" : "Test number", "", first - space, last + space};
-  x.counts = true;
-  if (numbers.empty())
-    for (std::size_t i = 0; i < campaign.tests.size(); ++i)
-      if (campaign.tests[i].summary)
-        x.names.push_back({static_cast<double>(i + 1), as_it_is(clipped(campaign.tests[i].name))});
   const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
   // With one category the common mean equals the mean of that category.
-  const bool has_common_mean = std::isfinite(all) && with_tests.size() > 1;
+  const bool has_common_mean = std::isfinite(all) && places.ranges.size() > 1;
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
       indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
-  // The tests of a category and its suspects. Values that are only indicative are grey.
-  const auto panel_of = [&](const Category& each, const Axis& y, std::size_t column, double mean, std::string title) {
-    const Condition belongs{1, static_cast<double>(each.category)};
-    const auto tests_that = [&](Style style, std::vector<Condition> conditions) {
-      conditions.push_back(belongs);
-      return Mark{Mark::points, "tests", {0, column}, style, "", std::move(conditions)};
-    };
-    const Style disc = styles::mark(Symbol::disc, colours::black, 3.5);
+  // All tests, with the mean of each category over its range. Values that are only indicative are
+  // grey.
+  const auto panel_of = [&](const Axis& y, std::size_t column, const auto& mean, const auto& mean_in_words) {
     const bool is_friction = column == 3;
-    Panel panel{.title = std::move(title), .x = x, .y = y};
+    Panel panel{.x = x, .y = y};
     if (is_friction && literature)
       panel.marks.push_back(rectangle(-edge, literature->low, edge, literature->high, styles::literature));
     if (is_friction && has_common_mean) panel.marks.push_back(level(all, all_look));
-    if (std::isfinite(mean)) panel.marks.push_back(level(mean, mean_look));
-    panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}, "", {belongs}});
-    panel.marks.push_back(tests_that(disc, {{2, 0}, {9, 1}}));
-    panel.marks.push_back(tests_that(is_friction ? disc : indicative, {{2, 0}, {9, 0}}));
-    panel.marks.push_back(tests_that(styles::suspect, {{2, 1}}));
+    for (const Places::Range& range : places.ranges) {
+      if (range.from > 0) panel.marks.push_back(upright(range.from, {.colour = colours::silver, .width = 0.75}));
+      const double value = mean(range.category.category);
+      if (std::isfinite(value))
+        panel.marks.push_back({.style = mean_look, .title = "", .at = {range.from, value, range.to, value}});
+      panel.marks.push_back(label((range.from + range.to) / 2, edge,
+                                  (width < two_columns ? replaced(range.category.title, " sawtooth", "\nsawtooth")
+                                                       : std::string(range.category.title)) +
+                                      (std::isfinite(value) ? "\n" + mean_in_words(value) : "")));
+    }
+    panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}});
+    const Style disc = styles::mark(Symbol::disc, colours::black, 3.5);
+    for (const auto& [style, conditions] : std::initializer_list<std::pair<Style, std::vector<Condition>>>{
+             {disc, {{2, 0}, {9, 1}}},
+             {is_friction ? disc : indicative, {{2, 0}, {9, 0}}},
+             {styles::suspect, {{2, 1}}}})
+      panel.marks.push_back({Mark::points, "tests", {0, column}, style, "", conditions});
     return panel;
   };
+  const double room = width < two_columns ? 1.5 : 1.35;  // for the titles of the categories
   std::vector<Panel> panels;
-  for (const Category& each : categories)
-    if (with_waves.count(each.category) > 0) {
-      const double mean = length(mean_of(campaign, each.category, &CategorySpread::wavelength));
-      panels.push_back(panel_of(
-          each,
-          {"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.2 : 0, (logarithmic ? 1.2 : 1.06) * longest,
-           logarithmic},
-          6, mean,
-          fmt::format("{}{}\n{}", panels.empty() ? "A: " : "", each.title,
-                      std::isfinite(mean) ? fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit)
-                                          : "no mean")));
-    }
-  const std::size_t waves = panels.size();
-  for (const Category& each : categories)
-    if (with_tests.count(each.category) > 0) {
-      const double mean = mean_of(campaign, each.category, &CategorySpread::mu0);
-      panels.push_back(panel_of(each, {"Mean friction *μ*_0", "", -0.035 * highest, 1.06 * highest}, 3, mean,
-                                fmt::format("{}{}\n{}", waves > 0 && panels.size() == waves ? "B: " : "", each.title,
-                                            std::isfinite(mean) ? fmt::format("mean {:.3f}", mean) : "no mean")));
-    }
+  if (has_waves)
+    panels.push_back(panel_of(
+        {"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.2 : 0,
+         logarithmic ? longest * std::pow(longest / shortest, room - 1) : room * longest, logarithmic},
+        6, [&](auto category) { return length(mean_of(campaign, category, &CategorySpread::wavelength)); },
+        [&](double mean) { return fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit); }));
+  panels.push_back(panel_of(
+      {"Mean friction *μ*_0", "", -0.035 * highest, room * highest}, 3,
+      [&](auto category) { return mean_of(campaign, category, &CategorySpread::mu0); },
+      [](double mean) { return fmt::format("mean {:.3f}", mean); }));
   // The key has entries only for marks that are drawn.
   std::vector<Mark> entries;
   if (std::any_of(categories.begin(), categories.end(), [&](const Category& each) {
@@ -224,13 +290,12 @@ Plot distribution_figure(const Campaign& campaign) {
                        .title = as_it_is(fmt::format("Literature, {} on {}: {:g}–{:g}", literature->specimen,
                                                      literature->support, literature->low, literature->high))});
   panels.front().marks.insert(panels.front().marks.end(), entries.begin(), entries.end());
-  const std::size_t count = panels.size();
   return {.name = "distributions",
           .title = "Wavelength and mean friction of all tests",
           .caption = fmt::format(
-              "{}mean friction, with its 95 % interval. Black lines: means of a category{}.{}{}",
-              waves > 0 ? "A: wavelength of the friction along the specimen, with its 95 % interval, for tests with a "
-                          "sawtooth; grey where the wave is only indicative. B: "
+              "{}mean friction of each test, with its 95 % interval. Black lines: means of a category{}.{}{}",
+              has_waves ? "Above: wavelength of the friction along the specimen, with its 95 % interval, for tests "
+                          "with a sawtooth; grey where the wave is only indicative. Below: "
                         : "The ",
               has_common_mean ? ", grey line: mean of all" : "",
               has_suspects ? " Red-orange crosses: suspect tests, which the means leave out." : "",
@@ -238,15 +303,15 @@ Plot distribution_figure(const Campaign& campaign) {
                                        literature->specimen, literature->support, literature->low, literature->high)
                          : ""),
           .width = two_columns,
-          .height = 84,
+          .height = has_waves ? 120.0 : 80.0,
           .data = {std::move(tests)},
-          .panels = std::move(panels),
-          .columns = count};
+          .panels = std::move(panels)};
 }
 
 namespace {
 
-constexpr std::size_t panels_across = 4, panels_on_page = 5 * panels_across;
+constexpr double panel_width = 42;  // [mm]
+constexpr std::size_t rows_on_page = 5;
 
 // False for a specimen that cracked, and without an answer.
 bool has_friction(const CampaignTest& test) { return std::isfinite(test.summary->mu0.value); }
@@ -261,9 +326,14 @@ std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
   return lines;
 }
 
-Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, std::string title) {
+struct LabelledTest {
+  const CampaignTest* test;
+  std::string label;
+};
+
+Plot atlas_page(std::span<const LabelledTest> tests, std::size_t across, std::string name, std::string title) {
   double deepest = 0, strongest = 0, longest = 0;
-  for (const auto* test : tests) {
+  for (const auto& [test, label] : tests) {
     deepest = std::max(deepest, largest(test->curves->deflection));
     strongest = std::max(strongest, largest(test->curves->force));
     longest = std::max(longest, 0.01 * test->curves->span);
@@ -277,7 +347,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
   constexpr std::array words{"Load lines", "Euler–Bernoulli", "No friction", "Model", "Measured"};
   std::vector<Panel> panels;
   std::string names;
-  for (const auto* test : tests) {
+  for (const auto& [test, name_of_panel] : tests) {
     const CampaignCurves& curves = *test->curves;
     const TestSummary& summary = *test->summary;
     const auto number = static_cast<double>(panels.size() + 1);
@@ -302,9 +372,8 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
     add(2, plane.curve("", smooth).rows);
     if (has_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
     add(4, line(curves.deflection, curves.force).rows);
-    Panel panel{.title = (summary.suspect ? "× " : "") + as_it_is(clipped(printable(test->name))),
-                .x = plane.x(1.04),
-                .y = plane.y(1.15)};
+    Panel panel{
+        .title = (summary.suspect ? "× " : "") + as_it_is(name_of_panel), .x = plane.x(1.04), .y = plane.y(1.15)};
     for (std::size_t k = 0; k < data.size(); ++k)
       if (std::any_of(data[k].rows.begin(), data[k].rows.end(),
                       [&](const auto& row) { return !row.empty() && row[0] == number; }))
@@ -314,7 +383,7 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
   }
   for (std::size_t k = looks.size(); k-- > 0;)
     if (!data[k].rows.empty()) panels.front().marks.push_back({.style = looks[k], .title = words[k]});
-  const std::size_t count = panels.size(), rows = (count + panels_across - 1) / panels_across;
+  const std::size_t count = panels.size(), rows = (count + across - 1) / across;
   return {
       .name = std::move(name),
       .title = title,
@@ -325,26 +394,32 @@ Plot atlas_page(std::span<const CampaignTest* const> tests, std::string name, st
           "simulated best fit. In the corner: the mean friction of the fit, and A and λ if a wave is detected. Orange: "
           "Euler–Bernoulli (dashed) and the model without friction, with the bending stiffness of the fit. Grey: "
           "load lines at the force drops, whose slope is the stiffness of the load train. ×: suspect.",
-      .width = count < 3 ? 100.0 : 183.0,
+      .width = count < 3 ? 100.0 : two_columns,
       .height = (count < 3 ? 24 : 16) + 46 * static_cast<double>(rows),
       .data = std::move(data),
       .panels = std::move(panels),
-      .columns = panels_across};
+      .columns = across};
 }
 
 }  // namespace
 
-std::vector<Plot> atlas_pages(const Campaign& campaign) {
+std::vector<Plot> atlas_pages(const Campaign& campaign, double width) {
+  const auto across = static_cast<std::size_t>(std::max(1.0, std::floor(width / panel_width)));
+  const std::size_t panels_on_page = rows_on_page * across;
+  const std::vector<std::string> labels = test_labels(campaign);
   std::vector<Plot> pages;
   const auto add_pages = [&](std::string_view key, const std::string& title,
                              const std::function<bool(const TestSummary&)>& belongs) {
-    std::vector<const CampaignTest*> tests;
-    for (const auto& test : campaign.tests)
-      if (test.summary && test.curves && !test.curves->force.empty() && belongs(*test.summary)) tests.push_back(&test);
+    std::vector<LabelledTest> tests;
+    for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
+      const CampaignTest& test = campaign.tests[i];
+      if (test.summary && test.curves && !test.curves->force.empty() && belongs(*test.summary))
+        tests.push_back({&test, labels[i]});
+    }
     const std::size_t count = (tests.size() + panels_on_page - 1) / panels_on_page;
     for (std::size_t page = 0; page < count; ++page) {
-      const std::size_t first = page * panels_on_page;
-      pages.push_back(atlas_page(std::span(tests).subspan(first, std::min(panels_on_page, tests.size() - first)),
+      const std::size_t first = page * panels_on_page, here = std::min(panels_on_page, tests.size() - first);
+      pages.push_back(atlas_page(std::span(tests).subspan(first, here), across,
                                  fmt::format("atlas-{}-{}", key, page + 1),
                                  count == 1 ? title : fmt::format("{}, page {} of {}", title, page + 1, count)));
     }

@@ -83,31 +83,32 @@ void remove_from(const fs::path& folder, bool (*is_old)(const fs::path&)) {
 
 }  // namespace
 
-void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options) {
+void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options, double figure_width) {
   make_folder(folder);
   options.folder = (fs::path(folder) / "tests").string();
-  options.present = [with_reports](const FittedTest& test, const std::string& folder_of_test) {
+  options.present = [with_reports, figure_width](const FittedTest& test, const std::string& folder_of_test) {
     const fs::path base(folder_of_test);
     write_json((base / "fit.json").string(), fit_json(test));
     write_curves((base / "curves.csv").string(), test);
     write_profile((base / "profile.csv").string(), test);
-    if (with_reports) write_report(folder_of_test, test);
+    if (with_reports) write_report(folder_of_test, test, figure_width);
   };
   options.presented = with_reports ? "report" : "";
 }
 
-Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, bool with_figures) {
+Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, std::optional<double> figure_width) {
   make_folder(folder);
   remove_from(folder, is_unfinished);
   for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign);
-  if (!with_figures) return {};
+  if (!figure_width) return {};
   remove_from(fs::path(folder) / "figures", is_old_figure);
   std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));
   AccompanyingFiles files;
   for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
   chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
   return write_page(folder, "Friction in a campaign of bending tests",
-                    answer_in_html(campaign_in_short(campaign)) + in_html({{"", {rows_of(campaign)}}}, {}), chapters);
+                    answer_in_html(campaign_in_short(campaign)) + in_html({{"", {rows_of(campaign)}}}, {}), chapters,
+                    *figure_width);
 }
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -191,6 +192,46 @@ std::string what_remains(const DesignAnswer& answer, const DesignChange& change)
                          : "");
 }
 
+// "0.5 to 0.721", "5 µm to 50 µm".
+std::string range_in_words(const OpenNumber& open, const InUnits& shown) {
+  const auto& range = std::get<AxisRange>(open.axis.values);
+  const Kind& kind = open.axis.parameter.kind();
+  return fmt::format("{} to {}", shown.own(range.from, kind), shown.own(range.to, kind));
+}
+
+std::string percentages(double low, double high) {
+  const std::string least = share(low, 1), most = share(high, 1);
+  return least == most ? most : fmt::format("{} to {}", least, most);
+}
+
+// The answer over the ranges of what the case does not state.
+std::string open_in_short(const OpenStudy& study) {
+  if (study.snapping == 0)
+    return "No sawtooth, for any friction in the ranges below: the specimen slides without a snap.";
+  if (study.snapping == study.designs)
+    return fmt::format(
+        "Yes, you will see a sawtooth, for any friction in the ranges below: the largest snap is {} of the maximum "
+        "force.",
+        percentages(study.min_snap, study.max_snap));
+  return fmt::format(
+      "It depends on friction, which is not stated: the specimen snaps in {} of {} designs over the ranges below, by "
+      "up to {} of the maximum force.",
+      study.snapping, study.designs, share(study.max_snap, 1));
+}
+
+Chapter chapter_of(const OpenStudy& study, const InUnits& shown) {
+  Rows rows;
+  for (const OpenNumber& each : study.open)
+    rows.push_back({std::string(each.axis.parameter.name), fmt::format("{}, {}: {}", each.axis.parameter.description,
+                                                                       range_in_words(each, shown), each.reason)});
+  rows.push_back(
+      {"maximum force", fmt::format("{} to {}", shown.force(study.min_force), shown.force(study.max_force))});
+  rows.push_back(
+      {"tried", fmt::format("three values of each, with {}: {} designs",
+                            study.phases == 1 ? "one phase" : fmt::format("{} phases", study.phases), study.designs)});
+  return {"", {open_in_short(study), rows}};
+}
+
 std::string answer_in_short(const DesignAnswer& answer) {
   const InUnits shown(answer);
   const DesignOutcome& outcome = answer.outcome;
@@ -292,9 +333,8 @@ Chapter chapter_of(const ReloadStudy& study, const InUnits& shown) {
   return chapter;
 }
 
-}  // namespace
-
-std::string design_in_short(const DesignAnswer& answer) {
+// The answer for the numbers of the case, or the middle of their ranges.
+std::string of_this_design_in_short(const DesignAnswer& answer) {
   std::string words = answer_in_short(answer);
   if (answer.outcome.status == DesignStatus::ok) return words;
   const std::string where = InUnits(answer).length(answer.outcome.stage_reached);
@@ -302,8 +342,16 @@ std::string design_in_short(const DesignAnswer& answer) {
     return fmt::format("The specimen will break at the stage position {}, at a bending strain of {}{}. Up to there: {}",
                        where, strain_text(answer.surface->strain(answer.outcome.greatest_curvature)),
                        answer.outcome.snaps == 0 ? ", before the first snap" : "", words);
-  return fmt::format("The specimen will slip through its supports at the stage position {}. Up to there: {}",
-                     InUnits(answer).length(answer.outcome.stage_reached), words);
+  return fmt::format("The specimen will slip through its supports at the stage position {}. Up to there: {}", where,
+                     words);
+}
+
+bool is_open(const DesignAnswer& answer) { return answer.open && !answer.open->open.empty(); }
+
+}  // namespace
+
+std::string design_in_short(const DesignAnswer& answer) {
+  return is_open(answer) ? open_in_short(*answer.open) : of_this_design_in_short(answer);
 }
 
 std::vector<std::string> changes_in_words(const DesignAnswer& answer) {
@@ -347,7 +395,9 @@ std::vector<Chapter> document_of(const DesignAnswer& answer) {
     changes.push_back({words.substr(0, colon), words.substr(colon + 2)});
   }
   const std::string_view otherwise = outcome.snaps > 0 ? "keep it from snapping" : "make it snap";
-  std::vector<Chapter> chapters{{"", {design_in_short(answer), rows}}};
+  std::vector<Chapter> chapters;
+  if (is_open(answer)) chapters.push_back(chapter_of(*answer.open, shown));
+  chapters.push_back({is_open(answer) ? "In the middle of these ranges" : "", {of_this_design_in_short(answer), rows}});
   if (answer.reload) chapters.push_back(chapter_of(*answer.reload, shown));
   chapters.push_back(
       {fmt::format("What would {}", otherwise),

@@ -21,7 +21,7 @@ using Rows = std::vector<AnswerRow>;
 // Blocks that appear only on a page: figures, drawn when the page is written; text for machines,
 // kept line by line; and a list of the accompanying files.
 struct Pictures {
-  std::function<std::vector<Plot>()> plots;
+  std::function<std::vector<Plot>(double width)> plots;  // width [mm] of the widest figures (in_width)
 };
 struct Verbatim {
   std::string text;
@@ -37,6 +37,7 @@ using Block = std::variant<std::string, Rows, PrintedTable, Pictures, Verbatim, 
 struct Chapter {
   std::string title;
   std::vector<Block> blocks;
+  Folding folding = Folding::never;  // always: a page shows its title, and the rest on request
 };
 
 // ---- Text for a terminal

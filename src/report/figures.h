@@ -32,8 +32,9 @@ Plot wavelength_figure(const FittedTest& test);
 // a wave is detected, or a scanned one increases the evidence
 bool has_waves(const FittedTest& test);
 
-// A record without a fit: force against deflection, and the frictionless small-deflection line at
-// the stated bending stiffness. Domain: analysis.status is not_explained.
+// A record that determines no friction: force against deflection, with its drops; and, if the model
+// applies, the frictionless curve and the Euler-Bernoulli line at the stated bending stiffness.
+// Domain: any status.
 Plot record_figure(const FittedTest& test);
 
 // The force of all passes of a test with unloading, and their friction. Domain: has_passes.
@@ -43,19 +44,23 @@ bool has_passes(const FittedTest& test);
 
 // ---- A campaign
 
-// Wavelength and friction by test, one panel per category, with means and the range in the
-// literature, as in Fig. 9 of the paper.
+// The names of tests as labels: without the words that all names begin or end with, at most 20
+// characters, all different if the names are.
+std::vector<std::string> labels_of(const std::vector<std::string>& names);
+
+// Wavelength and friction of each test, sorted by category, with means and the range in the
+// literature, as in Fig. 9 of the paper. `width` [mm] as in in_width, here and below.
 // Domain:     at least one test has a summary; std::invalid_argument otherwise.
-Plot distribution_figure(const Campaign& campaign);
+Plot distribution_figure(const Campaign& campaign, double width = two_columns);
 
 // The stiffness loss measured by a reload against the loss that the drops require if they are
 // cracks only. Slips lie at zero, cracks on the diagonal. Domain: has_losses.
 Plot losses_figure(const Campaign& campaign);
 bool has_losses(const Campaign& campaign);  // a test with drops was loaded again
 
-// Force curves of all tests, as in Figs. 10 to 13, on pages of at most 20 panels: clear, nominal,
-// none, then the suspect tests again. Tests without curves have no panel.
-std::vector<Plot> atlas_pages(const Campaign& campaign);
+// Force curves of all tests, as in Figs. 10 to 13, on pages of at most five rows of panels: clear,
+// nominal, none, then the suspect tests again. Tests without curves have no panel.
+std::vector<Plot> atlas_pages(const Campaign& campaign, double width = two_columns);
 
 // ---- A planned test
 

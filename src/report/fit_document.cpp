@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cstdlib>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,7 +23,7 @@ namespace {
 using T = const FittedTest&;
 
 Pictures picture(Plot (*drawn)(T), T test) {
-  return {[drawn, &test] { return std::vector{drawn(test)}; }};
+  return {[drawn, &test](double) { return std::vector{drawn(test)}; }};
 }
 
 // ---- The screen
@@ -67,10 +69,14 @@ PrintedTable listed(T test, std::string_view list, const std::vector<Shown>& col
   return shown(fit_fields(), test, frame_of(test), list, columns);
 }
 
+// True if the record determines friction, so that it is drawn and its sensitivity is listed.
+bool has_friction(T test, const Answer& answer) {
+  return is_fitted(test) && !is_refused(answer.findings) && test.judgement.determines_friction;
+}
+
 // A warning about the numbers below; empty if not needed.
 std::string caution_of(T test, const Answer& answer) {
-  if (is_refused(answer.findings))
-    return "The fit cannot be used: it determines no friction. It is drawn to show where it fails.";
+  if (is_refused(answer.findings)) return "The fit cannot be used: it determines no friction.";
   return !test.judgement.determines_friction
              ? "The numbers below assume that the specimen kept its stiffness; the record speaks against that."
              : "";
@@ -104,7 +110,7 @@ std::string in_literature(T test) {
 
 Chapter friction_chapter(T test, const Answer& answer) {
   const std::string caution = caution_of(test, answer);
-  if (is_refused(answer.findings)) return {"Friction", {caution}};
+  if (is_refused(answer.findings)) return {"Parameters of the friction", {caution}};
   const TestAnalysis& analysis = test.analysis;
   const Supports& supports = analysis.rig.fibre.supports();
   const Print print(test);
@@ -112,7 +118,7 @@ Chapter friction_chapter(T test, const Answer& answer) {
       test.section_moment ? analysis.scales.bending_stiffness() / *test.section_moment : not_a_number;
   const Estimate& EI = analysis.fit.bending_stiffness;
   return {
-      "Friction",
+      "Parameters of the friction",
       {caution, open_numbers(test, "parameters"),
        Rows{{"model", std::string(name_of(analysis.fit.model))},
             {"literature", in_literature(test)},
@@ -138,14 +144,14 @@ Chapter sensitivity_chapter(T test) {
   std::vector<Shown> columns{{.heading = "Quantity", .field = "title"},
                              {.heading = "Stated", .field = "stated"},
                              {.heading = "Uncertainty", .field = "may_be_off"},
-                             {.heading = "Friction increases by", .field = "friction_moves", .digits = 3}};
+                             {.heading = "Friction increases by", .field = "friction_moves", .digits = 2}};
   if (!test.analysis.fit.mu0_is_bound)
     columns.push_back(
         {.heading = "and its share of the work (points)", .field = "work_moves", .digits = 2, .factor = 100});
   PrintedTable table = listed(test, "sensitivities", columns);
   table.folding = Folding::never;
   return {
-      "Sensitivity",
+      "What it depends on",
       {std::string(
            "How much the estimated friction would increase, to first order, if a quantity were stated larger by its "
            "uncertainty. The error of friction includes all of them, except supports and a thickness that "
@@ -177,14 +183,16 @@ PrintedTable explanation_table(T test) {
 }
 
 Chapter wave_chapter(T test) {
-  Chapter chapter{"Does it repeat along the specimen?",
-                  {!determines_variation(test.analysis.fit)
-                       ? std::string("Friction cannot be distinguished from zero, so the record does not show how it "
-                                     "varies along the specimen: roughness and waves are omitted.")
-                   : test.analysis.fit.waves.empty()
-                       ? std::string("No wave of friction explains the record better than none, or the model has none.")
-                       : fmt::format("A wave counts as detected above a log_evidence of {}.", claiming_gain),
-                   numbers(test, "wave")}};
+  Chapter chapter{
+      "Does it repeat along the specimen?",
+      {!determines_variation(test.analysis.fit)
+           ? std::string("Friction cannot be distinguished from zero, so the record does not show how it "
+                         "varies along the specimen: roughness and waves are omitted.")
+       : test.analysis.fit.waves.empty()
+           ? std::string("No wave of friction explains the record better than none, or the model has none.")
+           : fmt::format("A wave counts as detected if it adds more than {} to the logarithm of the evidence.",
+                         claiming_gain),
+       numbers(test, "wave")}};
   if (has_waves(test)) chapter.blocks.emplace_back(picture(wavelength_figure, test));
   chapter.blocks.insert(
       chapter.blocks.end(),
@@ -241,7 +249,9 @@ Chapter drops_chapter(T test, const Answer& answer) {
 Chapter passes_chapter(T test) {
   Chapter chapter{"Loading, unloading and loading again", {}};
   if (has_passes(test))
-    chapter.blocks.emplace_back(Pictures{[&test] { return std::vector{passes_figure(test), boxes_figure(test)}; }});
+    chapter.blocks.emplace_back(Pictures{[&test](double) {
+      return std::vector{passes_figure(test), boxes_figure(test)};
+    }});
   chapter.blocks.insert(
       chapter.blocks.end(),
       {numbers(test, "passes"),
@@ -264,13 +274,41 @@ Chapter preparation_chapter(T test) {
            is_fitted(test) ? numbers(test, "nominal_bending_stiffness") : PrintedTable{}}};
 }
 
+// A case with its numbers rounded to 12 digits: arithmetic in front ends makes 0.09065000000000001.
+std::string with_readable_numbers(std::string_view text) {
+  constexpr std::string_view number_characters = "0123456789.eE+-", before = " \"[(", after = " \"],\n";
+  constexpr std::size_t max_digits = 12;
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t end = std::min(text.find_first_not_of(number_characters, i), text.size());
+    const std::string number(text.substr(i, end - i));
+    const bool is_alone =
+        i > 0 && before.find(text[i - 1]) != before.npos && (end == text.size() || after.find(text[end]) != after.npos);
+    char* read_to = nullptr;
+    const double value = std::strtod(number.c_str(), &read_to);
+    const bool is_long = number.size() > max_digits && number.find('.') != number.npos && *read_to == '\0';
+    out += is_alone && is_long ? fmt::format("{:.12g}", value) : number;
+    if (end < text.size()) out += text[end];
+    i = end + 1;
+  }
+  return out;
+}
+
 Chapter provenance_chapter(T test) {
   const Provenance& provenance = test.provenance;
   PrintedTable files{{"File", "SHA-256"}, {}};
   for (const InputFile& file : provenance.inputs) files.rows.push_back({file.name, file.sha256});
+  const std::string stated = with_readable_numbers(provenance.test);
   return {"Provenance",
-          {fmt::format("FlexSlip {}.", provenance.version), numbers(test, "provenance.options"), files,
-           Verbatim{provenance.test}}};
+          {fmt::format("FlexSlip {}.{}", provenance.version,
+                       stated == provenance.test ? "" : " Numbers have 12 digits here, and all of them in --json."),
+           numbers(test, "provenance.options"), files, Verbatim{stated}}};
+}
+
+// A chapter of details, which a page shows on request.
+Chapter folded(Chapter chapter) {
+  chapter.folding = Folding::always;
+  return chapter;
 }
 
 }  // namespace
@@ -297,28 +335,32 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
 
 std::vector<Chapter> document_of(const FittedTest& test) {
   const Answer answer = answer_of(test);
-  if (!is_fitted(test)) {
-    const Record& record = test.analysis.record;
-    Chapter curve{};
-    if (largest(record.deflection) > 0 && largest(record.force) > 0)
-      curve.blocks.emplace_back(picture(record_figure, test));
-    return {curve, checks_chapter(test, answer), small_deflection_chapter(test), preparation_chapter(test),
-            provenance_chapter(test)};
+  const Record& record = test.analysis.record;
+  const bool is_usable = is_fitted(test) && !is_refused(answer.findings);
+  Chapter curve{};
+  if (has_friction(test, answer))
+    curve.blocks.emplace_back(picture(force_figure, test));
+  else if (largest(record.deflection) > 0 && largest(record.force) > 0)
+    curve.blocks.emplace_back(picture(record_figure, test));
+  std::vector<Chapter> chapters{curve};
+  if (has_friction(test, answer)) {
+    chapters.push_back({"Friction along the specimen", {picture(profile_figure, test)}});
+    chapters.push_back(sensitivity_chapter(test));
   }
-  const bool trusted = !is_refused(answer.findings);
-  return {{"", {picture(force_figure, test), picture(profile_figure, test)}},
-          friction_chapter(test, answer),
-          trusted && test.judgement.determines_friction ? sensitivity_chapter(test) : Chapter{},
-          trusted ? wave_chapter(test) : Chapter{},
-          checks_chapter(test, answer),
-          drops_chapter(test, answer),
-          test.passes ? passes_chapter(test) : Chapter{},
-          trusted ? Chapter{test.passes ? "Where the work of this loading went" : "Where the work went",
-                            {caution_of(test, answer), open_numbers(test, "energy"), heat_in_words(test)}}
-                  : Chapter{},
-          small_deflection_chapter(test),
-          preparation_chapter(test),
-          provenance_chapter(test)};
+  std::vector<Chapter> details;
+  if (is_fitted(test)) details.push_back(friction_chapter(test, answer));
+  if (is_usable) details.push_back(wave_chapter(test));
+  details.push_back(checks_chapter(test, answer));
+  if (is_fitted(test)) details.push_back(drops_chapter(test, answer));
+  if (is_fitted(test) && test.passes) details.push_back(passes_chapter(test));
+  if (is_usable)
+    details.push_back({test.passes ? "Where the work of this loading went" : "Where the work went",
+                       {caution_of(test, answer), open_numbers(test, "energy"), heat_in_words(test)}});
+  details.push_back(small_deflection_chapter(test));
+  details.push_back(preparation_chapter(test));
+  details.push_back(provenance_chapter(test));
+  for (Chapter& chapter : details) chapters.push_back(folded(std::move(chapter)));
+  return chapters;
 }
 
 std::string fit_text(const FittedTest& test) {

@@ -243,9 +243,9 @@ Plot wavelength_figure(const FittedTest& test) {
   const double highest = std::max(1.5 * claiming_gain, likeliest->gain);
 
   std::vector<Mark> marks{{Mark::line, "gains", {0, 1}, {colours::blue}},
-                          level(claiming_gain, {colours::black, 0.75, Dash::dotted}, "Claimed above"),
+                          level(claiming_gain, {colours::black, 0.75, Dash::dotted}, "Detected above"),
                           spot(length(likeliest->wavelength), likeliest->gain,
-                               styles::mark(Symbol::circle, colours::blue, 4), "Likeliest")};
+                               styles::mark(Symbol::circle, colours::blue, 4), "Most probable")};
   if (fit.wave_claimed)
     for (const auto& wave : fit.waves)
       marks.push_back(upright(length(wave.wavelength.value), {.dash = Dash::dashed},
@@ -254,8 +254,9 @@ Plot wavelength_figure(const FittedTest& test) {
       .name = "wavelengths",
       .title = "Wavelengths in the friction: " + test.name,
       .caption = fmt::format(
-          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, the roughness being "
-          "as fitted without a wave. Circle: the likeliest, {:.3g} {}. Dotted: {:g}, beyond which a wave is claimed.{}",
+          "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, with the roughness "
+          "fitted without a wave. Circle: the most probable, {:.3g} {}. Dotted: {:g}, above which a wave counts as "
+          "detected.{}",
           length(likeliest->wavelength), length.unit, claiming_gain,
           fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),
       .width = one_column,
@@ -286,8 +287,10 @@ Plot record_figure(const FittedTest& test) {
   std::vector<PlotTable> data;
   std::vector<Mark> marks{{.style = styles::measured, .title = "Measured"}, level(0, styles::zero)};
   std::string caption = "Force against deflection at midspan. Blue: measured.";
-  if (analysis.status == AnalysisStatus::not_explained) {
-    data = references(analysis, plane);
+  if (analysis.status == AnalysisStatus::not_explained || analysis.status == AnalysisStatus::ok) {
+    TestAnalysis as_stated = analysis;
+    as_stated.status = AnalysisStatus::not_explained;  // its curves have the stated bending stiffness
+    data = references(as_stated, plane);
     marks.insert(marks.end(), {beam_mark, frictionless_mark});
     caption +=
         " Orange: Euler–Bernoulli (dashed) and the model without friction, both with the stated bending stiffness, or "
@@ -407,7 +410,7 @@ Plot boxes_figure(const FittedTest& test) {
       .title = "Friction of each pass: " + test.name,
       .caption =
           "Mobilised friction against the length slid over one support, at the bending stiffness of the fit. "
-          "The specimen slides in along +*μ*, sticks while the stage turns back, and slides out along −*μ*. Open "
+          "The specimen slides in along +μ, sticks while the stage turns back, and slides out along −μ. Open "
           "circles: it sticks there, or only one pass came this far. Points that noise moves beyond the axis are not "
           "shown.",
       .width = two_columns,

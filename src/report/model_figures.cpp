@@ -303,6 +303,9 @@ Plot design_figure(const DesignAnswer& answer) {
 
   PlotTable record{"record", {w.column("stage"), F.column("force")}};
   for (const auto& reading : record_of(answer)) record.rows.push_back({w(reading.stage), F(reading.F)});
+  PlotTable unknown{"unknown", {w.column("stage"), F.column("low"), F.column("high")}};
+  if (answer.open)
+    for (const auto& [stage, low, high] : answer.open->force) unknown.rows.push_back({w(stage), F(low), F(high)});
   struct Fall {
     double stage, F;
     bool falls;
@@ -324,7 +327,13 @@ Plot design_figure(const DesignAnswer& answer) {
     table.rows.push_back(
         {w(fold.w), std::max(k(fold.stiffness), stiffness.from), stiffness.from, k(fold.F / (design.travel - fold.w))});
 
-  std::vector<Mark> of_record{{Mark::line, "record", {0, 1}, {.width = 1.1}, "Record"},
+  const bool is_open = answer.open && !answer.open->open.empty();
+  std::vector<Mark> of_record{{Mark::band,
+                               "unknown",
+                               {0, 1, 2},
+                               styles::fill(colours::grey, 0.35),
+                               is_open ? "Unknown friction" : "Unknown phase"},
+                              {Mark::line, "record", {0, 1}, {.width = 1.1}, "Record"},
                               {Mark::line, "drops", {0, 1}, {colours::vermillion, 1.5}, "Drops"}};
   std::vector<Mark> of_folds{{Mark::band, "folds", {0, 2, 1}, styles::fill(colours::sky, 0.35), "Unstable"},
                              {Mark::line, "folds", {0, 1}, {colours::blue, 0.8}},
@@ -346,18 +355,23 @@ Plot design_figure(const DesignAnswer& answer) {
       .name = "design",
       .title = "What a planned test will show",
       .caption = fmt::format(
-          "(A) The expected record, force against stage displacement, with its drops in red-orange. "
+          "(A) The expected record, force against stage displacement, with its drops in red-orange.{} "
           "(B) By deflection, the stiffness {} below which the specimen snaps (blue area), the "
           "stiffness of this test (black) and the critical one (green, dashed), above which "
           "nothing snaps; dotted: on a softer rig the travel ends before that deflection. Circle: the first snap.{}",
+          !answer.open ? ""
+          : is_open    ? " Grey: the force for any friction in the ranges that fit the specimen; the record is for "
+                         "their middle."
+                       : " Grey: the force for any phase of the friction.",
           gives ? "of the rig" : "of the load train",
           breaks ? " Cross and upright line: where the specimen breaks." : ""),
       .width = two_columns,
       .height = 70,
-      .data = {std::move(record), drops, std::move(table)},
+      .data = {std::move(record), drops, std::move(table), std::move(unknown)},
       .panels = {{.title = "A",
                   .x = w.axis("Stage displacement *w*_s", 0, 1.02 * design.travel),
-                  .y = F.axis(force_label, 0, 1.12 * outcome.greatest_force),
+                  .y = F.axis(force_label, 0,
+                              1.12 * std::max(outcome.greatest_force, answer.open ? answer.open->max_force : 0)),
                   .marks = std::move(of_record)},
                  {.title = "B",
                   .x = w.axis(w_label, 0, folds.empty() ? design.travel : folds.back().w),
@@ -467,13 +481,14 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
   ParameterAxis x = parameter_axis(input, axes[0]), y = parameter_axis(input, axes[1]);
   PlotTable designs{"designs",
                     {x.unit.column(axes[0].parameter.name), "left", "right", y.unit.column(axes[1].parameter.name),
-                     "low", "high", "largest drop [%]"}};
+                     "low", "high", "largest snap [%]"}};
   double most = 0;
   for (const MapPoint& point : points) {
     const auto [left, right] = x.cell(point.values[0]);
     const auto [low, high] = y.cell(point.values[1]);
     const auto& outcome = point.result.outcome;
-    const double share = outcome && outcome->drops > 0 ? drop_share(*outcome) : not_a_number;
+    const double share =
+        outcome && outcome->snaps > 0 ? 100 * outcome->largest_snap / outcome->greatest_force : not_a_number;
     designs.rows.push_back({x(point.values[0]), left, right, y(point.values[1]), low, high, share});
     most = std::fmax(most, share);
   }
@@ -496,8 +511,9 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
   return {.name = "designs",
           .title = "Where a test shows a sawtooth",
           .caption = fmt::format(
-              "The largest drop of the force (blue, the darker the larger) over the {} and the {}. Red-orange: the "
-              "border of snapping. Disc: the test as the case states it. White: no drop, or not to be computed.",
+              "The largest snap (blue, the darker the larger the drop of the force in it) over the {} and the {}. "
+              "Red-orange: the border of snapping. Disc: the test as the case states it. White: no snap, though the "
+              "force may fall smoothly beyond its maximum; or not to be computed.",
               axes[0].parameter.description, axes[1].parameter.description),
           .width = 110,
           .height = 85,
@@ -505,7 +521,7 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
           .panels = {{.x = x.axis,
                       .y = y.axis,
                       .marks = std::move(marks),
-                      .colour = {"Largest drop, of the maximum force", "%", 0, most > 0 ? most : 1}}}};
+                      .colour = {"Largest snap, of the maximum force", "%", 0, most > 0 ? most : 1}}}};
 }
 
 }  // namespace

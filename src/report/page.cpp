@@ -30,24 +30,21 @@ h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
 dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
 .source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
 details summary { cursor: pointer; color: var(--soft); }
-.answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.6rem; text-wrap: pretty; }
-figure { margin: 1.4rem 0 1.8rem; }
+details.chapter { border-top: 1px solid var(--line); } details.chapter > summary { padding: .35rem 0; }
+details.chapter > summary h2 { display: inline; font-size: 1rem; color: var(--text); }
+.answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.2rem; text-wrap: pretty; }
+figure { margin: 1.2rem 0 1.4rem; }
 figure svg { display: block; width: 100%; height: auto; }
-figure.narrow svg { max-width: 30rem; }
 .plate { background: #fff; border-radius: 4px; }
 figcaption, .note { font-size: .88rem; color: var(--soft); }
 figcaption { margin-top: .4rem; }
 figcaption b { color: var(--text); }
 .scroll { overflow-x: auto; }
-.wide { position: relative; left: 50%; transform: translateX(-50%); width: max-content; min-width: 100%; max-width: 95vw; }
-.wide table { font-size: 0.72rem; }
 table { border-collapse: collapse; font-size: .88rem; line-height: 1.35; width: 100%; font-variant-numeric: tabular-nums; margin: .5rem 0; }
 th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--text); vertical-align: bottom; }
-th, td { padding: .22rem 1rem .22rem 0; }
+th, td { padding: .22rem 1rem .22rem 0; } th:last-child, td:last-child { padding-right: 0; }
 td { border-bottom: 1px solid var(--line); vertical-align: top; }
-th.n, td.n { text-align: right; } td.n, td:first-child { white-space: nowrap; }
-.wide td { white-space: nowrap; padding-right: .8rem; } .wide td:last-child { white-space: normal; min-width: 14rem; }
-.wide td:first-child { position: sticky; left: 0; background: var(--back); }
+th.n, td.n { text-align: right; } td.n, .values td + td { white-space: nowrap; }
 code, pre { font: .82rem/1.45 ui-monospace, "DejaVu Sans Mono", Consolas, monospace; overflow-wrap: anywhere; }
 pre { border-left: 3px solid var(--line); margin: .6rem 0; padding: .2rem 0 .2rem .9rem; white-space: pre-wrap; }
 a { color: var(--mark); }
@@ -57,10 +54,9 @@ a { color: var(--mark); }
   html { font-size: 8.8pt; }
   body { max-width: none; padding: 0; }
   .answer { margin-bottom: .8rem; } h2 { margin-top: 1.6rem; } figure { margin: .8rem 0 1.2rem; }
-  .scroll { overflow: visible; } .wide { left: 0; transform: none; width: auto; } .plate { width: 94%; }
+  .scroll { overflow: visible; } .plate { width: 94%; } .files { display: none; }
   figure, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; }
-  .files { display: none; } .wide table { font-size: 6.2pt; } .wide td, .wide th { padding-right: .4rem; }
-  .wide td, .wide td:last-child { white-space: normal; min-width: 0; }
+  details.chapter::details-content { content-visibility: visible; block-size: auto; }
 }
 )";
 
@@ -88,8 +84,20 @@ std::string cells_in_html(const PrintedTable& table, const std::vector<std::stri
   return out;
 }
 
+PrintedTable as_on_page(const PrintedTable& table) {
+  if (table.on_page.empty()) return table;
+  PrintedTable some;
+  some.rows.resize(table.rows.size());
+  for (const std::size_t column : table.on_page) {
+    some.head.push_back(table.head.at(column));
+    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i].at(column));
+  }
+  return some;
+}
+
 struct AsHtml {
   const std::function<std::string()>& next_pictures;
+  Folding folding;  // of the chapter; a folded one folds nothing inside
 
   std::string operator()(const std::string& words) const {
     return words.empty() ? "" : fmt::format("<p>{}</p>\n", in_page(words));
@@ -100,24 +108,25 @@ struct AsHtml {
       if (!words.empty()) out += fmt::format("<dt>{}</dt><dd>{}</dd>\n", in_page(label), in_page(words));
     return out.empty() ? "" : fmt::format("<dl class=\"rows\">\n{}</dl>\n", out);
   }
-  // A long table is folded; one with many columns takes the full width.
-  std::string operator()(const PrintedTable& table) const {
-    if (table.rows.empty()) return "";
-    constexpr std::size_t max_open = 12, max_columns = 7;
+  // A long table is folded.
+  std::string operator()(const PrintedTable& all) const {
+    if (all.rows.empty()) return "";
+    constexpr std::size_t max_open = 12;
+    const PrintedTable table = as_on_page(all);
     std::string rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       rows += fmt::format("<tr>{}</tr>\n",
-                          cells_in_html(table, table.rows[i], "td", table.links.empty() ? "" : table.links[i]));
+                          cells_in_html(table, table.rows[i], "td", all.links.empty() ? "" : all.links[i]));
     const std::string html =
         fmt::format("<div class=\"scroll{}\"><table>\n<thead><tr>{}</tr></thead>\n<tbody>\n{}</tbody></table></div>\n",
-                    table.head.size() > max_columns ? " wide" : "", cells_in_html(table, table.head, "th"), rows);
-    return table.folding == Folding::never || (table.folding == Folding::of_long && table.rows.size() <= max_open)
-               ? html
-               : fmt::format("<details><summary>{}</summary>\n{}</details>\n",
-                             table.folding == Folding::always
-                                 ? in_page(fmt::format("{}: {}", table.head.front(), table.head.back()))
-                                 : fmt::format("A table of {} rows", table.rows.size()),
-                             html);
+                    all.on_page.empty() ? "" : " values", cells_in_html(table, table.head, "th"), rows);
+    const bool is_open = folding == Folding::always || all.folding == Folding::never ||
+                         (all.folding == Folding::of_long && all.rows.size() <= max_open);
+    if (is_open) return html;
+    const std::string title = all.folding != Folding::always ? fmt::format("A table of {} rows", all.rows.size())
+                              : all.on_page.empty()          ? fmt::format("{}: {}", all.head.front(), all.head.back())
+                                                             : table.head.front();
+    return fmt::format("<details><summary>{}</summary>\n{}</details>\n", in_page(title), html);
   }
   std::string operator()(const Pictures&) const { return next_pictures(); }
   std::string operator()(const Verbatim& lines) const {
@@ -144,7 +153,6 @@ std::string inline_svg(const fs::path& path, const Plot& plot) {
 // A picture with its caption and links to its files.
 std::string html_figure(const std::string& folder, const Plot& plot, const Drawing& drawing, std::size_t number) {
   const std::string base = "figures/" + plot.name;
-  const bool narrow = plot.width < two_columns;
   const std::string picture = drawing.is_done()
                                   ? inline_svg(fs::path(folder) / (base + ".svg"), plot)
                                   : fmt::format(
@@ -157,9 +165,9 @@ std::string html_figure(const std::string& folder, const Plot& plot, const Drawi
   for (const auto& data : plot.data)
     files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
   return fmt::format(
-      "<figure{}>\n<div class=\"plate\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
+      "<figure>\n<div class=\"plate\" style=\"max-width:{:.0f}%\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
       "class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
-      narrow ? " class=\"narrow\"" : "", picture, number, html_escaped(plot.caption), files);
+      std::min(100.0, 100 * plot.width / two_columns), picture, number, html_escaped(plot.caption), files);
 }
 
 // Draws all plots, two at a time, because gnuplot uses one core.
@@ -175,9 +183,13 @@ std::string in_html(const std::vector<Chapter>& chapters, const std::function<st
   std::string out;
   for (const Chapter& chapter : chapters) {
     std::string html;
-    for (const Block& block : chapter.blocks) html += std::visit(AsHtml{next_pictures}, block);
-    if (!html.empty() && !chapter.title.empty()) out += fmt::format("<h2>{}</h2>\n", html_escaped(chapter.title));
-    out += html;
+    for (const Block& block : chapter.blocks) html += std::visit(AsHtml{next_pictures, chapter.folding}, block);
+    if (html.empty()) continue;
+    const std::string heading = chapter.title.empty() ? "" : fmt::format("<h2>{}</h2>", html_escaped(chapter.title));
+    if (chapter.folding == Folding::always)
+      out += fmt::format("<details class=\"chapter\"><summary>{}</summary>\n{}</details>\n", heading, html);
+    else
+      out += heading + (heading.empty() ? "" : "\n") + html;
   }
   return out;
 }
@@ -190,13 +202,13 @@ std::string answer_in_html(const std::string& words, const Verdict* verdict) {
 }
 
 Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
-                   const std::vector<Chapter>& chapters) {
+                   const std::vector<Chapter>& chapters, double figure_width) {
   std::vector<Plot> plots;
   std::vector<std::size_t> ends;  // end of each block of pictures
   for (const Chapter& chapter : chapters)
     for (const Block& block : chapter.blocks)
       if (const auto* pictures = std::get_if<Pictures>(&block)) {
-        for (Plot& plot : pictures->plots()) plots.push_back(std::move(plot));
+        for (Plot& plot : pictures->plots(figure_width)) plots.push_back(in_width(std::move(plot), figure_width));
         ends.push_back(plots.size());
       }
   const std::string figures = (fs::path(folder) / "figures").string();

@@ -11,11 +11,11 @@
 namespace flexslip {
 
 // Writes a page with the answer (HTML) and the chapters below it. The figures go to
-// <folder>/figures as SVG, PDF and PNG with scripts and data. If gnuplot cannot draw a picture, the
-// page gives the reason. Returns the first drawing that is not done.
+// <folder>/figures as SVG, PDF and PNG with scripts and data, at most figure_width [mm] wide. If
+// gnuplot cannot draw a picture, the page gives the reason. Returns the first drawing that is not done.
 // Fails:      as draw(); throws InputError if a file cannot be written.
 Drawing write_page(const std::string& folder, const std::string& title, const std::string& answer,
-                   const std::vector<Chapter>& chapters);
+                   const std::vector<Chapter>& chapters, double figure_width = two_columns);
 
 // The chapters as HTML. next_pictures returns the HTML of the next block of pictures.
 std::string in_html(const std::vector<Chapter>& chapters, const std::function<std::string()>& next_pictures);

@@ -436,6 +436,19 @@ Plot laid_out(Plot plot) {
   return plot;
 }
 
+Plot in_width(Plot plot, double width) {
+  constexpr double narrowest_panel = 36;  // [mm] with its numbers
+  const auto rows_of = [&](std::size_t columns) {
+    return static_cast<double>((plot.panels.size() + columns - 1) / std::max<std::size_t>(columns, 1));
+  };
+  plot.width = plot.width < two_columns ? std::min(plot.width, width) : width;
+  const auto fitting = static_cast<std::size_t>(std::max(1.0, std::floor(plot.width / narrowest_panel)));
+  if (plot.columns <= fitting) return plot;
+  plot.height *= rows_of(fitting) / rows_of(plot.columns);
+  plot.columns = fitting;
+  return plot;
+}
+
 Json json_of(const Plot& laid) {
   Json panels = Json::array(), stops = Json::array();
   for (const auto& [at, colour] : palette) stops.push_back({at, colour});

@@ -156,6 +156,13 @@ struct Plot {
 // Domain:     tables and columns that exist; std::invalid_argument otherwise.
 Plot laid_out(Plot plot);
 
+// The figure for a width [mm], of a column or a page. Letters keep their size. A figure as wide as
+// two columns takes the width; a narrower one keeps its own if it fits. Panels that would become too
+// narrow move below each other, and the figure grows in height.
+// Domain:     width >= min_figure_width.
+inline constexpr double min_figure_width = 60, max_figure_width = 300;  // [mm]
+Plot in_width(Plot plot, double width);
+
 // The members above, without the data, for other programs that draw. Columns are given by title.
 Json json_of(const Plot& laid);
 

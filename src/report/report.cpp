@@ -1,11 +1,13 @@
 #include "report/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,14 +34,25 @@ std::string date_of_today() {
   return fmt::format("{:04}-{:02}-{:02}", day.tm_year + 1900, day.tm_mon + 1, day.tm_mday);
 }
 
-// The verdict, the rows and the objections; specimen, rig, file, date, command and citation.
-std::string head_of(const FittedTest& test, const Answer& answer) {
+// The verdict, the rows, the objections and the next step.
+std::string head_of(const Answer& answer) {
+  Rows rows = rows_of(answer);
+  std::erase_if(rows, [&](const AnswerRow& row) {
+    return std::any_of(answer.details.begin(), answer.details.end(),
+                       [&](const AnswerRow& detail) { return detail.label == row.label && detail.words == row.words; });
+  });
+  if (std::string checks = checks_in_words(answer); !checks.empty()) rows.push_back({"checks", std::move(checks)});
+  if (!answer.next.empty()) rows.push_back({"next", answer.next});
+  return answer_in_html(fmt::format("{} {}", answer.verdict.meaning, answer.verdict.evidence), &answer.verdict) +
+         in_html({{"", {rows}}}, {});
+}
+
+// The rest of the answer; rig, file, date, command and citation.
+Chapter details_of(const FittedTest& test, const Answer& answer) {
   const Test& input = test.measurement.test;
   const Print print(test);
   const double stiffness = rig_stiffness_of(input);
-  Rows rows = rows_of(answer);
-  if (std::string checks = checks_in_words(answer); !checks.empty()) rows.push_back({"checks", std::move(checks)});
-  if (!answer.next.empty()) rows.push_back({"next", answer.next});
+  Rows rows = answer.details;
   const Rows source{
       {"rig", fmt::format("span {}, load train {}", print.length(1),
                           std::isfinite(stiffness) ? print.own(stiffness, kind::stiffness) : "infinitely stiff")},
@@ -47,21 +60,26 @@ std::string head_of(const FittedTest& test, const Answer& answer) {
       // A test given by options is a case, too; it is listed under Provenance.
       {"made", fmt::format("{}, by FlexSlip {}: flexslip fit {}", date_of_today(), test.provenance.version,
                            input.source.empty() ? "CASE.toml, the case below" : input.source)},
-      {"model", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787"}};
-  return answer_in_html(fmt::format("{} {}", answer.verdict.meaning, answer.verdict.evidence), &answer.verdict) +
-         in_html({{"", {rows}}}, {}) + fmt::format("<div class=\"source\">{}</div>\n", in_html({{"", {source}}}, {}));
+      {"theory", "Fang, Kochiyama and Kesari (2021), J. Mech. Behav. Biomed. Mater., 104787"}};
+  rows.insert(rows.end(), source.begin(), source.end());
+  return {"The test", {rows}, Folding::always};
 }
 
 }  // namespace
 
-Drawing write_report(const std::string& folder, const FittedTest& test, const std::string& studio) {
+Drawing write_report(const std::string& folder, const FittedTest& test, double figure_width,
+                     const std::string& studio) {
   const std::string link = studio.empty() ? ""
                                           : fmt::format(
                                                 "<p class=\"files\"><a href=\"{}\">Open this test in the studio</a>: "
                                                 "see it move, change it, fit it again, in this browser.</p>\n",
                                                 html_escaped(studio));
-  return write_page(folder, test.name + ": friction in a bending test", head_of(test, answer_of(test)) + link,
-                    document_of(test));
+  const Answer answer = answer_of(test);
+  std::vector<Chapter> chapters = document_of(test);
+  const auto first_detail = std::find_if(chapters.begin(), chapters.end(),
+                                         [](const Chapter& chapter) { return chapter.folding == Folding::always; });
+  chapters.insert(first_detail, details_of(test, answer));
+  return write_page(folder, test.name + ": friction in a bending test", head_of(answer) + link, chapters, figure_width);
 }
 
 void announce_report(CallFiles& files, const std::string& folder, const std::string& option) {
@@ -70,13 +88,13 @@ void announce_report(CallFiles& files, const std::string& folder, const std::str
   if (built_studio_page()) files.writes(fs::path(folder) / studio_name, option);
 }
 
-Drawing write_report_with_studio(const std::string& folder, const FittedTest& test) {
+Drawing write_report_with_studio(const std::string& folder, const FittedTest& test, double figure_width) {
   const auto built = built_studio_page();
-  if (!built || test.measurement.file == "-") return write_report(folder, test);
+  if (!built || test.measurement.file == "-") return write_report(folder, test, figure_width);
   make_folder(folder);
   write_studio_page((fs::path(folder) / studio_name).string(), *built,
                     {with_its_files(read_case(std::string_view(test.provenance.test), ""), test.name)});
-  return write_report(folder, test, studio_name);
+  return write_report(folder, test, figure_width, studio_name);
 }
 
 }  // namespace flexslip

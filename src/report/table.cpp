@@ -85,7 +85,9 @@ std::string cell_of(const Description& field, const Json& value, const Frame& fr
                  : "";
     case Shape::quantity:
     case Shape::number:
-      return std::isfinite(number_or_nan(number)) ? readable(number_or_nan(number), kind_in(frame, field)) : "";
+      return !std::isfinite(number_or_nan(number)) ? ""
+             : kind_in(frame, field).units.empty() ? fmt::format("{:.3g}", number_or_nan(number))
+                                                   : readable(number_or_nan(number), kind_in(frame, field));
     case Shape::count:
       return value.is_null() ? "" : value.dump();
     case Shape::yes_no:
@@ -146,9 +148,11 @@ Json entry_of(const FieldList& answer, const void* of, const Frame& frame, std::
   return entry(top, path);
 }
 
-// A meaning without its remarks on JSON.
+// A meaning without its remarks on JSON and without names of code.
 std::string meaning_for_people(std::string_view meaning) {
-  return std::string(meaning.substr(0, std::min(meaning.find("; null"), meaning.find("; its error from scatter"))));
+  for (const std::string_view remark : {"; null", "; its error from scatter", ": ok, ", ": causes."})
+    meaning = meaning.substr(0, meaning.find(remark));
+  return replaced(replaced(meaning, "mu0", "μ₀"), "_", " ");
 }
 
 // Adds the entries of a group. Entries of nested groups get both names; lists are separate tables.
@@ -165,10 +169,9 @@ void add_entries(PrintedTable& table, const std::vector<Description>& entries, c
                            kind_in(frame, each));
     const std::string meaning = meaning_for_people(each.meaning);
     if (!cell.empty())
-      table.rows.push_back({name, cell, interval,
-                            each.shape == Shape::yes_no
-                                ? "yes if " + (meaning.starts_with("whether ") ? meaning.substr(8) : meaning)
-                                : meaning});
+      table.rows.push_back(
+          {name, cell, interval,
+           each.shape == Shape::yes_no && !meaning.starts_with("whether ") ? "whether " + meaning : meaning});
     if (each.shape == Shape::estimate || each.shape == Shape::group)
       add_entries(table, each.entries, value, frame, name + ".");
   }
@@ -222,6 +225,9 @@ PrintedTable group_table(const FieldList& answer, const void* of, const Frame& f
                      .rows = {},
                      .folding = Folding::always};
   add_entries(table, what.entries, entry_of(answer, of, frame, group), frame, "");
+  table.on_page = {3, 1};
+  if (std::any_of(table.rows.begin(), table.rows.end(), [](const auto& row) { return !row[2].empty(); }))
+    table.on_page.push_back(2);
   return table;
 }
 

@@ -24,6 +24,8 @@ struct PrintedTable {
   Folding folding = Folding::of_long;
   // Headings of the columns shown on a terminal; the last may be cut. Default: all.
   std::vector<std::string_view> on_terminal{};
+  // The columns shown on a page, counted from 0, in their order. Default: all.
+  std::vector<std::size_t> on_page{};
 };
 
 // True if all cells of a column after the first begin like numbers.
@@ -60,7 +62,7 @@ PrintedTable shown(const Fields<Row>& answer, const Row& of, const Frame& frame,
 }
 
 // A group in an answer as a folded table. Each present number, estimate, count or word gives a row
-// with name, value, interval and meaning.
+// with name, value, interval and meaning. A page shows the meaning instead of the name.
 // Fails:      throws std::invalid_argument for a group that does not exist.
 PrintedTable group_table(const FieldList& answer, const void* of, const Frame& frame, std::string_view group);
 

@@ -22,6 +22,7 @@ TEST_CASE("text: spaces and brackets around it (table)") {
 TEST_CASE("text: what HTML reads as its own is escaped, also within double quotes (table)") {
   CHECK(html_escaped("a < b & \"c\" > 'd'") == "a &lt; b &amp; &quot;c&quot; &gt; 'd'");
   CHECK(html_escaped("μ₀ &amp;") == "μ₀ &amp;amp;");
+  CHECK(html_escaped("a\x1b[1m\x07\tb\n\xc2\x85\xff") == "a\\x1b[1m\\x07\tb\n\\x85\ufffd");
 }
 
 TEST_CASE("text: digits are those of numbers, whatever the locale (limit)") {

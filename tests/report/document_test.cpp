@@ -19,7 +19,7 @@ std::vector<Chapter> small_document() {
                      .rows = {{"a <b>", "0.5", "one doubt; another doubt; a third one, and a fourth"}},
                      .links = {"tests/a%20/report.html"},
                      .on_terminal = {"Test", "Doubts"}};
-  return {{"", {Pictures{[] { return std::vector<Plot>(1); }}}},
+  return {{"", {Pictures{[](double) { return std::vector<Plot>(1); }}}},
           {"Friction & wear",
            {std::string("It is -0.5."), std::string(), numbers, PrintedTable{{"none"}, {}},
             Rows{{"work", "a < b"}, {"left out", ""}}, Verbatim{"[rig]\n\nspan = '1 mm'\n"}, names,

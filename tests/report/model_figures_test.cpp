@@ -58,6 +58,32 @@ TEST_CASE("design map figure, identity: the border separates designs that snap f
   }
 }
 
+TEST_CASE("design map figure, identity: colours are for snaps only, not for smooth falls of the force") {
+  const Test input = loading_of(spicule);
+  const std::vector<DesignAxis> axes{map_axis(input, "stiffness=100 N/m:1000 N/m:5", 2),
+                                     map_axis(input, "mu0=0:0.8:5", 2)};
+  const auto points = design_map(input, axes, 1);
+  const Plot figure = design_map_figure(input, axes, points);
+  const auto& rows = table_of(figure, "designs").rows;
+  std::size_t smooth = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const DesignOutcome& outcome = points[i].result.outcome.value();
+    CHECK(std::isnan(rows[i].back()) == (outcome.snaps == 0));
+    smooth += outcome.snaps == 0 && outcome.drops > 0;
+  }
+  CHECK(smooth > 0);
+}
+
+TEST_CASE("design figure, identity: what is not known is a band around the record") {
+  const Test input = loading_of(spicule);
+  DesignAnswer answer = answer_of(input);
+  CHECK(!has_title(design_figure(answer), "Unknown phase"));
+  answer.open = open_study(input, {}, 1);
+  const Plot figure = design_figure(answer);
+  CHECK(has_title(figure, "Unknown phase"));
+  for (const auto& row : table_of(figure, "unknown").rows) CHECK(row[1] <= row[2]);
+}
+
 TEST_CASE("design map figure, contract: one axis or two") {
   CHECK(message_of([] { design_map_figure(loading_of(spicule), {}, {}); }).find("one axis or two") !=
         std::string::npos);

@@ -198,4 +198,18 @@ TEST_CASE("plot, identity: reduced variables are plotted in the units of their s
   CHECK(PlotUnits{units.scales, false, true}.length(0.3).unit == "in");
 }
 
+TEST_CASE("figures for a column: wide ones become narrower, panels move below each other, letters stay") {
+  const std::vector<Panel> panels(4, Panel{.x = {"*x*"}, .y = {"*y*"}, .marks = every_kind("table")});
+  const Plot wide = with(panels, 4), narrow = in_width(wide, one_column);
+  CHECK(narrow.width == one_column);
+  CHECK(narrow.columns == 2);
+  CHECK(narrow.height == 2 * wide.height);
+  CHECK(in_width(wide, two_columns).columns == 4);
+  Plot small = wide;
+  small.width = 100;
+  CHECK(in_width(small, two_columns).width == 100);
+  CHECK(in_width(small, one_column).width == one_column);
+  CHECK(in_width(wide, 200).width == 200);
+}
+
 }  // namespace flexslip

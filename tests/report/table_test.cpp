@@ -88,7 +88,7 @@ TEST_CASE("table: a group with its descriptions, without missing values") {
   CHECK(table.rows == std::vector<std::vector<std::string>>{{"length", "250 µm", "", "of the part"},
                                                             {"estimate", "250 ± 20 µm", "211 to 289 µm", "its length"},
                                                             {"verdict", "bad", "", "good or not"},
-                                                            {"flag", "yes", "", "yes if it holds"}});
+                                                            {"flag", "yes", "", "whether it holds"}});
   CHECK_THROWS_AS(group_table(of_group, with_group, {}, "troop"), std::invalid_argument);
 }
 
