@@ -77,7 +77,7 @@ TEST_CASE("design map figure, identity: colours are for snaps only, not for smoo
 TEST_CASE("design figure, identity: what is not known is a band around the record") {
   const Test input = loading_of(spicule);
   DesignAnswer answer = answer_of(input);
-  CHECK(!has_title(design_figure(answer), "Unknown phase"));
+  CHECK(!has_title(laid_out(design_figure(answer)), "Unknown phase"));
   answer.open = open_study(input, {}, 1);
   const Plot figure = design_figure(answer);
   CHECK(has_title(figure, "Unknown phase"));
