@@ -314,8 +314,7 @@ class Search {
 
   // Move the most probable waves to the joint optimum of their lengths and the errors of the rig,
   // which stretch all waves alike. The resulting error of the lengths serves for all other modes
-  // with as many waves. Mean and error are those of the parabola through the top and both ends of
-  // the valley.
+  // with as many waves. A parabola through the top and both ends of the valley gives mean and error.
   void move_along_valley(std::vector<Component>& components) const {
     Component& component = components.front();
     const std::size_t waves = component.mode.theta.waves;
