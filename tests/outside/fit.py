@@ -416,7 +416,7 @@ class Words(InFolder):
         fit, text = self.answer('model = "constant"\nmu0 = 0.5\n')
         self.assertFalse(fit["wave"] and fit["wave"]["claimed"])
         self.assertFalse(WAVE & set(fit["parameters"]))
-        self.assertIn("no regular spacing", text)
+        self.assertIn("spacing irregular", text)
 
     def test_hardly_any_friction_is_an_upper_limit(self):
         fit, text = self.answer('model = "constant"\nmu0 = 0.002\n')
