@@ -1,8 +1,8 @@
 // The answer above the views: the verdict and the lines of the program's screen, which unfold; and the strip of the marked moment.
 
-import { dropInWords, furtherLines, isWithdrawn, slipOf, tellsFriction, type Line } from "./answer";
+import { dropInWords, forceInWords, isWithdrawn, slipOf, tellsFriction, type Line } from "./answer";
 import { byId, el, fill, rich } from "./dom";
-import { fixed, significant, unitFor } from "./quantity";
+import { fixed, unitFor } from "./quantity";
 import type { Studio } from "./studio";
 import { inPageWords, OF_ALL_FILES, questionOf, withBoxes } from "./words";
 
@@ -19,20 +19,20 @@ export function drawAnswer(studio: Studio): void {
     const more = question ? `${question.of > 1 ? `; ${question.of} questions are open` : ""}${studio.alike(test).length && OF_ALL_FILES.has(question.box) ? `. The answer holds for all ${studio.alike(test).length + 1} files` : ""}` : "";
     return fill(host, el("p", { class: "note" }, rows, more), el("h1", {}, question?.words ?? (busy || "Not fitted.")), question || busy ? null : el("p", { class: "say" }, refusal));
   }
-  const { sentence } = fit.answer.verdict, word = /^[^.:]*/.exec(sentence)![0], { lines, foot } = fit.screen, next = lines.filter(({ label }) => label === "next" || label === "doubt");
-  const open = host.querySelector("details")?.open ?? false, rest = [...lines.filter((line) => !next.includes(line)), ...furtherLines(fit.answer, fit.screen)];
-  const unfolded = el("details", { class: "all" }, el("summary", {}, "All lines"), linesOf(rest.slice(FIRST)), el("p", { class: "note" }, foot),
+  const { sentence } = fit.answer.verdict, word = /^[^.:]*/.exec(sentence)![0], { lines, foot } = fit.screen, isLast = ({ label }: Line): boolean => label === "next" || label === "doubt", next = lines.filter(isLast);
+  const open = host.querySelector("details")?.open ?? false, folded = linesOf([...lines.filter((line) => !isLast(line)).slice(0, FIRST), ...next]);
+  const unfolded = el("details", { class: "all", toggle: () => (folded.hidden = unfolded.open) }, el("summary", {}, "All lines"), linesOf([...fit.answer.answer, ...next]), el("p", { class: "note" }, foot),
     el("ul", { class: "note" }, ...fit.answer.findings.map(({ sentence: words, remedy }) => el("li", {}, withBoxes([words, remedy].filter(Boolean).join(" "))))));
   unfolded.open = open;
   fill(host, refusal && el("p", { class: "say" }, refusal, " Below stands the answer before that."), el("h1", {}, el("b", {}, word), withBoxes(sentence.slice(word.length))),
-    isWithdrawn(fit.answer) ? linesOf(next) : el("div", {}, linesOf([...rest.slice(0, FIRST), ...next]), unfolded));
+    isWithdrawn(fit.answer) ? linesOf(next) : folded, isWithdrawn(fit.answer) ? null : unfolded);
 }
 
 /** One line: the row, its numbers, and what can be said of the drop. */
 export function drawMoment(studio: Studio): void {
   const host = byId("moment"), moment = studio.moment, fit = studio.fit;
   if (!moment || !fit) return fill(host);
-  const length = unitFor(fit.greatestStage, "length"), force = unitFor(fit.answer.drops[0]?.force_before ?? moment.force, "force");
+  const length = unitFor(fit.greatestStage, "length"), [force, forceUnit] = forceInWords(moment.force, fit.answer).split(" ");
   const cell = (name: string, value: string, width: number, unit: string): HTMLElement => {
     const b = el("b", {}, value);
     b.style.minWidth = `${width}px`;
@@ -44,7 +44,7 @@ export function drawMoment(studio: Studio): void {
   fill(host, el("span", { class: "dot" }),
     studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name),
-    cell(studio.tried !== null ? "force, calculated" : "force, measured", number(moment.force, force.factor, 2), 34, force.name), moment.used && told ? cell("*μ*", mu, 78, "") : null,
+    cell(studio.tried !== null ? "force, calculated" : "force, measured", force!, 34, forceUnit ?? ""), moment.used && told ? cell("*μ*", mu, 78, "") : null,
     el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wider" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
 }
 
@@ -53,6 +53,5 @@ export function momentInWords(studio: Studio): string {
   const moment = studio.moment, fit = studio.fit;
   if (!moment || !fit) return "";
   const drop = moment.drop ? `, ${dropInWords(moment.drop.drop, moment.drop.number).claim}` : "";
-  const force = unitFor(moment.force, "force");
-  return `Row ${moment.row}, force ${significant(moment.force / force.factor)} ${force.name}${Number.isFinite(moment.mu) && tellsFriction(fit.answer) ? `, friction ${fixed(moment.mu, 2)}` : ""}${drop}`;
+  return `Row ${moment.row}, force ${forceInWords(moment.force, fit.answer)}${Number.isFinite(moment.mu) && tellsFriction(fit.answer) ? `, friction ${fixed(moment.mu, 2)}` : ""}${drop}`;
 }

@@ -1,7 +1,7 @@
 // What a fit comes to, in the program's own lines: its screen, its verdict, its readings of drops. The page words and judges nothing itself.
 
 import type { Drop, FitAnswer } from "./answers";
-import { fixed, written } from "./quantity";
+import { fixed, unitFor, written } from "./quantity";
 
 export interface Line { label: string; words: string }
 /** What `flexslip fit` prints below the verdict: its rows, and what it says of the checks. */
@@ -18,9 +18,6 @@ export function screenOf(text: string): Screen {
   return { lines, foot: foot.startsWith(" ") ? "" : foot.replace(/ ?More: --full$/, "") };
 }
 
-/** The lines of the full answer that the screen leaves out, in the program's order. */
-export const furtherLines = (fit: FitAnswer, screen: Screen): Line[] => fit.answer.filter(({ label, words }) => !screen.lines.some((line) => line.label === label && line.words === words));
-
 export type Slip = "could" | "undecided" | "no";
 export const slipOf = (drop: Drop): Slip => (drop.slip === "possible" ? "could" : drop.slip === "too_short" ? "undecided" : "no");
 
@@ -29,6 +26,12 @@ export function dropInWords(drop: Drop, number: number, told = true): { claim: s
   const mu = drop.mu_before !== null && drop.mu_after !== null ? `, *μ* ${fixed(drop.mu_before, 2)} to ${fixed(drop.mu_after, 2)}` : "";
   const drawn = drop.pulled_in ? `, ${written(drop.pulled_in / 2, "length")} slid in over each support` : "";
   return { claim: `Drop ${number}: ${drop.reading}`, rest: `; ${written(drop.force_fall, "force")} down`, more: told && slipOf(drop) === "could" ? `${mu}${drawn}` : "" };
+}
+
+/** A force of the record, in the unit of its drops: the same words wherever it stands. */
+export function forceInWords(force: number, fit: FitAnswer): string {
+  const unit = unitFor(fit.drops[0]?.force_before ?? force, "force");
+  return Number.isFinite(force) ? `${fixed(force / unit.factor, 2)} ${unit.name}` : "–";
 }
 
 /** The program gives no answer but what to correct. */

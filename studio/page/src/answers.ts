@@ -48,5 +48,6 @@ export const remarksOf = (err: string): string => err.split("\n").filter((line) 
 export function sentence(err: string): string {
   const lines = err.split("\n").map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);
   const last = lines.at(-1) ?? "the program gave no answer", [place] = /^.*?:(?=\d+: )/.exec(last) ?? [];
-  return place ? lines.filter((line) => line.startsWith(place)).join("\n") : last;
+  const begin = place ?? (last.startsWith("--") ? "--" : null);
+  return begin ? lines.filter((line) => line.startsWith(begin)).join("\n") : last;
 }

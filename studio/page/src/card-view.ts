@@ -20,7 +20,7 @@ type Control = Pick | Box;
 const MARKS: Record<string, string> = { ",": "comma", ";": "semicolon", "\t": "tab", tab: "tab", " ": "blanks", space: "blanks", ".": "point" };
 const ENCODINGS = ["utf-8", "utf-16le", "utf-16be", "cp1252", "shift-jis"];
 const WITH_PARAMETERS = ["span", "diameter", "height", "load train", "radius"];  // stand there where there are parameters
-const WHEN_ASKED = ["displacement unit", "force unit", "span", "load train"];    // the program asks for them
+const WHEN_ASKED = ["displacement unit", "force unit", "span", "load train"];    // empty, they wait until the program asks for them
 
 export class CardView {
   private shown: unknown[] = [];
@@ -43,10 +43,10 @@ export class CardView {
     else {
       const asked = question && all.find((each) => each.name === question.box);
       if (asked) this.ask(byId("request"), asked);
-      const hidden = (each: Control): boolean => each === asked || (!fit && "take" in each && each.value === "" && WHEN_ASKED.includes(each.name)) || (!!fit && tellsFriction(fit) && WITH_PARAMETERS.includes(each.name));
+      const hidden = (each: Control): boolean => each === asked || ("take" in each && each.value === "" && WHEN_ASKED.includes(each.name)) || (!!fit && tellsFriction(fit) && WITH_PARAMETERS.includes(each.name));
       const stated = stating.filter((each) => !hidden(each));
       const decided = Object.keys(test.settings.read).length > 0 || Object.keys(test.settings).length > 1;
-      fill(byId("card"), el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), this.list(reading.filter((each) => !hidden(each))), this.folded(test, wasOpen.format), this.record(test, wasOpen.record),
+      if (!test.isCase || fit) fill(byId("card"), el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), this.list(reading.filter((each) => !hidden(each))), this.folded(test, wasOpen.format), this.record(test, wasOpen.record),
         ...(stated.length ? [el("div", { class: "head" }, el("h2", {}, "Specimen and rig"), fit ? null : el("span", { class: "note" }, "if known")), this.list(stated)] : []),
         decided ? el("p", { class: "note" }, "Bold: decided by you.") : null);
     }
@@ -173,10 +173,16 @@ export class CardView {
         ...(settings.displacement ? [] : [{ words: "not stated", chosen: true }]), ...(["crosshead", "deflection"] as const).map((each) => ({ words: each, change: move(each), chosen: settings.displacement === each })),
       ] });
     }
+    const unit = (name: string, flag: keyof Settings["read"], example: string, kind: QuantityKind): void => void controls.push({ name, example, yours: settings.read[flag] !== undefined && !test.taken.has(flag), value: settings.read[flag] ?? "", take: (words) => {
+      if (words !== "") this.studio.model.unit(words, kind);
+      this.decideReading(flag, words === "" ? undefined : words);
+    } });
+    unit("displacement unit", "displacement-unit", "mm", "a length");
+    if (!settings.calibration) unit("force unit", "force-unit", "N", "a force");
     return controls;
   }
 
-  // ---- what a data file need not say: units of columns, the rig, the specimen; of a case, what its measured rig is changed by
+  // ---- what a data file need not say: the rig, the specimen; of a case, what its measured rig is changed by
   private stating(test: Test): Control[] {
     const { settings, read } = test, { studio } = this, all: Control[] = [], text = test.isCase ? test.fit?.text : null;
     const quantity = (name: string, key: "span" | "diameter" | "wall" | "width" | "height" | "stiffness" | "modulus" | "tipRadius", kind: QuantityKind, family: Kind, example: string, stated: number | null): void => {
@@ -189,6 +195,7 @@ export class CardView {
       } });
     };
     if (test.isCase) {
+      if (!test.fit) return [];
       const section = text?.words("specimen.height") ? "height" : "diameter";
       quantity("span", "span", "a length", "length", "1278 um", text?.quantity("rig.span") ?? null);
       quantity(section, section, "a length", "length", "34.8 um", text?.quantity(`specimen.${section}`) ?? null);
@@ -196,12 +203,6 @@ export class CardView {
       quantity("radius", "tipRadius", "a length", "length", "5 mm", text?.quantity("rig.roller_radius") ?? null);
       return all;
     }
-    const unit = (name: string, flag: keyof Settings["read"], example: string, kind: QuantityKind): void => void all.push({ name, example, yours: settings.read[flag] !== undefined && !test.taken.has(flag), value: settings.read[flag] ?? "", take: (words) => {
-      if (words !== "") studio.model.unit(words, kind);
-      this.decideReading(flag, words === "" ? undefined : words);
-    } });
-    unit("displacement unit", "displacement-unit", "mm", "a length");
-    if (!settings.calibration) unit("force unit", "force-unit", "N", "a force");
     const { test: stated } = read ?? { test: { span: null, diameter: null, width: null, thickness: null } };
     const section = settings.section ?? (stated.width && !settings.diameter ? "rectangle" : "round");
     quantity("span", "span", "a length", "length", "1278 um", stated.span);

@@ -1,5 +1,6 @@
 // The specimen itself, to scale: bent over its supports at the marked moment, with the forces on it.
 
+import { forceInWords } from "./answer";
 import { byId, label, svg } from "./dom";
 import type { Shape } from "./engine";
 import { greatest, haloed, nearest, path, placeIn, sized, sizeOf } from "./plot";
@@ -100,7 +101,7 @@ export class FibreView {
     const legend = 26 + bar * this.scale + 58;
     if (width - legend > 150) g.append(svg("circle", { cx: legend, cy: foot - 4, r: 3.2, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.5 }), label("met the support at the start", { x: legend + 7, y: foot }));
     sized(this.drawing, this.host, g);
-    this.host.setAttribute("aria-label", `The specimen at row ${studio.row}: deflection ${written(deflection, "length")}, force ${written(moment.force, "force")}, ${written(drawn / 2, "length")} slid in over each support.`);
+    this.host.setAttribute("aria-label", `The specimen at row ${studio.row}: deflection ${written(deflection, "length")}, force ${forceInWords(moment.force, fit.answer)}, ${written(drawn / 2, "length")} slid in over each support.`);
   }
 
   /** The force is that of the moment; those at the supports belong to it where friction is known there and the model is that of the fit. */
@@ -133,7 +134,7 @@ export class FibreView {
     }
     const cx = X(0);
     arrow(cx, foot + 2, 0, length(force), "var(--moment)");
-    const words = haloed(`*F* ${written(force, "force")}, ${this.studio.tried === null ? "measured" : "calculated"}`, Math.min(cx + 8, width - 130), Math.min(height - 30, foot + 2 + length(force)), "start", "var(--moment)");
+    const words = haloed(`*F* ${forceInWords(force, this.studio.fit!.answer)}, ${this.studio.tried === null ? "measured" : "calculated"}`, Math.min(cx + 8, width - 130), Math.min(height - 30, foot + 2 + length(force)), "start", "var(--moment)");
     words.setAttribute("font-weight", "600");
     g.append(words);
   }

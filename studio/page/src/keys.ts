@@ -25,12 +25,12 @@ export function listenToKeys(commands: Commands): void {
     }
     if (event.key === "Escape") return commands.escape();
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-    const inMenu = target.closest("[role=menu], [role=listbox]") !== null;
+    const inMenu = target.closest("[role=menu], #tests") !== null;
     const act: Record<string, () => void> = {
       ArrowRight: () => (event.shiftKey ? commands.drop(1) : commands.row(1)), ArrowLeft: () => (event.shiftKey ? commands.drop(-1) : commands.row(-1)),
       f: commands.fit, r: commands.reset, p: commands.pin, "[": commands.first, "]": commands.last, j: () => commands.test(1), k: () => commands.test(-1), d: commands.theme, "?": commands.help,
     };
-    if (key === " " && !target.matches("button, input, summary, [role=option], [role=switch]")) act[" "] = commands.play;
+    if (key === " " && !target.matches("button, input, summary, [role=switch]")) act[" "] = commands.play;
     const run = inMenu && key.startsWith("Arrow") ? undefined : act[key];
     if (!run) return;
     event.preventDefault();

@@ -1,5 +1,6 @@
 // Rows of parameters: lock, name, a handle to drag, number, unit and the 95 % interval of the fit; the fit button and what it says.
 
+import { isWithdrawn } from "./answer";
 import { byId, el, fill, plain, rich, svg } from "./dom";
 import { isAllowed, placeOf, shown, valueAt, type Key, type Parameter } from "./parameters";
 import { parseQuantity, significant, unitFor } from "./quantity";
@@ -116,7 +117,7 @@ export class ParametersView {
       studio.remember();
       studio.set(p.key, fit.fitted[p.key]);
     } }, rich(p.name));
-    const interval = p.interval ? p.interval.map((value) => shown({ ...p, digits: Math.max(0, p.digits - 1) }, value).replace("-", "−")).join(" to ") : "";
+    const interval = p.interval ? p.interval.map((value) => shown(p, value).replace("-", "−")).join(p.interval[0] < 0 ? " to " : "–") : "";
     const root = el("div", { class: `parameter${held ? " held" : ""}`, "data-parameter": p.key }, lock, title, handle, number, el("span", { class: "unit" }, rich(p.unitWords)), el("span", { class: "note interval" }, interval));
     const row: Row = { parameter: p, root, handle, number };
     return row;
@@ -179,6 +180,6 @@ export class ParametersView {
       return `${significant(newtons / u.factor, 2)} ${u.name}`;
     };
     said.textContent = busy ? `${fitting.said || "Fitting…"}${others}` : waits ? `Waits for ${fitting?.test.name ?? "the next"}` : fitting ? `Fitting ${fitting.test.name}${others}` : studio.reading ? "Reading…"
-      : !fit ? "" : studio.stale ? "Settings changed: press Fit" : studio.changed ? `By hand: residual ${off(studio.rms)}; fit: ${off(fit.answer.residual_rms ?? NaN)}` : "Fitted";
+      : !fit ? "" : studio.stale ? "Settings changed: press Fit" : isWithdrawn(fit.answer) ? "" : studio.changed ? `By hand: residual ${off(studio.rms)}; fit: ${off(fit.answer.residual_rms ?? NaN)}` : "Fitted";
   }
 }

@@ -66,7 +66,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values, isRound: boolean): 
   const rows = [
     row("mu0", "Friction", "mean *μ*_0_", plainUnit, 0, Math.max(1, 1.5 * fitted.mu0), 3),
     row("rms", "Friction", "roughness", plainUnit, 0, Math.max(0.3, 2 * fitted.rms), 3, { unitWords: "in *μ*" }),
-    row("len", "Friction", "over a length", len, fitted.len / 30, fitted.len * 30, digitsOf(fitted.len, len, 2), { logarithmic }),
+    row("len", "Friction", "correlation length", len, fitted.len / 30, fitted.len * 30, digitsOf(fitted.len, len, 2), { logarithmic }),
     row("amp", "Wave", "amplitude *A*", plainUnit, 0, 1, 3, { unitWords: "of *μ*_0_" }),
     row("lam", "Wave", "length *λ*", lam, fitted.lam / 5, fitted.lam * 5, digitsOf(fitted.lam, lam, 4), { logarithmic }),
     row("phi", "Wave", "phase *φ*", degrees, -Math.PI, Math.PI, 1),

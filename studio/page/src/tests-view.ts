@@ -44,24 +44,20 @@ export function drawTests(studio: Studio): void {
   byId<HTMLButtonElement>("fit-all").disabled = !studio.tests.some((test) => isStale(test) && !studio.isBusy(test));
   fill(byId("tests"), ...studio.tests.map((test) => {
     const fit = test.fit?.answer, selected = test === studio.test;
-    return el("li", {
-      role: "option", "aria-selected": String(selected), tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${fit.verdict.sentence}` : test.refusal ? inPageWords(test.refusal, test) : test.name,
+    return el("li", { class: selected ? "selected" : null }, el("button", {
+      class: "test", "aria-current": selected ? "true" : null, tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${fit.verdict.sentence}` : test.refusal ? inPageWords(test.refusal, test) : test.name,
       click: () => studio.select(test),
       keydown: (event: KeyboardEvent) => {
-        if (event.key === "Enter" || event.key === " ") studio.select(test);
-        else if (event.key === "ArrowDown" || event.key === "ArrowUp") studio.next(event.key === "ArrowDown" ? 1 : -1);
+        if (event.key === "ArrowDown" || event.key === "ArrowUp") studio.next(event.key === "ArrowDown" ? 1 : -1);
         else if (event.key === "Delete") studio.remove(test);
         else return;
         event.preventDefault();
         event.stopPropagation();
       },
-    }, el("b", {}, test.name), spark(test), badgeOf(studio, test), el("span", { class: "note" }, test.fit ? lineOf(test.fit, "friction") : ""),
-      el("button", { class: "away", tabindex: -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: (event: Event) => {
-        event.stopPropagation();
-        studio.remove(test);
-      } }, "×"));
+    }, el("b", {}, test.name), spark(test), badgeOf(studio, test), el("span", { class: "note" }, test.fit ? lineOf(test.fit, "friction") : "")),
+      el("button", { class: "away", tabindex: selected ? 0 : -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: () => studio.remove(test) }, "×"));
   }));
-  if (focus) byId("tests").querySelector<HTMLElement>("[aria-selected=true]")?.focus();
+  if (focus) byId("tests").querySelector<HTMLElement>(".selected .test")?.focus();
 }
 
 /** All tests in a table; its rows as CSV are those of `flexslip campaign`, which evaluates them together. */

@@ -20,11 +20,11 @@ const unitBox = (flag: string): string => `${flag === "force" ? "force" : "displ
 export interface Question { words: string; box: string; of: number }
 export function questionOf(test: Test): Question | null {
   if (test.isCase || test.fit) return null;
-  const open = /leaves (\d+) questions open: \(1\) (.*?)(?= \(2\) |$)/.exec(test.refusal), asked = open?.[2] ?? test.refusal, [said, remedy] = open ? asked.split(/ pass (?=--)/) : [asked, asked];
-  const unit = UNIT_OF_A_COLUMN.exec(remedy ?? ""), flags = [...(remedy ?? "").matchAll(/--([a-z][a-z-]*[a-z])/g)].map(([, flag]) => flag!);
+  const [line = ""] = test.refusal.split("\n"), list = [...line.matchAll(/\(\d+\) (.*?)(?=\.?$| \(\d+\) )/g)].map(([, each]) => each!), asked = list[0] ?? line;
+  const unit = UNIT_OF_A_COLUMN.exec(asked), flags = [...asked.matchAll(/--([a-z][a-z-]*[a-z])/g)].map(([, flag]) => flag!);
   const flag = flags.includes("displacement-column") ? "displacement-column" : flags.find((each) => BOXES[each] !== undefined);
   if (flag === undefined) return null;
-  return { words: capital(open ? said! : inPageWords(asked, test)), box: unit ? unitBox(unit[1]!) : BOXES[flag]!, of: Number(open?.[1] ?? 1) };
+  return { words: list.length ? capital(asked.split(/ pass (?=--)/)[0]!) : inPageWords(line, test), box: unit ? unitBox(unit[1]!) : BOXES[flag]!, of: Math.max(1, list.length) };
 }
 const capital = (words: string): string => (words ? words[0]!.toUpperCase() + words.slice(1) : words);
 
@@ -44,7 +44,7 @@ const boxesOfKeys = (sentence: string): string => sentence.replace(/\[\w+\] (\w+
 export function withBoxes(sentence: string): string {
   return sentence.replaceAll(" (flexslip read FILE shows them)", "").replace(/ \(--([a-z-]+)\)/g, (flag, name: string) => (BOXES[name] === undefined ? "" : flag))
     .replace(new RegExp(UNIT_OF_A_COLUMN, "g"), (_, name: string, unit: string) => `“${unitBox(name)}”: ${unit}`)
-    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
+    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/\b(Pass|Add) (?=--[a-z])/g, "Enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
     const box = BOXES[name];
     if (box === undefined) return flag;
     const told = value === undefined || /^[A-Z]{2,}$|[…|]/.test(value) ? "" : `: ${value.replaceAll('"', "")}`;
