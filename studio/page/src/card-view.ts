@@ -34,7 +34,7 @@ export class CardView {
     if (now.every((each, i) => each === this.shown[i])) return;  // what is being typed stays
     if (test !== this.shown[0]) this.drafts.clear();
     this.shown = now;
-    const hosts = [byId("request"), byId("card")], focused = hosts.find((host) => host.contains(document.activeElement)), name = focused ? document.activeElement!.getAttribute("aria-label") : null;
+    const hosts = [byId("request"), byId("card")], focused = hosts.find((host) => host.contains(document.activeElement)), active = document.activeElement as HTMLInputElement, name = focused ? active.getAttribute("aria-label") : null, typed = active.value;
     const open = (title: string): boolean => [...document.querySelectorAll<HTMLDetailsElement>("#request details, #card details")].some((each) => each.open && each.textContent.startsWith(title)), wasOpen = { format: open("Format"), record: open("The record") };
     for (const host of hosts) fill(host);
     if (!test) return;
@@ -54,7 +54,9 @@ export class CardView {
     const again = controls.find((each) => each.getAttribute("aria-label") === name) ?? (focused?.id === "request" ? controls[0] : undefined);
     if (!focused || !again) return;
     again.focus();
-    if (again instanceof HTMLInputElement) again.select();
+    if (!(again instanceof HTMLInputElement)) return;
+    if (again.getAttribute("aria-label") === name) again.value = typed;
+    again.select();
   }
 
   // ---- controls

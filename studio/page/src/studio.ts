@@ -280,6 +280,7 @@ export class Studio {
       if (!settings || (settings[key] !== undefined && other.taken.get(key) !== from)) continue;
       put(settings, key, value);
       other.taken.set(key, from);
+      if (other.read) other.refusal = "";  // what it was asked may be answered now
     }
   }
   /** The other files that are open and not fitted yet, which are asked the same as this one. */
@@ -336,6 +337,7 @@ export class Studio {
     try {
       const fit = await test.analyse(this.program, this.printer, (line) => {
         fitting.said = line;
+        if (!test.fit && test.refusal) (test.refusal = ""), this.tell("card", "answer");  // the program asks no more
         this.tell("progress");
       });
       await this.ready;

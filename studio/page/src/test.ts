@@ -98,22 +98,21 @@ export class Test {
   /** Reads the rows of the data file; `refusal` is why it cannot. */
   async open(program: Program): Promise<void> {
     const given = { [this.data]: this.files[this.data]! };
-    this.read = this.rows = null;
     this.readAs = JSON.stringify(this.readFlags());
+    const fail = (refusal: string): void => {
+      this.read = this.rows = null;
+      this.refusal = refusal;
+    };
     try {
-      if (!this.hasData) {
-        const told = await program.run(["fit", this.main], this.files);
-        this.refusal = `${sentence(told.err)}${this.data ? ` Drop ${this.main} and ${this.data} together.` : ""}`;
-        return;
-      }
+      if (!this.hasData) return fail(`${sentence((await program.run(["fit", this.main], this.files)).err)}${this.data ? ` Drop ${this.main} and ${this.data} together.` : ""}`);
       const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
-      this.refusal = told.code === 0 ? "" : sentence(told.err);
-      if (told.code !== 0) return;
-      this.read = JSON.parse(told.out) as ReadAnswer;
-      const plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
-      this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
+      if (told.code !== 0) return fail(sentence(told.err));
+      const read = JSON.parse(told.out) as ReadAnswer, plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
+      if (!this.read) this.refusal = "";
+      this.read = read;
+      this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), read) : null;
     } catch (cause) {
-      this.refusal = cause instanceof Error ? cause.message : String(cause);
+      fail(`${this.data}: ${cause instanceof Error ? cause.message : String(cause)}`);
     }
   }
 
