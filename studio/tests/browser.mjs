@@ -79,8 +79,9 @@ export async function say(tab, rig) {
   while (await request.count()) {
     const name = await request.getAttribute("aria-label");
     if (!(name in left)) return;
+    const asked = await tab.locator("#verdict h1").innerText();
     await enter(request, name);
-    await tab.waitForFunction((asked) => document.querySelector("#request .ask input")?.getAttribute("aria-label") !== asked, name);
+    await tab.waitForFunction((words) => document.querySelector("#verdict h1").innerText !== words, asked);
   }
 }
 export const RIG = { span: "1278 um", diameter: "34.8 um", "load train": "90.65 N/m" };

@@ -14,8 +14,8 @@ export function screenOf(text: string): Screen {
     if (row) lines.push({ label: row[1]!, words: row[2]! });
     else if (more && lines.length) lines[lines.length - 1]!.words += ` ${more[1]}`;
   }
-  const foot = begin > 0 ? all[all.length - 1]! : "";
-  return { lines, foot: foot.startsWith(" ") ? "" : foot.replace(/ ?More: --full$/, "") };
+  const foot = all.slice(begin).filter((line) => !line.startsWith(" ")).join(" ");
+  return { lines, foot: foot.replace(/ ?More: --full$/, "") };
 }
 
 export type Slip = "could" | "undecided" | "no";
