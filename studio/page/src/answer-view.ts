@@ -17,7 +17,7 @@ export function drawAnswer(studio: Studio): void {
     const question = questionOf(test), busy = studio.fitting?.test === test && question === null ? "Fitting…" : studio.waiting.includes(test) && question === null ? "Waits to be fitted…" : "";
     const rows = test.read ? `${test.data}, ${test.read.rows} rows` : test.data;
     const more = question ? `${question.of > 1 ? `; ${question.of} questions are open` : ""}${studio.alike(test).length && OF_ALL_FILES.has(question.box) ? `. The answer holds for all ${studio.alike(test).length + 1} files` : ""}` : "";
-    return fill(host, el("p", { class: "note" }, rows, more), el("h1", {}, question?.words ?? (busy || "Not fitted yet.")), question || busy ? null : el("p", { class: "say" }, refusal || "Press Fit."));
+    return fill(host, el("p", { class: "note" }, rows, more), el("h1", {}, question?.words ?? (busy || (refusal ? "Not fitted." : "Not fitted yet."))), question || busy ? null : el("p", { class: "say" }, refusal || "Press Fit."));
   }
   const { sentence } = fit.answer.verdict, word = /^[^.:]*/.exec(sentence)![0], { lines, foot } = fit.screen, isLast = ({ label }: Line): boolean => label === "next" || label === "doubt", next = lines.filter(isLast);
   const open = host.querySelector("details")?.open ?? false, folded = linesOf([...lines.filter((line) => !isLast(line)).slice(0, FIRST), ...next]);

@@ -21,6 +21,7 @@ import type { Test } from "./test";
 import { drawPins, drawTests, openTests } from "./tests-view";
 import { startTheme, turnTheme } from "./theme";
 import { drawTour } from "./tour";
+import { questionOf } from "./words";
 
 const remembered = (name: string): string | null => {
   try {
@@ -288,12 +289,13 @@ function drawHead(studio: Studio): void {
   // What stands beside the answer: nothing where there is none, the force where there is no friction, all where there is.
   const { classList } = document.body;
   classList.toggle("none", test === null);
+  classList.toggle("asked", test !== null && questionOf(test) !== null);
   classList.toggle("answered", fit !== null && !isWithdrawn(fit.answer));
   classList.toggle("told", fit !== null && tellsFriction(fit.answer));
   document.title = test ? `${test.name} – FlexSlip studio` : "FlexSlip studio";
   if (!test) return fill(byId("what"));
   const m = fit?.answer.measurement;
-  fill(byId("what"), el("b", {}, test.name), m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : "");
+  fill(byId("what"), el("b", {}, test.name), el("span", {}, m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : ""));
 }
 
 /** The draws are run forward when nothing else is asked of the page. */
