@@ -81,7 +81,7 @@ export async function say(tab, rig) {
     if (!(name in left)) return;
     const asked = await tab.locator("#verdict h1").innerText();
     await enter(request, name);
-    await tab.waitForFunction((words) => document.querySelector("#verdict h1").innerText !== words, asked);
+    await tab.waitForFunction((words) => document.querySelector("#verdict h1").innerText !== words && document.querySelector("#fit").textContent === "Fit", asked);
   }
 }
 export const RIG = { span: "1278 um", diameter: "34.8 um", "load train": "90.65 N/m" };

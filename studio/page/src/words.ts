@@ -44,7 +44,7 @@ const boxesOfKeys = (sentence: string): string => sentence.replace(/\[\w+\] (\w+
 export function withBoxes(sentence: string): string {
   return sentence.replaceAll(" (flexslip read FILE shows them)", "").replace(/ \(--([a-z-]+)\)/g, (flag, name: string) => (BOXES[name] === undefined ? "" : flag))
     .replace(new RegExp(UNIT_OF_A_COLUMN, "g"), (_, name: string, unit: string) => `“${unitBox(name)}”: ${unit}`)
-    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/\b(Pass|Add) (?=--[a-z])/g, "Enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
+    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replace(/\bWrite ([^;]*?) into \[\w+\]/g, "Enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/\b(Pass|Add) (?=--[a-z])/g, "Enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
     const box = BOXES[name];
     if (box === undefined) return flag;
     const told = value === undefined || /^[A-Z]{2,}$|[…|]/.test(value) ? "" : `: ${value.replaceAll('"', "")}`;
