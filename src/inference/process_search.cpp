@@ -340,8 +340,10 @@ class Search {
     }
     if (!o_.parts.valley_move) return;
     const double goal = std::clamp((rise - 0.5 * curvature * down) / curvature, -down, up);
-    const Stretched& nearest = *std::ranges::min_element(
-        goal > 0 ? longer : shorter, {}, [&](const Stretched& each) { return std::abs(each.by - goal); });
+    const std::vector<Stretched>& way = goal > 0 ? longer : shorter;
+    const Stretched& nearest = *std::min_element(way.begin(), way.end(), [&](const Stretched& a, const Stretched& b) {
+      return std::abs(a.by - goal) < std::abs(b.by - goal);
+    });
     Mode moved = nearest.mode;
     stretch(moved, goal - nearest.by);
     if (!(moved.log_posterior > top)) return;
