@@ -6,7 +6,7 @@ import html
 import keyword
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
 import numpy as np
 
@@ -70,7 +70,8 @@ class Estimate:
     unit : str
         ``"1"`` of plain numbers.
 
-    A format is that of the value, ``f"{mu0:.3f}"``; without one, the value and its error.
+    It formats, rounds and compares by its value: ``f"{mu0:.3f}"``, ``round(mu0, 2)``, ``mu0 > 0.3``; without a format it is its value and error. Two
+    estimates of different units are never equal and cannot be ordered.
     """
 
     def __init__(self, data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]] = (), name: str = "", meaning: str = "") -> None:
@@ -103,13 +104,41 @@ class Estimate:
     def __format__(self, spec: str) -> str:
         return format(self.value, spec) if spec else str(self)
 
+    @overload
+    def __round__(self, digits: None = None) -> int: ...
+    @overload
+    def __round__(self, digits: SupportsIndex) -> float: ...
+
+    def __round__(self, digits: SupportsIndex | None = None) -> float:
+        return round(self.value) if digits is None else round(self.value, digits)
+
+    def _is_of_unit(self, other: object) -> bool:
+        """Does the other have the same unit, or none that it states?"""
+        return getattr(other, "unit", self.unit) == self.unit
+
+    def _beside(self, other: Estimate | float) -> float:
+        """The value of what it is compared with."""
+        if not self._is_of_unit(other):
+            raise TypeError(f"a number in {self.unit} cannot be compared with one in {getattr(other, 'unit')}")
+        return float(other)
+
+    def __lt__(self, other: Estimate | float) -> bool:
+        return self.value < self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __le__(self, other: Estimate | float) -> bool:
+        return self.value <= self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __gt__(self, other: Estimate | float) -> bool:
+        return self.value > self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __ge__(self, other: Estimate | float) -> bool:
+        return self.value >= self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Estimate):
-            return NotImplemented
-        return same(self._data, other._data)
+        return self._is_of_unit(other) and self.value == float(other) if isinstance(other, _COMPARED) else NotImplemented
 
     def __hash__(self) -> int:
-        return hash((self.value, self.stderr, self.unit))
+        return hash(self.value)
 
     def __str__(self) -> str:
         if self.value != self.value:
@@ -120,6 +149,9 @@ class Estimate:
 
     def __repr__(self) -> str:
         return f"<{self.name + ': ' if self.name else ''}{self}>"
+
+
+_COMPARED = (Estimate, int, float, np.integer, np.floating)
 
 
 def same(mine: Any, theirs: Any) -> bool:

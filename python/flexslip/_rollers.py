@@ -71,7 +71,7 @@ def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: 
     Raises
     ------
     InputError
-        For a value outside of the domain, or NaN, which is named.
+        For a value outside of the domain, which is named with its index. NaN gives NaN.
     TypeError
         For what is no real number.
 

@@ -65,11 +65,14 @@ def _first(array: Any) -> str:
 
 
 def require(name: str, array: Any, low: float, high: float, expected: str) -> None:
-    """Refuses what is outside of [low, high], or NaN, and names it."""
+    """Refuses what is outside of [low, high], and names it; NaN is let through."""
     numbers = np.asarray(array)
     if numbers.size == 0 or (numbers.min() >= low and numbers.max() <= high):
         return
-    at = np.unravel_index(int(np.argmin((numbers >= low) & (numbers <= high))), numbers.shape)
+    is_outside = (numbers < low) | (numbers > high)
+    if not is_outside.any():
+        return
+    at = np.unravel_index(int(np.argmax(is_outside)), numbers.shape)
     place = f"{name}[{', '.join(str(int(i)) for i in at)}]" if numbers.ndim else name
     raise wrong(place, expected, repr(numbers[at].item()))
 
@@ -88,12 +91,21 @@ def computed(function: Any, kind: Any, inputs: tuple[Any, ...], out: Any, valid:
     if any(isinstance(each, np.ma.MaskedArray) for each in inputs):
         if out is not None:
             raise wrong("out", "arrays without a mask beside it", "masked arrays")
-        values = function(*(_MA.filled(each, number) for each, number in zip(inputs, valid)))
+        values = _with_nan(function, tuple(_MA.filled(each, number) for each, number in zip(inputs, valid)), None, valid)
         mask = np.zeros(np.shape(values[0]), dtype=bool)
         for each in inputs:
             mask = mask | _MA.getmaskarray(each)
         return kind(*(_MA.MaskedArray(value, mask) for value in values))
-    return kind(*(function(*inputs) if out is None else function(*inputs, out=_outputs(out, len(kind._fields)))))
+    return kind(*_with_nan(function, inputs, None if out is None else _outputs(out, len(kind._fields)), valid))
+
+
+def _with_nan(function: Any, inputs: tuple[Any, ...], out: tuple[Any, ...] | None, valid: tuple[float, ...]) -> Any:
+    """NaN where an input is NaN. The function computes with valid numbers there, because it takes several states at a time."""
+    if not any(np.isnan(each).any() for each in map(np.asarray, inputs)):
+        return function(*inputs, out=out) if out else function(*inputs)
+    zero_or_nan = sum(np.multiply(0.0, each) for each in inputs)
+    values = function(*(np.nan_to_num(each, nan=number) for each, number in zip(inputs, valid)), out=out or (None,) * function.nout)
+    return tuple(np.add(value, zero_or_nan, out=given) for value, given in zip(values, out or (None,) * function.nout))
 
 
 def _outputs(out: Any, count: int) -> tuple[Any, ...]:
@@ -136,7 +148,7 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
     Raises
     ------
     InputError
-        For a value outside of the domain, or NaN, which is named.
+        For a value outside of the domain, which is named with its index. NaN gives NaN.
     TypeError
         For what is no real number.
 
