@@ -15,7 +15,7 @@ from . import _flexslip
 from ._answers import Answer, Quantity
 from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, wrong, yes_no
 from ._xls import readable
-from ._frames import is_frame, record_of
+from ._frames import is_frame, is_series, record_of, unit_of_series
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 SECTIONS = ("specimen", "rig", "friction", "stage", "record")
@@ -250,11 +250,19 @@ def _is_array(value: Any) -> bool:
     return not isinstance(value, (str, bytes, Mapping)) and (hasattr(value, "__array__") or isinstance(value, (list, tuple)))
 
 
+def _unit_of_title(series: Any, reduced: bool) -> str | None:
+    """The unit that a column of a frame states; None if it states none, or one of the reduced variables of a reduced case."""
+    unit = unit_of_series(series)
+    return None if unit in ("", "1") or (reduced and "L" in unit) else unit
+
+
 def _column(name: str, given: Any, reduced: bool) -> Any:
-    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose name and labels say where a cell is."""
+    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose title has its unit, and whose labels say where a cell is."""
     unit = None
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
         given, unit = given
+    elif is_series(given):
+        unit = _unit_of_title(given, reduced)
     if _MA.is_masked(given):
         raise wrong(name, "numbers without a mask", "masked ones", key=f"record.{name}")
     try:
@@ -263,9 +271,9 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
 
     def refuse_cell(at: int) -> InputError:
-        is_series = hasattr(given, "iloc")
-        return wrong(f"column {given.name!r}, row {given.index[at]!r}" if is_series else f"{name}[{at}]", "a finite number", repr(array[at]),
-                     "leave such rows out, as in " + (f"frame.drop(index={given.index[at]!r})" if is_series else "stage[keep], force[keep]"), key=f"record.{name}")
+        has_labels = is_series(given)
+        return wrong(f"column {given.name!r}, row {given.index[at]!r}" if has_labels else f"{name}[{at}]", "a finite number", repr(array[at]),
+                     "leave such rows out, as in " + (f"frame.drop(index={given.index[at]!r})" if has_labels else "stage[keep], force[keep]"), key=f"record.{name}")
 
     if array.dtype.kind == "O" and array.ndim == 1 and any(map(_is_number, array)):
         for at, cell in enumerate(array):

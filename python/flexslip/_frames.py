@@ -1,6 +1,7 @@
 """pandas frames as data. The program's own reader finds what their columns are."""
 from __future__ import annotations
 
+import csv
 import os
 import tempfile
 from collections.abc import Mapping
@@ -31,6 +32,26 @@ def _titles(frame: Any) -> dict[str, str]:
     """Titles as a file has them, with the units of `attrs["units"]`."""
     units = frame.attrs.get("units") or {}
     return {title: f"{title} [{units[title]}]" if units.get(title) not in (None, "", "1") else title for title in frame.columns}
+
+
+def is_series(value: Any) -> bool:
+    """Is it a pandas.Series, whose name is a title?"""
+    return hasattr(value, "iloc") and hasattr(value, "name")
+
+
+def unit_of_series(series: Any) -> str:
+    """The unit in the title of a column, or in its `attrs["units"]`; empty if there is none. The program's own reader finds it."""
+    title = str(series.name)
+    if unit := (series.attrs.get("units") or {}).get(series.name):
+        return str(unit)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "column.csv")
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows([[title, "other"], *([row, row] for row in range(9))])
+        try:
+            return str(read(path)._columns[0]["unit"])
+        except InputError:
+            return ""  # no title of a file
 
 
 def written(frame: Any, path: str) -> None:
