@@ -9,12 +9,14 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Generic, SupportsIndex, TypeVar, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
 
 # {"fit --json": {"what", "is_table", "entries"}}
 ANSWERS: dict[str, dict[str, Any]] = _flexslip.answers()
 NAN = float("nan")
+Numbers = npt.NDArray[np.float64]
 Row = TypeVar("Row", covariant=True)
 
 if TYPE_CHECKING:
@@ -534,13 +536,19 @@ class Table(Sequence[Row], Generic[Row]):
         return pd.DataFrame(columns)
 
 
-def _in_one_unit(values: Any, unit: str) -> tuple[str, list[str]]:
-    """Numbers as text, in the unit that suits the largest of them, and that unit."""
-    largest, scale = float(np.abs(values[np.isfinite(values)]).max(initial=0)), 1.0
+def suiting(values: Numbers, unit: str) -> tuple[str, float]:
+    """The unit that suits the largest of some numbers, and the factor to it."""
+    largest = float(np.abs(values[np.isfinite(values)]).max(initial=0))
     if unit not in _PLAIN and largest > 0:
         number, _, suits = readable(largest, unit).partition(" ")
         if suits:
-            unit, scale = suits, 10.0 ** round(math.log10(float(number) / largest))  # units differ by powers of ten
+            return suits, 10.0 ** round(math.log10(float(number) / largest))  # units differ by powers of ten
+    return unit, 1.0
+
+
+def _in_one_unit(values: Numbers, unit: str) -> tuple[str, list[str]]:
+    """Numbers as text, in the unit that suits the largest of them, and that unit."""
+    unit, scale = suiting(values, unit)
     return unit, ["" if value != value else readable(value, "") for value in (values * scale).tolist()]
 
 

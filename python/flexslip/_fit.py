@@ -154,15 +154,15 @@ class Fit(FitFields):
         self._test.write_report(os.fsencode(path))
         return os.path.join(path, "report.html")
 
-    def plot(self, figure: str = "force", ax: Any = None) -> Any:
+    def plot(self, figure: str | None = None, ax: Any = None) -> Any:
         """A figure of the report, drawn with matplotlib.
 
         Parameters
         ----------
-        figure : {"force", "profile", "wavelengths", "passes", "boxes"}
+        figure : {"force", "profile", "wavelengths", "passes", "boxes", "record"}, optional
             Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds. Of a test that unloads:
-            the force of all its passes; the friction of each against the length that slid. Those that the report has. Of a record that
-            no friction explains: "record".
+            the force of all its passes; the friction of each against the length that slid. Without a fit there is only the record. Unless stated:
+            "force", or else "record".
         ax : matplotlib Axes, optional
             Where to draw: as many as the figure has panels ("force" has two), or one for the first of them.
 
@@ -173,6 +173,8 @@ class Fit(FitFields):
         """
         from . import _plots
 
+        if not self._part("figures") and figure in (None, "record"):  # the report draws no record without a force
+            return _plots.record(self.curves.deflection, self.curves.force, self._reduced, ax)
         return _plots.plot(self._part("figures"), figure, ax)
 
     def _found(self) -> list[str]:

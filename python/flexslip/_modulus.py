@@ -24,12 +24,12 @@ class Modulus(ModulusFields):
 
     _title = "Modulus"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...]) -> None:
+    def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...], curve: Mapping[str, Any]) -> None:
         super().__init__(data, case.reduced)
-        self.case, self.remarks = case, remarks
+        self.case, self.remarks, self._curve = case, remarks, curve
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Modulus, (self._data, self.case, self.remarks)
+        return Modulus, (self._data, self.case, self.remarks, self._curve)
 
     @property
     def success(self) -> bool:
@@ -40,6 +40,15 @@ class Modulus(ModulusFields):
     def message(self) -> str:
         """Why there is no stiffness; empty if there is one."""
         return "" if self.success else self.remarks[0]
+
+    def plot(self, ax: Any = None) -> Any:
+        """Force against deflection with the linear region and the chord of ISO 178, drawn with matplotlib; gives the Axes.
+
+        Deflections are counted from the origin of strains, or from the contact if there is no linear region.
+        """
+        from . import _plots
+
+        return _plots.modulus(self._curve, self, self._reduced, ax)
 
 
 def _window(given: Any) -> list[str]:
@@ -98,4 +107,4 @@ def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None,
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         found = _flexslip.modulus(given, _window(window), _friction(friction_range))
-    return Modulus(found["answer"], case, tuple(found["words"]))
+    return Modulus(found["answer"], case, tuple(found["words"]), found["curve"])

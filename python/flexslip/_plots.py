@@ -3,11 +3,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._answers import Estimate, Numbers, suiting
 from ._errors import one_of, wrong
+
+if TYPE_CHECKING:
+    from ._fields import ModulusFields
 
 _MM = 1 / 25.4
 _SMALL = {"font.size": 8, "axes.labelsize": 8, "axes.titlesize": 8, "legend.fontsize": 8, "xtick.labelsize": 8, "ytick.labelsize": 8, "axes.linewidth": 0.6,
@@ -24,13 +28,11 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
     """Draws one of the figures; gives its axes."""
     names = [figure["name"] for figure in figures]
     if not names:
-        raise ValueError("there is no figure: the test has no answer to draw")
+        raise ValueError("there is nothing to draw")
     name = names[0] if name is None else name
     one_of("figure", name, names)
     figure = figures[names.index(name)]
-    import matplotlib
-
-    with matplotlib.rc_context(_SMALL):
+    with matplotlib_style():
         axes = _axes_of(figure, ax)
         for panel, each in zip(figure["panels"], axes):
             _draw_panel(figure, {**panel, "own": ax is None}, each)
@@ -38,6 +40,91 @@ def plot(figures: Sequence[Mapping[str, Any]], name: str | None, ax: Any) -> Any
             for text in figure["texts"]:
                 axes[0].figure.text(text["x"] / figure["width"], text["y"] / figure["height"], _text(text["words"]), **_anchored(text))
     return axes[0] if len(axes) == 1 else axes
+
+
+_BLUE, _ORANGE, _VERMILLION, _BLACK = "#0072B2", "#E69F00", "#D55E00", "#000000"  # as report/plot.h
+
+
+class Curve:
+    """Force against deflection of a record, where there is no figure of a report: on new axes of the width of a column, or on those given."""
+
+    def __init__(self, deflection: Numbers, force: Numbers, reduced: bool, ax: Any) -> None:
+        import matplotlib.pyplot as plt
+
+        self.deflection, self.force = deflection, force
+        with matplotlib_style():
+            self.own = ax is None
+            self.ax = plt.subplots(figsize=(85 * _MM, 64 * _MM), layout="constrained")[1] if ax is None else _given_axes(ax, 1)[0]
+            length, self._to_length = suiting(deflection, "L" if reduced else "m")
+            unit, self._to_force = suiting(force, "EI/L^2" if reduced else "N")
+            self.ax.set_xlabel(_text(f"Deflection at midspan *w*_0 ({length})"))
+            self.ax.set_ylabel(_text(f"Force *F* ({unit})"))
+            self.ax.axhline(0, color=_BLACK, lw=0.75, zorder=1)
+            self.line(deflection, force, label="Measured", color=_BLUE, lw=0.5, marker="o", ms=1.7, mew=0, zorder=2)
+
+    def line(self, deflection: Any, force: Any, **style: Any) -> None:
+        """Draws deflections and forces in SI, or reduced, as those of the record."""
+        self.ax.plot(np.multiply(self._to_length, deflection), np.multiply(self._to_force, force), **style)
+
+    def finish(self) -> Any:
+        """Adds the key; gives the axes."""
+        with matplotlib_style():
+            if self.own:
+                self.ax.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, labelspacing=0.3, handlelength=2.2)
+            else:
+                self.ax.legend(loc="best")
+        return self.ax
+
+
+def matplotlib_style() -> Any:
+    """The letters and lines of the report, for what is drawn inside."""
+    import matplotlib
+
+    return matplotlib.rc_context(_SMALL)
+
+
+def record(deflection: Numbers, force: Numbers, reduced: bool, ax: Any) -> Any:
+    """A record alone; gives its axes."""
+    return Curve(deflection, force, reduced, ax).finish()
+
+
+def modulus(curve: Mapping[str, Any], found: ModulusFields, reduced: bool, ax: Any) -> Any:
+    """A record with its linear region and the chord of ISO 178, as far as there are such; gives its axes."""
+    drawn = Curve(curve["deflection"], curve["force"], reduced, ax)
+    if curve["linear_region"] is not None:
+        region = slice(*curve["linear_region"])
+        w, F = drawn.deflection[region], drawn.force[region]
+        slope = found.stiffness.value
+        ends = w[[0, -1]]
+        drawn.line(ends, F.mean() + slope * (ends - w.mean()), label=_with_value("Linear region", found.modulus, found.stiffness), color=_ORANGE, lw=4, alpha=0.6,
+                   solid_capstyle="butt", zorder=1.5)
+    if found.chord is not None:
+        ends = np.asarray(found.chord.deflection)
+        drawn.line(ends, _force_at(ends, drawn), label=_with_value("Chord of ISO 178", found.chord.modulus, found.chord.stiffness), color=_BLACK, lw=1.2, marker="o", ms=4,
+                   mfc="white", mew=1, zorder=4)
+    return drawn.finish()
+
+
+def _with_value(title: str, modulus: Estimate, stiffness: Estimate) -> str:
+    return f"{title}: {stiffness if modulus.value != modulus.value else modulus}"
+
+
+def _force_at(deflections: Numbers, drawn: Curve) -> Numbers:
+    """Forces of the loading, up to where it is bent the most."""
+    loading = slice(0, int(np.argmax(drawn.deflection)) + 1)
+    rising = np.maximum.accumulate(drawn.deflection[loading])
+    return np.interp(deflections, rising, drawn.force[loading])
+
+
+def _given_axes(ax: Any, count: int) -> Any:
+    """The axes that a user gives, one or as many as there are panels."""
+    given = np.atleast_1d(np.asarray(ax, dtype=object)).ravel()
+    if len(given) not in (1, count):
+        raise wrong("ax", f"{count} axes, or one" if count > 1 else "one Axes", f"{len(given)}")
+    for each in given:
+        if not hasattr(each, "plot"):
+            raise TypeError(f"ax: These must be matplotlib Axes, not {type(each).__name__}.")
+    return given
 
 
 def _axes_of(figure: Mapping[str, Any], ax: Any) -> Any:
@@ -50,13 +137,7 @@ def _axes_of(figure: Mapping[str, Any], ax: Any) -> Any:
         width, height = figure["width"], figure["height"]
         return np.array([made.add_axes((panel["left"] / width, panel["bottom"] / height, panel["width"] / width, panel["height"] / height))
                          for panel in panels], dtype=object)
-    given = np.atleast_1d(np.asarray(ax, dtype=object)).ravel()
-    if len(given) not in (1, len(panels)):
-        raise wrong("ax", f"{len(panels)} axes, or one" if len(panels) > 1 else "one Axes", f"{len(given)}")
-    for each in given:
-        if not hasattr(each, "plot"):
-            raise TypeError(f"ax: These must be matplotlib Axes, not {type(each).__name__}.")
-    return given
+    return _given_axes(ax, len(panels))
 
 
 def _text(markup: str) -> str:
