@@ -519,12 +519,12 @@ class Table(Sequence[Row], Generic[Row]):
     def _repr_html_(self) -> str:
         return str(self._shown()._repr_html_())
 
-    def _shown(self) -> pandas.DataFrame:
-        """As people read it: a column of numbers in the unit that suits its largest, which stands in its heading."""
+    def _shown(self, names: Iterable[str] | None = None) -> pandas.DataFrame:
+        """As people read it, all columns or some: one of numbers in the unit that suits its largest, which stands in its heading."""
         import pandas as pd
 
         columns = {}
-        for name in self.keys():
+        for name in self.keys() if names is None else names:
             entry, values = self._entry(name), self.column(name)
             unit = unit_of(entry, self._reduced)
             if entry["shape"] == "number" and values.dtype.kind == "f":

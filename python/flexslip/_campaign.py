@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import os
 import re
 import tempfile
@@ -9,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
-from ._answers import ANSWERS, table_of
+from ._answers import ANSWERS, readable, table_of
 from ._case import KEYS, cell_of, set_of
 from ._errors import InputError, in_python, one_of, path_of, positive, whole
 from ._fields import CampaignFields
@@ -17,6 +18,13 @@ from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 
 if TYPE_CHECKING:
     import pandas
+
+
+_SHOWN = (  # title, column of the value, column of its standard error
+    ("friction μ₀", "mu0", "mu0_standard_error"), ("wavelength", "wavelength", "wavelength_standard_error"),
+    ("friction's share of the work", "friction_share", "friction_share_error"), ("stiffness lost", "stiffness_lost", "stiffness_lost_error"),
+    ("modulus", "modulus", "modulus_standard_error"),
+)
 
 
 class Campaign(CampaignFields):
@@ -94,7 +102,27 @@ class Campaign(CampaignFields):
         import html
 
         notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
-        return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes]) + str(self._table()._repr_html_())
+        return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes, str(self._shown_tests()._repr_html_()), self._picture()])
+
+    def _picture(self) -> str:
+        if not self._part("figures") or importlib.util.find_spec("matplotlib") is None:
+            return ""
+        from . import _plots
+
+        return _plots.picture(self.plot())
+
+    def _shown_tests(self) -> pandas.DataFrame:
+        """What each test shows, in a few columns; :meth:`to_frame` has all."""
+        import pandas as pd
+
+        tests = self._table()
+        units = {line[0]: line[2] for line in tests.describe()}
+        columns = {"test": tests.test, "verdict": tests.verdict, "drops": ["" if drops is None or drops != drops else f"{drops:.0f}" for drops in tests.drops]}
+        for title, name, error in _SHOWN:
+            cells = ["" if value != value else readable(value, units[name], spread if spread > 0 else None) for value, spread in zip(tests[name], tests[error])]
+            if any(cells):
+                columns[title] = cells
+        return pd.DataFrame(columns).set_index("test")
 
 
 def _kind_of_cause(failure: Any) -> str:

@@ -1,6 +1,7 @@
 """Planned tests."""
 from __future__ import annotations
 
+import importlib.util
 import reprlib
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -118,7 +119,19 @@ class DesignMap(_Kept):
         return f"<DesignMap of {len(self)} designs>"
 
     def _repr_html_(self) -> str:
-        return str(self.designs._repr_html_())
+        return str(self.designs._shown(self._columns())._repr_html_()) + self._picture()
+
+    def _columns(self) -> list[str]:
+        """The parameters, which come before the status, and what a test of each design shows."""
+        names = self.designs.keys()
+        return [*names[:names.index("status")], "snaps", "drops", "largest_drop", "greatest_force"]
+
+    def _picture(self) -> str:
+        if importlib.util.find_spec("matplotlib") is None:
+            return ""
+        from . import _plots
+
+        return _plots.picture(self.plot())
 
 
 def _map_again(data: Mapping[str, Any], case: Case, entries: Any, kept: Mapping[str, Any]) -> DesignMap:

@@ -1,6 +1,8 @@
 """The report's figures, drawn with matplotlib: each is data (src/report/plot.h), and one function draws them all."""
 from __future__ import annotations
 
+import base64
+import io
 import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -81,6 +83,17 @@ def matplotlib_style() -> Any:
     import matplotlib
 
     return matplotlib.rc_context(_SMALL)
+
+
+def picture(axes: Any) -> str:
+    """A new figure as an image of a page (HTML); it is closed, so that a notebook does not show it twice."""
+    import matplotlib.pyplot as plt
+
+    figure = np.atleast_1d(np.asarray(axes, dtype=object)).ravel()[0].figure
+    file = io.BytesIO()
+    figure.savefig(file, format="png", dpi=144, facecolor="white")
+    plt.close(figure)
+    return f'<img style="max-width:100%" width="{96 * figure.get_figwidth():.0f}" src="data:image/png;base64,{base64.b64encode(file.getvalue()).decode()}">'
 
 
 def record(deflection: Numbers, force: Numbers, reduced: bool, ax: Any) -> Any:
