@@ -132,7 +132,7 @@ def _kind_of_cause(failure: Any) -> str:
 
 def _cause(failure: Any) -> str:
     """Why a test could not be evaluated, without the row or the line where it is said."""
-    return re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason))
+    return in_python(re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason)))
 
 
 def _split(entry: Mapping[str, Any], name: str) -> list[dict[str, Any]]:

@@ -99,12 +99,28 @@ def in_python(text: str) -> str:
     def argument(found: re.Match[str]) -> str:
         value = found.group(3) or ""
         is_bare = value[:1] in '"' or value[:1].isdigit() or (value.isupper() and len(value) > 2)
-        return (found.group(1) or "") + found.group(2).replace("-", "_") + "=" + (value if is_bare else f'"{value}"')
+        return (found.group(1) or "") + _argument(found.group(2)) + "=" + (value if is_bare else f'"{value}"')
 
     text = _KEYS.sub(lambda found: ("Pass " if found.group(0).startswith("W") else "pass ") + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
     text = re.sub(r"^--set: (?=\w+\.)", "", text)  # a key by its whole name follows
-    text = re.sub(r"^--([a-z-]+): ", lambda found: found.group(1).replace("-", "_") + ": ", text)
+    text = re.sub(r"^--([a-z-]+): ", lambda found: f"{_argument(found.group(1))}: ", text)
+    text = re.sub(r"\b(?:modulus|fit) --([a-z-]+)", lambda found: f"{_argument(found.group(1))}=…", text)
+    text = re.sub(r"\bflexslip (\w+) FILE\b", r"flexslip.\1(file)", text)
     return re.sub(r"\bflexslip (sweep|fit|simulate|design|read|surface|modulus)\b", r"flexslip.\1", _FLAG.sub(argument, text))
+
+
+def _argument(flag: str) -> str:
+    """The argument that a flag of the command line is."""
+    return "friction_range" if flag == "friction" else flag.replace("-", "_")
+
+
+_VALUE = r'(?: = ("[^"]*"|[\w.%]+))?'
+
+
+def advice(text: str) -> str:
+    """What the program says of an answer, with arguments instead of flags and of keys of a case file: [friction] mu0 is friction={"mu0": …}."""
+    text = re.sub(r"\[(friction|stage)\] (\w+)" + _VALUE, lambda found: f'{found[1]}={{"{found[2]}": {found[3] or "…"}}}', in_python(text))
+    return re.sub(r"\[(?:specimen|rig|record)\] (\w+)" + _VALUE, lambda found: found[1] + (f"={found[2]}" if found[2] else ""), text)
 
 
 _ADDED = re.compile(r'(\w+) = ("[^"]*"|\[[^\]]*\]|[^,\s]+)')

@@ -11,7 +11,7 @@ import numpy as np
 from . import _flexslip
 from ._answers import ANSWERS, same, table_of
 from ._case import Case, case_of, in_words_of, with_keywords
-from ._errors import one_of, path_of, positive
+from ._errors import advice, one_of, path_of, positive
 from ._fields import FitDraws, FitFields
 
 if TYPE_CHECKING:
@@ -71,7 +71,13 @@ class Fit(FitFields):
     def message(self) -> str:
         """The verdict's sentence; where there is no answer, what to do about it, too."""
         has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
-        return self.verdict.sentence if has_answer or not self.next else f"{self.verdict.sentence} {self.next}"
+        sentence = advice(self.verdict.sentence)
+        return sentence if has_answer or not self.next else f"{sentence} {self.next}"
+
+    @property
+    def next(self) -> str:
+        """The next step, in words of Python."""
+        return advice(super().next)
 
     @property
     def curves(self) -> FitCurvesTable:
@@ -180,7 +186,7 @@ class Fit(FitFields):
     def _found(self) -> list[str]:
         """The findings that did not pass, each with its remedy; of what the verdict says itself the remedy alone."""
         told = [each for each in self.findings if each.severity not in ("passed", "unjudged")]
-        return [words for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
+        return [advice(words) for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
 
     def _parameters_hold(self) -> bool:
         return self.success and self.verdict.code in ("slip", "undecided", "no_drops")

@@ -6,7 +6,7 @@ from typing import Any
 
 from . import _flexslip
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
-from ._errors import wrong
+from ._errors import advice, wrong
 from ._fields import ModulusFields
 
 
@@ -107,4 +107,4 @@ def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None,
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         found = _flexslip.modulus(given, _window(window), _friction(friction_range))
-    return Modulus(found["answer"], case, tuple(found["words"]), found["curve"])
+    return Modulus(found["answer"], case, tuple(map(advice, found["words"])), found["curve"])

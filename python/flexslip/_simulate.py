@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from . import _flexslip
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
-from ._errors import whole
+from ._errors import advice, whole
 from ._fields import ProfileFields, SimulationFields
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ class Simulation(SimulationFields):
         self._test = test
         self._kept: dict[str, Any] = dict(kept or {})
         if test is not None:
-            self._kept |= {"remarks": tuple(test.remarks), "message": test.why_it_ends}
+            self._kept |= {"remarks": tuple(map(advice, test.remarks)), "message": advice(test.why_it_ends)}
 
     def __reduce__(self) -> tuple[Any, ...]:
         self._figures()
@@ -184,4 +184,4 @@ def friction_profile(file: Any = None, *arrays: Any, set: Mapping[str, Any] | No
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         answer = _flexslip.friction_profile(given)
-    return Profile(answer["answer"], case, tuple(answer["remarks"]), answer["why_no_answer"])
+    return Profile(answer["answer"], case, tuple(map(advice, answer["remarks"])), advice(answer["why_no_answer"]))
