@@ -4,6 +4,7 @@ import contextlib
 import doctest
 import importlib
 import io
+import json
 import os
 import pathlib
 import pkgutil
@@ -38,6 +39,23 @@ class Guide(unittest.TestCase):
                     exec(compile(code, "docs/scripting.md", "exec"), names)
                 with self.subTest(code):
                     self.assertEqual(out.getvalue(), printed)
+            os.chdir(SOURCE)
+
+
+class Notebooks(unittest.TestCase):
+    def test_outside_the_cells_of_every_notebook_run_in_order(self):
+        os.environ["FLEXSLIP_ROOT"] = str(SOURCE)
+        self.addCleanup(os.chdir, SOURCE)
+        paths = sorted((SOURCE / "docs/notebooks").glob("*.ipynb"))
+        self.assertGreater(len(paths), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            for path in paths:
+                names = {"__name__": "__main__"}
+                for number, cell in enumerate(json.loads(path.read_text(encoding="utf-8"))["cells"]):
+                    if cell["cell_type"] == "code":
+                        with self.subTest(path.stem, cell=number), contextlib.redirect_stdout(io.StringIO()):
+                            exec(compile("".join(cell["source"]), f"{path.name}, cell {number}", "exec"), names)
             os.chdir(SOURCE)
 
 
