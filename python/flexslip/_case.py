@@ -283,7 +283,9 @@ def _column(name: str, given: object, reduced: bool) -> Numbers:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
 
     def refuse_cell(at: int) -> InputError:
-        place, kept = (f"column {given.name!r}, row {given.index[at]!r}", f"frame.drop(index={given.index[at]!r})") if is_series(given) else (f"{name}[{at}]", "stage[keep], force[keep]")
+        place, kept = f"{name}[{at}]", "stage[keep], force[keep]"
+        if is_series(given):
+            place, kept = f"column {given.name!r}, row {given.index[at]!r}", f"frame.drop(index={given.index[at]!r})"
         return wrong(place, "a finite number", repr(array[at]), f"leave such rows out, as in {kept}", key=f"record.{name}")
 
     if array.dtype.kind == "O" and array.ndim == 1 and any(map(_is_number, array)):

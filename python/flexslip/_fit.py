@@ -214,7 +214,8 @@ def _concluded(data: Data) -> dict[str, object]:
     """What is measured and concluded, without where and how the record was read, and without remedies, which are in words of the door."""
     left = {name: value for name, value in data.items() if name not in ("name", "provenance", "preparation", "next")}
     findings = cast("Columns", left["findings"])
-    left["findings"] = {"rows": findings["rows"], "absent": findings["absent"], "columns": {name: values for name, values in findings["columns"].items() if name != "remedy"}}
+    concluded = {name: values for name, values in findings["columns"].items() if name != "remedy"}
+    left["findings"] = {"rows": findings["rows"], "absent": findings["absent"], "columns": concluded}
     return left
 
 

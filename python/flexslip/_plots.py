@@ -4,7 +4,7 @@ from __future__ import annotations
 import base64
 import io
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Union
@@ -54,7 +54,7 @@ def plot(figures: Sequence[Figure], name: str | None, ax: Drawn | None) -> Drawn
     return axes[0] if len(axes) == 1 else axes
 
 
-_BLUE, _ORANGE, _VERMILLION, _BLACK = "#0072B2", "#E69F00", "#D55E00", "#000000"  # as report/plot.h
+_BLUE, _ORANGE, _BLACK = "#0072B2", "#E69F00", "#000000"  # as report/plot.h
 
 
 class Curve:
@@ -120,12 +120,12 @@ def modulus(curve: RecordCurve, found: ModulusFields, reduced: bool, ax: Axes | 
         w, F = drawn.deflection[region], drawn.force[region]
         slope = found.stiffness.value
         ends = w[[0, -1]]
-        drawn.line(ends, F.mean() + slope * (ends - w.mean()), label=_with_value("Linear region", found.modulus, found.stiffness), color=_ORANGE, lw=4, alpha=0.6,
-                   solid_capstyle="butt", zorder=1.5)
+        title = _with_value("Linear region", found.modulus, found.stiffness)
+        drawn.line(ends, F.mean() + slope * (ends - w.mean()), label=title, color=_ORANGE, lw=4, alpha=0.6, solid_capstyle="butt", zorder=1.5)
     if found.chord is not None:
         ends = np.asarray(found.chord.deflection)
-        drawn.line(ends, _force_at(ends, drawn), label=_with_value("Chord of ISO 178", found.chord.modulus, found.chord.stiffness), color=_BLACK, lw=1.2, marker="o", ms=4,
-                   mfc="white", mew=1, zorder=4)
+        title = _with_value("Chord of ISO 178", found.chord.modulus, found.chord.stiffness)
+        drawn.line(ends, _force_at(ends, drawn), label=title, color=_BLACK, lw=1.2, marker="o", ms=4, mfc="white", mew=1, zorder=4)
     return drawn.finish()
 
 

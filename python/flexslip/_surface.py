@@ -18,6 +18,7 @@ from ._case import quantity_in_words
 from ._errors import whole, wrong
 
 Numbers = npt.NDArray[np.float64]
+Value = str | float
 Frequencies = TypeVar("Frequencies", float, Numbers)
 
 FEWEST_HEIGHTS = 64  # that tell a spectrum
@@ -537,8 +538,9 @@ def _in_nanometres(length: float) -> str:
     return str(_flexslip.readable(length, "m"))
 
 
-def surface(heights: npt.ArrayLike, step: str | float, *, level: int = 1, wavelength: str | float | Sequence[str | float] | Numbers | None = None, amplitude: str | float | None = None, pixel: str | float | None = None, noise: str | float | None = None,
-            shortest: str | float | None = None, longest: str | float | None = None, tapers: int = 7) -> Surface:
+def surface(heights: npt.ArrayLike, step: Value, *, level: int = 1, wavelength: Value | Sequence[Value] | Numbers | None = None,
+            amplitude: Value | None = None, pixel: Value | None = None, noise: Value | None = None, shortest: Value | None = None,
+            longest: Value | None = None, tapers: int = 7) -> Surface:
     """What a height profile shows of a surface: height and slope, waves, and which waves it could show at all.
 
     Parameters
