@@ -13,9 +13,9 @@ function(flexslip_name_if_missing file target)
     message(WARNING \"Not installed: ${file}, which is not built. Build the target ${target} first.\")
   endif()" COMPONENT program)
 endfunction()
-flexslip_name_if_missing(flexslip.1 man)
+flexslip_name_if_missing(man/flexslip.1 man)
 flexslip_name_if_missing(completions/flexslip.bash completions)
-install(FILES ${PROJECT_BINARY_DIR}/flexslip.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/completions/flexslip.bash RENAME flexslip
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program OPTIONAL)
 install(FILES ${PROJECT_BINARY_DIR}/completions/_flexslip

@@ -6,19 +6,24 @@ import html
 import keyword
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Generic, SupportsFloat, SupportsIndex, TypeVar, cast, overload
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
 
 # {"fit --json": {"what", "is_table", "entries"}}
-ANSWERS: dict[str, dict[str, Any]] = _flexslip.answers()
+ANSWERS = _flexslip.answers()
 NAN = float("nan")
+Numbers = npt.NDArray[np.float64]
+Data = Mapping[str, object]  # of an answer, as its JSON has it
 Row = TypeVar("Row", covariant=True)
 
 if TYPE_CHECKING:
     import pandas
+
+    from ._flexslip import Columns, Entry
 
 
 class Quantity(float):
@@ -38,7 +43,7 @@ class Quantity(float):
         new.unit = unit
         return new
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Quantity, (float(self), self.unit)
 
     def __repr__(self) -> str:
@@ -70,22 +75,23 @@ class Estimate:
     unit : str
         ``"1"`` of plain numbers.
 
-    A format is that of the value, ``f"{mu0:.3f}"``; without one, the value and its error.
+    It formats, rounds and compares by its value: ``f"{mu0:.3f}"``, ``round(mu0, 2)``, ``mu0 > 0.3``; without a format it is its value and error. Two
+    estimates of different units are never equal and cannot be ordered.
     """
 
-    def __init__(self, data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]] = (), name: str = "", meaning: str = "") -> None:
+    def __init__(self, data: Data, entries: Sequence[Entry] = (), name: str = "", meaning: str = "") -> None:
         self._data = data
         self._entries = entries
         self.name, self.meaning = name, meaning
         self.value: float = _float(data.get("value"))
         self.stderr: float = _float(data.get("standard_error"))
-        low, high = data.get("interval95") or (None, None)
+        low, high = cast("Sequence[float | None] | None", data.get("interval95")) or (None, None)
         self.ci95: tuple[float, float] = (_float(low), _float(high))
-        self.unit: str = data.get("unit") or "1"
+        self.unit = str(data.get("unit") or "1")
 
     if not TYPE_CHECKING:  # what else stands beside an estimate is known to its class in _fields.pyi
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name: str) -> object:
             for entry in self.__dict__.get("_entries", ()):
                 if entry["name"] == name:
                     return _read(self._data.get(name), entry, {})
@@ -94,7 +100,7 @@ class Estimate:
     def __dir__(self) -> list[str]:
         return [*super().__dir__(), *(entry["name"] for entry in self._entries)]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Estimate, (self._data, self._entries, self.name, self.meaning)
 
     def __float__(self) -> float:
@@ -103,13 +109,43 @@ class Estimate:
     def __format__(self, spec: str) -> str:
         return format(self.value, spec) if spec else str(self)
 
+    @overload
+    def __round__(self, digits: None = None) -> int: ...
+    @overload
+    def __round__(self, digits: SupportsIndex) -> float: ...
+
+    def __round__(self, digits: SupportsIndex | None = None) -> float:
+        return round(self.value) if digits is None else round(self.value, digits)
+
+    def _is_of_unit(self, other: object) -> bool:
+        """Does the other have the same unit, or none that it states?"""
+        return getattr(other, "unit", self.unit) == self.unit
+
+    def _beside(self, other: Estimate | float) -> float:
+        """The value of what it is compared with."""
+        if not self._is_of_unit(other):
+            raise TypeError(f"a number in {self.unit} cannot be compared with one in {getattr(other, 'unit')}")
+        return float(other)
+
+    def __lt__(self, other: Estimate | float) -> bool:
+        return self.value < self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __le__(self, other: Estimate | float) -> bool:
+        return self.value <= self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __gt__(self, other: Estimate | float) -> bool:
+        return self.value > self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
+    def __ge__(self, other: Estimate | float) -> bool:
+        return self.value >= self._beside(other) if isinstance(other, _COMPARED) else NotImplemented
+
     def __eq__(self, other: object) -> bool:
-        if not isinstance(other, Estimate):
+        if not isinstance(other, _COMPARED):
             return NotImplemented
-        return same(self._data, other._data)
+        return self._is_of_unit(other) and self.value == float(other)
 
     def __hash__(self) -> int:
-        return hash((self.value, self.stderr, self.unit))
+        return hash(self.value)
 
     def __str__(self) -> str:
         if self.value != self.value:
@@ -122,7 +158,10 @@ class Estimate:
         return f"<{self.name + ': ' if self.name else ''}{self}>"
 
 
-def same(mine: Any, theirs: Any) -> bool:
+_COMPARED = (Estimate, int, float, np.integer, np.floating)
+
+
+def same(mine: object, theirs: object) -> bool:
     """Are two data equal, what is not there (NaN) as well?"""
     if isinstance(mine, np.ndarray) or isinstance(theirs, np.ndarray):
         if not (isinstance(mine, np.ndarray) and isinstance(theirs, np.ndarray)):
@@ -135,8 +174,8 @@ def same(mine: Any, theirs: Any) -> bool:
     return bool(mine == theirs or (mine != mine and theirs != theirs))
 
 
-def _float(value: Any) -> float:
-    return NAN if value is None else float(value)
+def _float(value: object) -> float:
+    return NAN if value is None else float(cast(SupportsFloat, value))
 
 
 def meant(name: str, names: Iterable[str]) -> str:
@@ -152,27 +191,28 @@ def _attribute(name: str) -> str:
     return name + "_" if keyword.iskeyword(name) else name
 
 
-def unit_of(entry: Mapping[str, Any], reduced: bool) -> str:
-    return str(entry["reduced_unit" if reduced else "unit"])
+def unit_of(entry: Entry, reduced: bool) -> str:
+    return entry["reduced_unit"] if reduced else entry["unit"]
 
 
-def _read(value: Any, entry: Mapping[str, Any], classes: Mapping[str, type], reduced: bool = False) -> Any:
+def _read(value: object, entry: Entry, classes: Mapping[str, type[Answer]], reduced: bool = False) -> object:
     """A value of an answer's data as what a user meets."""
     shape = entry["shape"]
     if shape == "number":
         return _float(value)
     if shape == "estimate":
-        return Estimate(value or {"unit": unit_of(entry, reduced)}, entry["entries"], entry["name"], entry["meaning"])
+        return Estimate(cast(Data, value) or {"unit": unit_of(entry, reduced)}, entry["entries"], entry["name"], entry["meaning"])
     if value is None:
         return None
     if shape == "quantity":
-        return Quantity(_float(value["value"]), value["unit"])
+        quantity = cast(Data, value)
+        return Quantity(_float(quantity["value"]), str(quantity["unit"]))
     if shape == "group":
-        return classes[entry["name"]](value, reduced)
+        return classes[entry["name"]](cast(Data, value), reduced)
     if shape == "list":
-        return Table(value, classes[entry["name"]], reduced=reduced)
+        return Table(cast("Columns", value), classes[entry["name"]], reduced=reduced)
     if shape == "by_name":
-        return {name: classes[entry["name"]](part, reduced) for name, part in value.items()}
+        return {name: classes[entry["name"]](part, reduced) for name, part in cast(Mapping[str, Data], value).items()}
     if shape == "words" and isinstance(value, list):
         return tuple(value)
     return value
@@ -184,16 +224,16 @@ class Answer:
     A number or an estimate that does not exist is NaN; words, groups and lists that do not are None. :meth:`describe` says what each is.
     """
 
-    _entries: Sequence[Mapping[str, Any]] = ()
-    _classes: Mapping[str, type] = {}
+    _entries: Sequence[Entry] = ()
+    _classes: Mapping[str, type[Answer]] = {}
     _title = ""
     _caption = ""  # in words
 
-    def __init__(self, data: Mapping[str, Any], reduced: bool = False) -> None:
+    def __init__(self, data: Data, reduced: bool = False) -> None:
         self._data = data
         self._reduced = reduced  # are its numbers in reduced variables?
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         if not type(self)._path:
             return _row_again, (self._data, type(self)._entries, self._reduced)
         return _made, (type(self)._path, self._data, self._reduced)
@@ -214,13 +254,13 @@ class Answer:
 
     if not TYPE_CHECKING:  # to which every name would be one
 
-        def __getattr__(self, name: str) -> Any:
+        def __getattr__(self, name: str) -> object:
             if name.startswith("_"):
                 raise AttributeError(name)
             is_known = any(_attribute(entry["name"]) == name for entry in self._entries)
             raise AttributeError(f"this answer has no {name!r}; it has {', '.join(self._data)}" if is_known else self._has_no(name))
 
-    def _of(self, entry: Mapping[str, Any]) -> Any:
+    def _of(self, entry: Entry) -> object:
         if entry["name"] not in self._data and entry["shape"] != "estimate":
             raise AttributeError(entry["name"])  # __getattr__ says it
         return _read(self._data.get(entry["name"]), entry, self._classes, self._reduced)
@@ -254,7 +294,7 @@ class Answer:
         """As JSON has it: dicts, lists, numbers, None."""
         return {entry["name"]: _plain(self._data[entry["name"]], entry) for entry in self._in_order() }
 
-    def _in_order(self) -> list[Mapping[str, Any]]:
+    def _in_order(self) -> list[Entry]:
         entries = {entry["name"]: entry for entry in self._entries}
         return [entries[name] for name in self._data]
 
@@ -303,7 +343,7 @@ class Answer:
         return f"<table><caption>{html.escape(self._caption or self._title)}</caption>{rows}</table>"
 
 
-def _in_short(value: Any, unit: str) -> str:
+def _in_short(value: object, unit: str) -> str:
     if isinstance(value, Table):
         return f"{len(value)} rows: {', '.join(value.keys())}"
     if isinstance(value, Answer):
@@ -325,24 +365,24 @@ def _in_brackets(unit: str) -> str:
     return f" [{unit}]" if unit not in ("1", "") else ""
 
 
-def _none_of(value: Any) -> Any:
+def _none_of(value: object) -> object:
     return None if isinstance(value, float) and value != value else value
 
 
-def _plain(value: Any, entry: Mapping[str, Any]) -> Any:
+def _plain(value: object, entry: Entry) -> object:
     shape = entry["shape"]
     if value is None:
         return None
     if isinstance(value, np.ndarray):
         return [_none_of(each) for each in value.tolist()]
     if shape == "list":
-        return Table(value, Answer, entry["entries"]).to_dicts()
+        return Table(cast("Columns", value), Answer, entry["entries"]).to_dicts()
     if shape == "group":
         entries = {each["name"]: each for each in entry["entries"]}
-        return {name: _plain(part, entries[name]) for name, part in value.items()}
+        return {name: _plain(part, entries[name]) for name, part in cast(Data, value).items()}
     if shape == "by_name":
         entries = {each["name"]: each for each in entry["entries"]}
-        return {key: {name: _plain(part, entries[name]) for name, part in group.items()} for key, group in value.items()}
+        return {key: {name: _plain(part, entries[name]) for name, part in group.items()} for key, group in cast(Mapping[str, Data], value).items()}
     return _none_of(value)
 
 
@@ -359,13 +399,13 @@ class Table(Sequence[Row], Generic[Row]):
     True
     """
 
-    def __init__(self, data: Mapping[str, Any], of: Any, entries: Sequence[Mapping[str, Any]] | None = None, reduced: bool = False) -> None:
+    def __init__(self, data: Columns, of: type[Answer], entries: Sequence[Entry] | None = None, reduced: bool = False) -> None:
         self._data = data
         self._reduced = reduced
         self._of = of
-        self._entries: Sequence[Mapping[str, Any]] = of._entries if entries is None else entries
+        self._entries = of._entries if entries is None else entries
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         if not self._of._path:
             return table_of, (self._data, self._entries, self._reduced)
         return _table_of, (self._data, self._of._path, self._reduced)
@@ -374,7 +414,7 @@ class Table(Sequence[Row], Generic[Row]):
         """The names of its columns."""
         return list(self._data["columns"])
 
-    def column(self, name: str) -> Any:
+    def column(self, name: str) -> npt.NDArray[Any]:
         """A column: a NumPy array of numbers, or of objects."""
         if name not in self._data["columns"]:
             raise KeyError(f"no column {name!r}; there are {', '.join(self.keys())}")
@@ -384,16 +424,16 @@ class Table(Sequence[Row], Generic[Row]):
         entry = self._entry(name)
         out = np.empty(len(values), dtype=object)
         for i, value in enumerate(values):
-            out[i] = _read(value, entry, getattr(self._of, "_classes", {}), self._reduced)
+            out[i] = _read(value, entry, self._of._classes, self._reduced)
         return out
 
-    def _entry(self, name: str) -> Mapping[str, Any]:
+    def _entry(self, name: str) -> Entry:
         for entry in self._entries:
             if entry["name"] == name:
                 return entry
         raise KeyError(name)
 
-    def __getattr__(self, name: str) -> Any:
+    def __getattr__(self, name: str) -> npt.NDArray[Any]:
         columns = self.__dict__.get("_data", {}).get("columns", {})
         if name in columns:
             return self.column(name)
@@ -407,7 +447,7 @@ class Table(Sequence[Row], Generic[Row]):
     def __len__(self) -> int:
         return int(self._data["rows"])
 
-    def _row(self, i: int) -> dict[str, Any]:
+    def _row(self, i: int) -> dict[str, object]:
         absent = self._data["absent"]
         row = {}
         for name, values in self._data["columns"].items():
@@ -422,15 +462,15 @@ class Table(Sequence[Row], Generic[Row]):
     @overload
     def __getitem__(self, at: slice) -> list[Row]: ...
     @overload
-    def __getitem__(self, at: str) -> Any: ...
+    def __getitem__(self, at: str) -> npt.NDArray[Any]: ...
 
-    def __getitem__(self, at: Any) -> Any:
+    def __getitem__(self, at: int | slice | str) -> Row | list[Row] | npt.NDArray[Any]:
         if isinstance(at, str):
             return self.column(at)
         if isinstance(at, slice):
             return [self[i] for i in range(*at.indices(len(self)))]
         i = range(len(self))[at]
-        return self._of({name: _none_of(value) for name, value in self._row(i).items()}, self._reduced)
+        return cast(Row, self._of({name: _none_of(value) for name, value in self._row(i).items()}, self._reduced))
 
     def to_dicts(self) -> list[dict[str, Any]]:
         """The rows as JSON has them."""
@@ -452,16 +492,17 @@ class Table(Sequence[Row], Generic[Row]):
         """A pandas.DataFrame: an estimate takes four columns, NAME, NAME_standard_error, NAME_low and NAME_high; `attrs["units"]` has the units."""
         import pandas as pd
 
-        columns: dict[str, Any] = {}
+        columns: dict[str, npt.NDArray[Any]] = {}
         units: dict[str, str] = {}
         for name, values in self._data["columns"].items():
             entry = self._entry(name)
             if entry["shape"] == "estimate":
-                read = [Estimate(value or {}) for value in values]
+                data = cast("list[Data | None]", values)
+                read = [Estimate(value or {}) for value in data]
                 parts = [(e.value, e.stderr, *e.ci95) for e in read]
                 for k, suffix in enumerate(("", "_standard_error", "_low", "_high")):
                     columns[name + suffix] = np.array([part[k] for part in parts])
-                    units[name + suffix] = next((value["unit"] for value in values if value), "")
+                    units[name + suffix] = next((str(value["unit"]) for value in data if value), "")
                 continue
             columns[name] = values if isinstance(values, np.ndarray) else self.column(name)
             if entry["unit"]:
@@ -485,12 +526,12 @@ class Table(Sequence[Row], Generic[Row]):
     def _repr_html_(self) -> str:
         return str(self._shown()._repr_html_())
 
-    def _shown(self) -> pandas.DataFrame:
-        """As people read it: a column of numbers in the unit that suits its largest, which stands in its heading."""
+    def _shown(self, names: Iterable[str] | None = None) -> pandas.DataFrame:
+        """As people read it, all columns or some: one of numbers in the unit that suits its largest, which stands in its heading."""
         import pandas as pd
 
         columns = {}
-        for name in self.keys():
+        for name in self.keys() if names is None else names:
             entry, values = self._entry(name), self.column(name)
             unit = unit_of(entry, self._reduced)
             if entry["shape"] == "number" and values.dtype.kind == "f":
@@ -502,21 +543,30 @@ class Table(Sequence[Row], Generic[Row]):
         return pd.DataFrame(columns)
 
 
-def _in_one_unit(values: Any, unit: str) -> tuple[str, list[str]]:
-    """Numbers as text, in the unit that suits the largest of them, and that unit."""
-    largest, scale = float(np.abs(values[np.isfinite(values)]).max(initial=0)), 1.0
+def suiting(values: Numbers, unit: str) -> tuple[str, float]:
+    """The unit that suits the largest of some numbers, and the factor to it."""
+    largest = float(np.abs(values[np.isfinite(values)]).max(initial=0))
     if unit not in _PLAIN and largest > 0:
         number, _, suits = readable(largest, unit).partition(" ")
         if suits:
-            unit, scale = suits, 10.0 ** round(math.log10(float(number) / largest))  # units differ by powers of ten
+            return suits, 10.0 ** round(math.log10(float(number) / largest))  # units differ by powers of ten
+    return unit, 1.0
+
+
+def _in_one_unit(values: Numbers, unit: str) -> tuple[str, list[str]]:
+    """Numbers as text, in the unit that suits the largest of them, and that unit."""
+    unit, scale = suiting(values, unit)
     return unit, ["" if value != value else readable(value, "") for value in (values * scale).tolist()]
 
 
-class Description(Sequence[Any]):
+Line = tuple[str, str, str, str]  # name, shape, unit, meaning
+
+
+class Description(Sequence[Line]):
     """What an answer holds: a line for each number, its name, unit and meaning."""
 
-    def __init__(self, entries: Sequence[Mapping[str, Any]], reduced: bool = False, above: str = "") -> None:
-        self._lines: list[tuple[str, str, str, str]] = []
+    def __init__(self, entries: Sequence[Entry], reduced: bool = False, above: str = "") -> None:
+        self._lines: list[Line] = []
         for entry in entries:
             name = above + entry["name"]
             self._lines.append((name, entry["shape"], unit_of(entry, reduced), entry["meaning"]))
@@ -526,7 +576,12 @@ class Description(Sequence[Any]):
     def __len__(self) -> int:
         return len(self._lines)
 
-    def __getitem__(self, at: Any) -> Any:
+    @overload
+    def __getitem__(self, at: int) -> Line: ...
+    @overload
+    def __getitem__(self, at: slice) -> list[Line]: ...
+
+    def __getitem__(self, at: int | slice) -> Line | list[Line]:
         return self._lines[at]
 
     def to_frame(self) -> pandas.DataFrame:
@@ -545,70 +600,68 @@ class Description(Sequence[Any]):
 
 
 # Classes are made from what describes the answers, so that help() and completion know every number.
-_MADE: dict[tuple[str, ...], type] = {}
+_MADE: dict[tuple[str, ...], type[Answer]] = {}
 
 
 def _camel(name: str) -> str:
     return "".join(part.capitalize() for part in name.split("_"))
 
 
-def _doc_of(entry: Mapping[str, Any]) -> str:
+def _doc_of(entry: Entry) -> str:
     unit, meaning = str(entry["unit"]), str(entry["meaning"])
     return meaning + (f" [{unit}]" if unit else "")
 
 
-def _property_of(entry: Mapping[str, Any]) -> property:
-    def get(self: Answer) -> Any:
+def _property_of(entry: Entry) -> property:
+    def get(self: Answer) -> object:
         return self._of(entry)
 
     return property(get, doc=_doc_of(entry))
 
 
-def make_class(path: tuple[str, ...], entries: Sequence[Mapping[str, Any]], name: str, what: str, base: type = Answer) -> type:
+def make_class(path: tuple[str, ...], entries: Sequence[Entry], name: str, what: str) -> type[Answer]:
     """The class of an answer, and those of its groups and lists."""
     classes = {}
     for entry in entries:
         if entry["shape"] in ("group", "list", "by_name"):
             classes[entry["name"]] = make_class((*path, entry["name"]), entry["entries"], name.removesuffix("Fields") + _camel(entry["name"]), entry["meaning"])
     caption = what[:1].upper() + what[1:]
-    members: dict[str, Any] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "_caption": caption, "__doc__": what, "__module__": "flexslip"}
+    members: dict[str, object] = {"_entries": entries, "_classes": classes, "_path": path, "_title": name, "_caption": caption, "__doc__": what, "__module__": "flexslip"}
     for entry in entries:
         attribute = _attribute(entry["name"])
-        if hasattr(base, attribute) and base is Answer:
+        if hasattr(Answer, attribute):
             raise TypeError(f"{name}.{attribute} is a method of every answer")  # a field needs another name in Python
         members[attribute] = _property_of(entry)
-    made = type(name, (base,), members)
+    made = cast(type[Answer], type(name, (Answer,), members))
     _MADE[path] = made
     return made
 
 
-
-
-def made_classes() -> list[type]:
+def made_classes() -> list[type[Answer]]:
     """All of them."""
     return list(_MADE.values())
 
 
-def _made(path: tuple[str, ...], data: Mapping[str, Any], reduced: bool) -> Any:
+def _made(path: tuple[str, ...], data: Data, reduced: bool) -> Answer:
     return _MADE[path](data, reduced)
 
 
-def _table_of(data: Mapping[str, Any], path: tuple[str, ...], reduced: bool) -> Table[Any]:
+def _table_of(data: Columns, path: tuple[str, ...], reduced: bool) -> Table[Answer]:
     return Table(data, _MADE[path], reduced=reduced)
 
 
-def table_of(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool = False) -> Any:
+def table_of(data: Columns, entries: Sequence[Entry], reduced: bool = False) -> Table[Answer]:
     """A table of an answer that is one itself; _fields.pyi has the types of those whose columns are known."""
     return Table(data, _row_class(entries), reduced=reduced)
 
 
-def _row_class(entries: Sequence[Mapping[str, Any]]) -> type:
+def _row_class(entries: Sequence[Entry]) -> type[Answer]:
     """The class of a row of such a table."""
-    row = type("Row", (Answer,), {"_entries": entries, "_title": "Row"})
+    row = cast(type[Answer], type("Row", (Answer,), {"_entries": entries, "_title": "Row"}))
     for entry in entries:
         setattr(row, _attribute(entry["name"]), _property_of(entry))
     return row
 
 
-def _row_again(data: Mapping[str, Any], entries: Sequence[Mapping[str, Any]], reduced: bool) -> Any:
+def _row_again(data: Data, entries: Sequence[Entry], reduced: bool) -> Answer:
     return _row_class(entries)(data, reduced)

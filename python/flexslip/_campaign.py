@@ -2,21 +2,35 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import os
 import re
 import tempfile
 from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
-from ._answers import ANSWERS, table_of
+from ._answers import ANSWERS, Answer, Data, Table, readable, table_of
 from ._case import KEYS, cell_of, set_of
-from ._errors import InputError, in_python, one_of, path_of, positive, whole
+from ._errors import InputError, Path, in_python, one_of, path_of, positive, whole
 from ._fields import CampaignFields
 from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
+
+    from ._fields import CampaignFailures
+    from ._flexslip import Columns, Entry, Figure, Key
+
+_SHOWN = (  # title, column of the value, column of its standard error
+    ("friction μ₀", "mu0", "mu0_standard_error"), ("wavelength", "wavelength", "wavelength_standard_error"),
+    ("friction's share of the work", "friction_share", "friction_share_error"), ("stiffness lost", "stiffness_lost", "stiffness_lost_error"),
+    ("modulus", "modulus", "modulus_standard_error"),
+)
 
 
 class Campaign(CampaignFields):
@@ -34,24 +48,24 @@ class Campaign(CampaignFields):
 
     _title = "Campaign"
 
-    def __init__(self, data: Mapping[str, Any], campaign: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, campaign: _flexslip.Campaign | None = None, kept: Mapping[str, object] | None = None) -> None:
         super().__init__(data)
         self._campaign = campaign
-        self._kept: dict[str, Any] = dict(kept or {})
+        self._kept: dict[str, object] = dict(kept or {})
 
-    def _part(self, name: str) -> Any:
+    def _part(self, name: str) -> object:
         if name not in self._kept:
             self._kept[name] = getattr(self._campaign, name)()
         return self._kept[name]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         for name in ("test_table", "figures", "text"):
             self._part(name)
         return _campaign_again, (self._data, self._kept)
 
-    def _table(self) -> Any:
+    def _table(self) -> Table[Answer]:
         columns = [column for entry in ANSWERS["campaign: tests.csv"]["entries"] for column in _split(entry, entry["title"] or entry["name"])]
-        return table_of(self._part("test_table"), columns)
+        return table_of(cast("Columns", self._part("test_table")), columns)
 
     def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each test: the columns of tests.csv, in SI."""
@@ -61,14 +75,14 @@ class Campaign(CampaignFields):
         """The answer in words, as the program prints it."""
         return str(self._part("text"))
 
-    def plot(self, figure: str | None = None, ax: Any = None) -> Any:
+    def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
         """The distributions of wavelength and friction, or a page of the atlas of force curves; gives the Axes.
 
         `figure` is "distributions", or "atlas-clear-1", ...
         """
         from . import _plots
 
-        return _plots.plot(self._part("figures"), figure, ax)
+        return _plots.plot(cast("list[Figure]", self._part("figures")), figure, ax)
 
     @property
     def success(self) -> bool:
@@ -94,42 +108,66 @@ class Campaign(CampaignFields):
         import html
 
         notes = [f"<p>{html.escape(note)}</p>" for note in self.notes]
-        return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes]) + str(self._table()._repr_html_())
+        return "".join([f"<pre>{html.escape(self.message)}</pre>", *notes, str(self._shown_tests()._repr_html_()), self._picture()])
+
+    def _picture(self) -> str:
+        if not self._part("figures") or importlib.util.find_spec("matplotlib") is None:
+            return ""
+        from . import _plots
+
+        return _plots.picture(self.plot())
+
+    def _shown_tests(self) -> pandas.DataFrame:
+        """What each test shows, in a few columns; :meth:`to_frame` has all."""
+        import pandas as pd
+
+        tests = self._table()
+        units = {line[0]: line[2] for line in tests.describe()}
+        columns = {"test": tests.test, "verdict": tests.verdict, "drops": ["" if drops is None or drops != drops else f"{drops:.0f}" for drops in tests.drops]}
+        for title, name, error in _SHOWN:
+            cells = ["" if value != value else readable(value, units[name], spread if spread > 0 else None) for value, spread in zip(tests[name], tests[error])]
+            if any(cells):
+                columns[title] = cells
+        return pd.DataFrame(columns).set_index("test")
 
 
-def _kind_of_cause(failure: Any) -> str:
+def _kind_of_cause(failure: CampaignFailures) -> str:
     """A cause without the names and numbers of its test."""
     return re.sub(r"'[^']*'|[0-9.]+", "", _cause(failure))
 
 
-def _cause(failure: Any) -> str:
+def _cause(failure: CampaignFailures) -> str:
     """Why a test could not be evaluated, without the row or the line where it is said."""
-    return re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason))
+    return in_python(re.sub(r"^(row ('[^']*'|\d+)|\S*:\d+): ", "", str(failure.reason)))
 
 
-def _split(entry: Mapping[str, Any], name: str) -> list[dict[str, Any]]:
+def _split(entry: Entry, name: str) -> list[Entry]:
     """The columns of a field in a table, those of an estimate one by one."""
     if entry["shape"] == "group":
         return [column for below in entry["entries"] for column in _split(below, f"{name}_{below['title'] or below['name']}")]
     if entry["shape"] != "estimate":
-        return [{**entry, "name": name}]
-    columns = [{**entry, "name": name + suffix, "shape": "number", "meaning": entry["meaning"] + words, "entries": []}
+        return [_changed(entry, name=name)]
+    columns = [_changed(entry, name=name + suffix, shape="number", meaning=entry["meaning"] + words, entries=[])
                for suffix, words in (("", ""), ("_standard_error", ", its standard error"), ("_low", ", lower end of its 95 % interval"),
                                      ("_high", ", upper end of its 95 % interval"))]
     return columns + [column for below in entry["entries"] for column in _split(below, f"{name}_{below['name']}")]
 
 
-def _campaign_again(data: Mapping[str, Any], kept: Mapping[str, Any]) -> Campaign:
+def _changed(entry: Entry, **parts: object) -> Entry:
+    return cast("Entry", {**cast(Mapping[str, object], entry), **parts})
+
+
+def _campaign_again(data: Data, kept: Mapping[str, object]) -> Campaign:
     return Campaign(data, None, kept)
 
 
-def _key_named(title: str) -> Mapping[str, Any] | None:
+def _key_named(title: str) -> Key | None:
     """The key that a title without a unit names, or whose uncertainty it names."""
     section, _, name = re.sub("[ _.]uncertainty$", "", title).rpartition(".")
     return next((KEYS[each, name] for each in ([section] if section else ["record", "specimen", "rig"]) if (each, name) in KEYS), None)
 
 
-def _with_names(frame: Any) -> Any:
+def _with_names(frame: pandas.DataFrame) -> pandas.DataFrame:
     """A frame of tests as a table of text: named by its index, unless a column names them; bare numbers in SI."""
     titles = [str(name) for name in frame.index.names if name is not None]
     labels = list(frame.index)
@@ -147,13 +185,13 @@ def _with_names(frame: Any) -> Any:
     return frame
 
 
-def _names_of_rows(frame: Any) -> list[str]:
+def _names_of_rows(frame: pandas.DataFrame) -> list[str]:
     names = frame["name"] if "name" in frame.columns else range(len(frame))
     return [f"row {name!r}" for name in names]
 
 
 @contextlib.contextmanager
-def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+def _table_of_tests(frame: pandas.DataFrame, report: str | None) -> Iterator[tuple[str, Callable[[Any], Any]]]:
     """The tests of a frame as a file, in the folder of its report, where a later call finds it again, or in one that goes; and what tells of that file in
     words of the frame."""
     frame = _with_names(frame)
@@ -184,9 +222,9 @@ def _table_of_tests(frame: Any, report: str | None) -> Iterator[tuple[str, Calla
         yield path, in_words
 
 
-def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool = True, test_reports: bool = False,
+def campaign(path: Path | pandas.DataFrame, common: Path | None = None, *, report: Path | None = None, figures: bool = True, test_reports: bool = False,
              jobs: int | None = None, model: str | None = None, false_alarms: float | None = None,
-             suspect_limit: float | None = None, set: Mapping[str, Any] | None = None) -> Campaign:  # noqa: A002
+             suspect_limit: float | None = None, set: Mapping[str, object] | None = None) -> Campaign:  # noqa: A002
     """Many measured tests: one table, categories, figures.
 
     Parameters
@@ -231,7 +269,7 @@ def campaign(path: Any, common: Any = None, *, report: Any = None, figures: bool
         one_of("model", model, _flexslip.model_names)
     folder = None if report is None else path_of(report, "report", "the name of a folder")
 
-    def computed(table: Any) -> Any:
+    def computed(table: Path) -> _flexslip.Campaign:
         return _flexslip.campaign(
             os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")),
             set_of(set, False), model or "", _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),

@@ -7,27 +7,34 @@ import re
 import reprlib
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, SupportsFloat, TypeGuard, TypeVar, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
-from ._answers import Answer, Quantity
+from ._answers import Answer, Numbers, Quantity
 from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, wrong, yes_no
 from ._xls import readable
-from ._frames import is_frame, record_of
+from ._frames import is_frame, is_series, record_of, unit_of_series
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ._flexslip import Key
 
 Function = TypeVar("Function", bound=Callable[..., Any])
+Sections = dict[str, dict[str, object]]
 SECTIONS = ("specimen", "rig", "friction", "stage", "record")
 KEYS = {(key["section"], key["name"]): key for key in _flexslip.keys()}
 # Keys that may stand without their section: those of specimen and rig, and those of a record that have a flag.
-FLAT: dict[str, dict[str, Any]] = {}
+FLAT: dict[str, Key] = {}
 for (_section, _name), _key in KEYS.items():
     if _section in ("specimen", "rig") or (_section == "record" and _key["flag"]):
         FLAT[_name] = _key
 
 
-def keys() -> list[dict[str, Any]]:
+def keys() -> list[Key]:
     """Every key of a case: its section, name, what it holds, an example, the unit of a bare number, and its meaning.
 
     Examples
@@ -36,7 +43,7 @@ def keys() -> list[dict[str, Any]]:
     >>> [key["unit"] for key in flexslip.keys() if key["name"] == "span"]
     ['m']
     """
-    return [dict(key) for key in KEYS.values()]
+    return [key.copy() for key in KEYS.values()]
 
 
 def unit_of_parameter(name: str) -> str:
@@ -57,8 +64,8 @@ def _in_quotes(text: str) -> str:
     return out + '"'
 
 
-def _number(value: Any, unit: str, reduced: bool) -> str:
-    number = float(value)
+def _number(value: object, unit: str, reduced: bool) -> str:
+    number = float(cast(SupportsFloat, value))
     if number == float("inf"):
         return '"inf"'
     if reduced or not unit:
@@ -66,24 +73,24 @@ def _number(value: Any, unit: str, reduced: bool) -> str:
     return _in_quotes(f"{number!r} {unit}")
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: object) -> TypeGuard[int | float]:
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, (bool, np.bool_))
 
 
-def _described(key: dict[str, Any], value: Any) -> InputError:
+def _described(key: Key, value: object) -> InputError:
     name = f"{key['section']}.{key['name']}" if key["section"] else key["name"]
     shown = f"[{key['section']}] {key['name']}" if key["section"] else key["name"]
     return wrong(shown, key["holds"], value, f"such as {key['example']}" if key["example"] else None, key=name)
 
 
-def _without_quantity(value: Any, reduced: bool) -> Any:
+def _without_quantity(value: object, reduced: bool) -> object:
     """A quantity as text with its unit, which the reader of cases holds against the key; anything else as it is."""
     if not isinstance(value, Quantity):
         return value
     return float(value) if value.unit in ("", "1") or (reduced and "L" in value.unit) else f"{float(value)!r} {value.unit}"
 
 
-def _part_of_estimate(key: dict[str, Any], part: Any, reduced: bool) -> str:
+def _part_of_estimate(key: Key, part: object, reduced: bool) -> str:
     part = _without_quantity(part, reduced)
     if isinstance(part, str):
         return _in_quotes(part)
@@ -92,7 +99,7 @@ def _part_of_estimate(key: dict[str, Any], part: Any, reduced: bool) -> str:
     return _number(part, key["unit"], reduced)
 
 
-def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
+def toml_of(key: Key, value: object, reduced: bool) -> str:
     """A value of a key as a case file has it; bare numbers are in SI."""
     value = _without_quantity(value, reduced)
     if isinstance(value, int) and abs(value) > 2**1000:
@@ -133,7 +140,7 @@ def toml_of(key: dict[str, Any], value: Any, reduced: bool) -> str:
     raise _described(key, value)
 
 
-def cell_of(key: Mapping[str, Any], value: Any) -> Any:
+def cell_of(key: Key, value: object) -> object:
     """A value of a key in a table: numbers in SI get their unit, NaN is an empty cell. Whole numbers of a place are rows, as in every table."""
     value = _without_quantity(value, False)
     unit = "m" if key["is"] == "place" else key["unit"]
@@ -142,7 +149,7 @@ def cell_of(key: Mapping[str, Any], value: Any) -> Any:
     return value if key["is"] == "place" and float(value).is_integer() else _number(value, unit, False).strip('"')
 
 
-def quantity_in_words(name: str, value: Any, unit: str, holds: str, reduced: bool = False) -> str:
+def quantity_in_words(name: str, value: object, unit: str, holds: str, reduced: bool = False) -> str:
     """An option that is a quantity, as the program reads it: a string with its unit, or a float in SI."""
     value = _without_quantity(value, reduced)
     if isinstance(value, np.ndarray) and value.ndim == 0:
@@ -165,7 +172,7 @@ def _table(values: Mapping[str, str]) -> str:
     return "{ " + ", ".join(f"{name} = {value}" for name, value in values.items()) + " }"
 
 
-def _values(section: str, given: Any, reduced: bool) -> dict[str, str]:
+def _values(section: str, given: object, reduced: bool) -> dict[str, str]:
     """The values of a section, as a case file has them."""
     if not isinstance(given, Mapping):
         raise wrong(f"[{section}]", "a dict of keys", given, key=section)
@@ -175,13 +182,18 @@ def _values(section: str, given: Any, reduced: bool) -> dict[str, str]:
             continue
         if not isinstance(name, str) or not name.replace("_", "").isalnum():
             raise wrong(f"[{section}]", "a name of a key", name, key=section)
-        # One that is unknown is left to the reader, which knows what was meant.
-        values[name] = toml_of(KEYS.get((section, name), {**_UNKNOWN, "section": section, "name": name}), value, reduced)
+        values[name] = toml_of(_known(section, name), value, reduced)
     return values
 
 
 _WITH_OTHERS = ("sweep", "sweep.axes", "friction.other")  # sections whose keys are not all known here
-_UNKNOWN = {"is": "quantity", "unit": "", "holds": "a value", "example": ""}
+
+
+def _known(section: str, name: str) -> Key:
+    """What is known of a key; of one that is unknown, which is left to the reader, that it holds a value."""
+    unknown = {"is": "quantity", "unit": "", "holds": "a value", "example": "", "section": section, "name": name}
+    return KEYS.get((section, name)) or cast("Key", unknown)
+
 
 
 def _nearest(name: str, names: Iterable[str]) -> str:
@@ -191,14 +203,14 @@ def _nearest(name: str, names: Iterable[str]) -> str:
     return f"did you mean {near[0]!r}?" if near else "flexslip.keys() lists the keys"
 
 
-def _said_twice(section: str, name: str, first: Any, second: str) -> InputError:
+def _said_twice(section: str, name: str, first: object, second: str) -> InputError:
     return wrong(name, "one value", f"{section}={{{name!r}: {reprlib.repr(first)}}} and {second}", "leave one out", key=f"{section}.{name}")
 
 
-def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+def sections_of(keywords: Mapping[str, object]) -> Sections:
     """Keywords by section: a dict is a section, anything else the value of a key."""
-    sections: dict[str, dict[str, Any]] = {}
-    flat: dict[str, Any] = {}
+    sections: Sections = {}
+    flat: dict[str, object] = {}
     for name, value in keywords.items():
         if value is None:
             continue
@@ -218,7 +230,7 @@ def sections_of(keywords: Mapping[str, Any]) -> dict[str, dict[str, Any]]:
     return sections
 
 
-def _named(name: Any) -> tuple[str, str]:
+def _named(name: object) -> tuple[str, str]:
     """The section and the key that a whole name in `set` has."""
     if not isinstance(name, str):
         raise wrong("set", "a name of a key", name)
@@ -229,7 +241,7 @@ def _named(name: Any) -> tuple[str, str]:
     return section, key
 
 
-def set_of(given: Any, reduced: bool) -> list[str]:
+def set_of(given: object, reduced: bool) -> list[str]:
     """Keys that change, by their whole names."""
     if given is None:
         return []
@@ -238,7 +250,7 @@ def set_of(given: Any, reduced: bool) -> list[str]:
     changes = []
     for name, value in given.items():
         section, key = _named(name)
-        changes.append(f"{name}={toml_of(KEYS.get((section, key), {**_UNKNOWN, 'section': section, 'name': key}), value, reduced)}")
+        changes.append(f"{name}={toml_of(_known(section, key), value, reduced)}")
     return changes
 
 
@@ -246,15 +258,23 @@ _COLUMNS = ("stage", "deflection", "force", "length")  # in the order in which a
 _MA: Any = np.ma  # whose functions have no types
 
 
-def _is_array(value: Any) -> bool:
+def _is_array(value: object) -> bool:
     return not isinstance(value, (str, bytes, Mapping)) and (hasattr(value, "__array__") or isinstance(value, (list, tuple)))
 
 
-def _column(name: str, given: Any, reduced: bool) -> Any:
-    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose name and labels say where a cell is."""
+def _unit_of_title(series: pandas.Series, reduced: bool) -> str | None:
+    """The unit that a column of a frame states; None if it states none, or one of the reduced variables of a reduced case."""
+    unit = unit_of_series(series)
+    return None if unit in ("", "1") or (reduced and "L" in unit) else unit
+
+
+def _column(name: str, given: object, reduced: bool) -> Numbers:
+    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose title has its unit, and whose labels say where a cell is."""
     unit = None
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
         given, unit = given
+    elif is_series(given):
+        unit = _unit_of_title(given, reduced)
     if _MA.is_masked(given):
         raise wrong(name, "numbers without a mask", "masked ones", key=f"record.{name}")
     try:
@@ -263,9 +283,10 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
 
     def refuse_cell(at: int) -> InputError:
-        is_series = hasattr(given, "iloc")
-        return wrong(f"column {given.name!r}, row {given.index[at]!r}" if is_series else f"{name}[{at}]", "a finite number", repr(array[at]),
-                     "leave such rows out, as in " + (f"frame.drop(index={given.index[at]!r})" if is_series else "stage[keep], force[keep]"), key=f"record.{name}")
+        place, kept = f"{name}[{at}]", "stage[keep], force[keep]"
+        if is_series(given):
+            place, kept = f"column {given.name!r}, row {given.index[at]!r}", f"frame.drop(index={given.index[at]!r})"
+        return wrong(place, "a finite number", repr(array[at]), f"leave such rows out, as in {kept}", key=f"record.{name}")
 
     if array.dtype.kind == "O" and array.ndim == 1 and any(map(_is_number, array)):
         for at, cell in enumerate(array):
@@ -296,26 +317,26 @@ def _column(name: str, given: Any, reduced: bool) -> Any:
         raise refused(name, error.problem or "", error.remedy, key=f"record.{name}") from None
 
 
-def _is_data(value: Any) -> bool:
+def _is_data(value: object) -> bool:
     return is_frame(value) or (_is_array(value) and not isinstance(value, os.PathLike))
 
 
-def _no_data(data: tuple[Any, ...]) -> TypeError:
+def _no_data(data: tuple[object, ...]) -> TypeError:
     """What is no data of a test, with what to pass instead."""
     first = data[0]
     name = type(first).__name__
     instead = "fit(stage, force)"
     if isinstance(first, Answer) and name in ("Export", "Simulation", "Fit"):
         instead = "fit(fit.case)" if name == "Fit" else f"fit({name.lower()}.to_frame())"
-    elif len(data) == 1 and _is_array(first) and np.ndim(first) == 2:
-        name = f"one array of the shape {np.shape(first)}"
+    elif len(data) == 1 and _is_array(first) and np.ndim(cast("npt.ArrayLike", first)) == 2:
+        name = f"one array of the shape {np.shape(cast('npt.ArrayLike', first))}"
         instead = "fit(data[:, 0], data[:, 1]), with its columns"
     elif len(data) > 1 or _is_array(first):
         name = ", ".join("an array" if _is_array(each) and not is_frame(each) else type(each).__name__ for each in data)
     return TypeError(f"The data must be a file, a DataFrame, or two arrays, of the stage and of the force, not {name}. Write {instead}.")
 
 
-def _record_of(data: tuple[Any, ...], record: Mapping[str, Any]) -> dict[str, Any]:
+def _record_of(data: tuple[object, ...], record: Mapping[str, object]) -> dict[str, object]:
     """The record that a call begins with: a frame, or stage and force."""
     if is_frame(data[0]) and len(data) == 1:
         return record_of(data[0], record)
@@ -327,7 +348,7 @@ def _record_of(data: tuple[Any, ...], record: Mapping[str, Any]) -> dict[str, An
     return {**record, "stage": data[0], "force": data[1]}
 
 
-def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple[str, Any]]:
+def _arrays_of(sections: Sections, reduced: bool) -> list[tuple[str, Numbers]]:
     """The columns of a record that a call has in memory; their titles take their place."""
     record = sections.get("record", {})
     names = [name for name in _COLUMNS if _is_array(record.get(name))]
@@ -350,7 +371,7 @@ def _arrays_of(sections: dict[str, dict[str, Any]], reduced: bool) -> list[tuple
     return columns
 
 
-def _text_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> str:
+def _text_of(sections: Mapping[str, Mapping[str, object]], reduced: bool) -> str:
     text = "reduced = true\n" if reduced else ""
     later = ""
     for section, given in sections.items():
@@ -363,7 +384,7 @@ def _text_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> str:
     return text + later
 
 
-def _changes_of(sections: Mapping[str, Mapping[str, Any]], reduced: bool) -> list[str]:
+def _changes_of(sections: Mapping[str, Mapping[str, object]], reduced: bool) -> list[str]:
     return [f"{section}.{name}={value}" for section, given in sections.items()
             for name, value in _values(section, given, reduced).items()]
 
@@ -391,7 +412,7 @@ def _without_key(text: str, name: str) -> str:
     raise wrong(name, "a key on lines of its own", "one beside others", "take it out of the case file", key=name)
 
 
-def _stated(values: Mapping[str, Any], above: str = "") -> list[str]:
+def _stated(values: Mapping[str, object], above: str = "") -> list[str]:
     """The whole names of keys."""
     return [name for key, value in values.items() for name in (_stated(value, f"{above}{key}.") if isinstance(value, dict) and key in SECTIONS else [above + key])]
 
@@ -436,12 +457,12 @@ class Case:
     _text: str
     _source: str
     _changes: list[str]
-    _given: list[tuple[str, Any]]
+    _given: list[tuple[str, Numbers]]
     _name = ARRAYS  # of the record in memory
     _is_written = False  # as the text of a case file, not as keywords
 
-    def __init__(self, file: Any = None, *arrays: Any, name: str | None = None, set: Mapping[str, Any] | None = None, reduced: bool = False,  # noqa: A002
-                 **keywords: Any) -> None:
+    def __init__(self, file: object = None, *arrays: object, name: str | None = None, set: Mapping[str, object] | None = None, reduced: bool = False,  # noqa: A002
+                 **keywords: object) -> None:
         reduced = yes_no("reduced", reduced)
         sections = sections_of(keywords)
         for key, value in set.items() if isinstance(set, Mapping) else ():
@@ -468,7 +489,7 @@ class Case:
         else:
             if file is not None:
                 record = sections.setdefault("record", {})
-                record["file"], sheet = readable(path_of(file), record.pop("sheet", None))
+                record["file"], sheet = readable(path_of(file), cast("str | int | None", record.pop("sheet", None)))
                 if sheet is not None:
                     record["sheet"] = sheet
             self._given = _arrays_of(sections, reduced)
@@ -492,7 +513,7 @@ class Case:
         except InputError as error:
             raise self._in_own_words(error) from None
 
-    def _make_room_for(self, sections: Mapping[str, Mapping[str, Any]]) -> None:
+    def _make_room_for(self, sections: Mapping[str, Mapping[str, object]]) -> None:
         """Takes out the keys that are None, and those of a friction whose model another replaces."""
         gone = [f"{section}.{key}" for section, given in sections.items() for key, value in given.items() if value is None]
         if model := sections.get("friction", {}).get("model"):
@@ -544,14 +565,14 @@ class Case:
         return tomllib.loads(self.toml)
 
     def __getitem__(self, key: str) -> Any:
-        value: Any = self.to_dict()
+        value: object = self.to_dict()
         for part in key.split("."):
             if not isinstance(value, dict) or part not in value:
                 raise KeyError(f"the case does not state {key!r}; it states {', '.join(_stated(self.to_dict()))}")
             value = value[part]
         return value
 
-    def replace(self, *, set: Mapping[str, Any] | None = None, **keywords: Any) -> Case:  # noqa: A002
+    def replace(self, *, set: Mapping[str, object] | None = None, **keywords: object) -> Case:  # noqa: A002
         """The same case with other values, given as to :class:`Case`; None takes a key out.
 
         Examples
@@ -566,9 +587,10 @@ class Case:
         case = Case.__new__(Case)
         case.__dict__.update(self.__dict__)
         case._take_out(_whole_name(name) for name, value in keywords.items() if value is None)
-        return Case(case, set=set, **{name: value for name, value in keywords.items() if value is not None})
+        changed: dict[str, Any] = {name: value for name, value in keywords.items() if value is not None}
+        return Case(case, set=set, **changed)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return _read_again, (self._text, self._source, list(self._changes), self._given, self._is_written, self._name)
 
     def __eq__(self, other: object) -> bool:
@@ -589,7 +611,7 @@ class Case:
         return f"<pre>{html.escape(self.toml)}</pre>"
 
 
-def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Any]], is_written: bool, name: str) -> Case:
+def _read_again(text: str, source: str, changes: list[str], given: list[tuple[str, Numbers]], is_written: bool, name: str) -> Case:
     case = Case.__new__(Case)
     case._text, case._source, case._changes, case._given, case._is_written, case._name = text, source, changes, given, is_written, name
     case._read()
@@ -605,7 +627,7 @@ def _whole_name(name: str) -> str:
     return name
 
 
-def _name_of_record(name: Any, is_in_memory: bool) -> str:
+def _name_of_record(name: object, is_in_memory: bool) -> str:
     """The name of a record in memory, as the program takes names off files: up to the last point."""
     if not is_in_memory:
         raise wrong("name", "a record in memory, a DataFrame or arrays", "a file, after which its test is called")
@@ -656,7 +678,7 @@ def _of_section(section: str) -> str:
     return f"    {section} : dict\n        Keys of this section: {', '.join(name for of, name in KEYS if of == section)}."
 
 
-def _of_key(name: str, key: Mapping[str, Any]) -> str:
+def _of_key(name: str, key: Key) -> str:
     unit = f" [{key['unit']}]" if key["unit"] else ""
     meaning = key["meaning"][:1].upper() + key["meaning"][1:]
     if key["is"] == "title":
@@ -666,7 +688,7 @@ def _of_key(name: str, key: Mapping[str, Any]) -> str:
 
 
 @contextlib.contextmanager
-def in_words_of(case: Case) -> Iterator[Any]:
+def in_words_of(case: Case) -> Iterator[_flexslip.Case]:
     """What the module calls the case; its complaints are in the words in which the case was given."""
     try:
         yield case._case
@@ -674,7 +696,7 @@ def in_words_of(case: Case) -> Iterator[Any]:
         raise case._in_own_words(error) from None
 
 
-def case_of(file: Any, arrays: tuple[Any, ...], set: Mapping[str, Any] | None, keywords: Mapping[str, Any], name: str | None = None) -> Case:  # noqa: A002
+def case_of(file: Any, arrays: tuple[object, ...], set: Mapping[str, object] | None, keywords: Mapping[str, Any], name: str | None = None) -> Case:  # noqa: A002
     """The case that a call describes."""
     if isinstance(file, Case) and not (arrays or set or keywords or name is not None):
         return file

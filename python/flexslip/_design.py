@@ -1,35 +1,40 @@
 """Planned tests."""
 from __future__ import annotations
 
+import importlib.util
 import reprlib
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
-from ._answers import table_of
+from ._answers import Answer, Data, Description, Table, table_of
 from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
 from ._errors import whole, wrong
 from ._fields import DesignFields
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
+    from ._flexslip import Entry, Figure, Map
 
 
 class _Kept:
     """What has figures that are made when they are first asked for."""
 
-    _test: Any
-    _kept: dict[str, Any]
+    _test: _flexslip.HasFigures | None
+    _kept: dict[str, object]
 
-    def _figures(self) -> Any:
+    def _figures(self) -> list[Figure]:
         if "figures" not in self._kept:
+            assert self._test is not None  # or it was pickled with its figures
             self._kept["figures"] = self._test.figures()
-        return self._kept["figures"]
+        return cast("list[Figure]", self._kept["figures"])
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """The figure of ``flexslip design --figure``, drawn with matplotlib; gives the Axes."""
         from . import _plots
 
@@ -50,26 +55,25 @@ class Design(_Kept, DesignFields):
 
     _title = "Design"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, case: Case, test: _flexslip.DesignAnswer | None = None, kept: Mapping[str, object] | None = None) -> None:
         super().__init__(data, case.reduced)
         self.case, self._test, self._kept = case, test, dict(kept or {})
+        if test is not None:
+            self._kept["text"] = test.text()
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         self._figures()
-        self.summary()
         return _design_again, (self._data, self.case, self._kept)
 
     def summary(self) -> str:
         """The answer in words, as the program prints it."""
-        if "text" not in self._kept:
-            self._kept["text"] = self._test.text()
         return str(self._kept["text"])
 
     def __repr__(self) -> str:
         return f"<Design: {self.answer}>"
 
 
-def _design_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> Design:
+def _design_again(data: Data, case: Case, kept: Mapping[str, object]) -> Design:
     return Design(data, case, None, kept)
 
 
@@ -83,19 +87,19 @@ class DesignMap(_Kept):
     case : Case
     """
 
-    def __init__(self, data: Mapping[str, Any], case: Case, entries: Any, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Map, case: Case, entries: list[Entry], test: _flexslip.DesignMap | None = None, kept: Mapping[str, object] | None = None) -> None:
         self._data, self.case, self._entries, self._test, self._kept = data, case, entries, test, dict(kept or {})
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         self._figures()
         return _map_again, (self._data, self.case, self._entries, self._kept)
 
     @property
-    def designs(self) -> Any:
+    def designs(self) -> Table[Answer]:
         """One for each combination of values, the last parameter fastest."""
         return table_of(self._data["designs"], next(e for e in self._entries if e["name"] == "designs")["entries"], self.case.reduced)
 
-    def to_dict(self) -> dict[str, Any]:
+    def to_dict(self) -> dict[str, object]:
         """As JSON has it."""
         return {"units": dict(self._data["units"]), "designs": self.designs.to_dicts()}
 
@@ -107,7 +111,7 @@ class DesignMap(_Kept):
         """The designs as a pandas.DataFrame."""
         return self.designs.to_frame()
 
-    def describe(self) -> Any:
+    def describe(self) -> Description:
         """What each column is."""
         return self.designs.describe()
 
@@ -118,29 +122,41 @@ class DesignMap(_Kept):
         return f"<DesignMap of {len(self)} designs>"
 
     def _repr_html_(self) -> str:
-        return str(self.designs._repr_html_())
+        return str(self.designs._shown(self._columns())._repr_html_()) + self._picture()
+
+    def _columns(self) -> list[str]:
+        """The parameters, which come before the status, and what a test of each design shows."""
+        names = self.designs.keys()
+        return [*names[:names.index("status")], "snaps", "drops", "largest_drop", "greatest_force"]
+
+    def _picture(self) -> str:
+        if importlib.util.find_spec("matplotlib") is None:
+            return ""
+        from . import _plots
+
+        return _plots.picture(self.plot())
 
 
-def _map_again(data: Mapping[str, Any], case: Case, entries: Any, kept: Mapping[str, Any]) -> DesignMap:
+def _map_again(data: Map, case: Case, entries: list[Entry], kept: Mapping[str, object]) -> DesignMap:
     return DesignMap(data, case, entries, None, kept)
 
 
 _OVER = "a range, (from, to) or (from, to, points), or a list of values"
 
 
-def _range(name: str, given: Any, reduced: bool) -> str:
+def _range(name: str, given: object, reduced: bool) -> str:
     field = f"over[{name!r}]"
     if isinstance(given, str):
         return f"{name}={given}"
     if isinstance(given, (list, range)) or hasattr(given, "__array__"):
-        given = _range_of(field, list(given) if np.ndim(given) == 1 else [])
+        given = _range_of(field, list(cast("Iterable[object]", given)) if np.ndim(cast("npt.ArrayLike", given)) == 1 else [])
     if not isinstance(given, tuple) or len(given) not in (2, 3):
         raise wrong(field, _OVER, given)
     ends = [quantity_in_words(field, end, unit_of_parameter(name), "an end of a range", reduced) for end in given[:2]]
     return f"{name}={':'.join([*ends, *(str(whole('points', n, 2, 10000)) for n in given[2:])])}"
 
 
-def _range_of(field: str, values: list[Any]) -> tuple[Any, ...]:
+def _range_of(field: str, values: list[object]) -> tuple[object, ...]:
     """The range that has these values: a map is drawn over even ones, in the logarithm where the ends are ten times apart or more."""
     remedy = f"pass a range, (from, to, points), or take flexslip.sweep(case, axes={{{field[5:-1]}: [...]}}), which takes any values"
     if len(values) < 2:
@@ -148,17 +164,18 @@ def _range_of(field: str, values: list[Any]) -> tuple[Any, ...]:
     if len(values) > 2:
         if not all(isinstance(value, (int, float, np.number)) for value in values):
             raise wrong(field, "numbers in SI in a list of three values and more", values, remedy)
-        first, last = float(values[0]), float(values[-1])
+        numbers = np.array(values, dtype=float)
+        first, last = float(numbers[0]), float(numbers[-1])
         in_logarithm = first > 0 and last > 0 and max(first / last, last / first) >= 10
         even = np.geomspace(first, last, len(values)) if in_logarithm else np.linspace(first, last, len(values))
-        if not np.allclose(np.asarray(values, dtype=float), even, rtol=1e-9, atol=0):  # values that a user computed round otherwise
+        if not np.allclose(numbers, even, rtol=1e-9, atol=0):  # values that a user computed round otherwise
             raise wrong(field, "values of even " + ("ratios, as the ends are ten times apart or more" if in_logarithm else "steps"), reprlib.repr(values), remedy)
     return values[0], values[-1], len(values)
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def design(file: Any = None, *, over: Mapping[str, Any] | None = None, decide: bool = False, noise: Any = None,
-           threads: int | None = None, set: Mapping[str, Any] | None = None, **keywords: Any) -> Any:  # noqa: A002
+def design(file: object = None, *, over: Mapping[str, object] | None = None, decide: bool = False, noise: str | float | None = None,
+           threads: int | None = None, set: Mapping[str, object] | None = None, **keywords: object) -> Design | DesignMap:  # noqa: A002
     """Before a test: will it show a sawtooth, and what would change that?
 
     Parameters

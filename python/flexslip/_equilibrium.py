@@ -2,38 +2,46 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
+
+import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
+from ._answers import Data
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
 from ._errors import whole
 from ._fields import EquilibriumFields, EquilibriumRegionFields
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
+
+    from ._flexslip import Figure
 
 
 class _Drawn:
     """What has a figure that is made when it is first asked for."""
 
     case: Case
-    _data: Mapping[str, Any]
-    _study: Any
-    _kept: dict[str, Any]
+    _data: Data
+    _study: _flexslip.EquilibriumStudy | None
+    _kept: dict[str, object]
 
-    def _keep(self, case: Case, study: Any, kept: Mapping[str, Any] | None) -> None:
+    def _keep(self, case: Case, study: _flexslip.EquilibriumStudy | None, kept: Mapping[str, object] | None) -> None:
         self.case, self._study, self._kept = case, study, dict(kept or {})
 
-    def _figures(self) -> Any:
+    def _figures(self) -> list[Figure]:
         if "figures" not in self._kept:
+            assert self._study is not None  # or it was pickled with its figures
             self._kept["figures"] = self._study.figures()
-        return self._kept["figures"]
+        return cast("list[Figure]", self._kept["figures"])
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         self._figures()
         return type(self), (self._data, self.case, None, self._kept)
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
         """The figure of ``flexslip equilibrium --figure``, drawn with matplotlib; gives the Axes: three of a region."""
         from . import _plots
 
@@ -52,7 +60,7 @@ class Equilibrium(_Drawn, EquilibriumFields):
 
     _title = "Equilibrium"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, study: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, case: Case, study: _flexslip.EquilibriumStudy | None = None, kept: Mapping[str, object] | None = None) -> None:
         EquilibriumFields.__init__(self, data, case.reduced)
         self._keep(case, study, kept)
 
@@ -76,7 +84,7 @@ class EquilibriumRegion(_Drawn, EquilibriumRegionFields):
 
     _title = "EquilibriumRegion"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, study: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, case: Case, study: _flexslip.EquilibriumStudy | None = None, kept: Mapping[str, object] | None = None) -> None:
         EquilibriumRegionFields.__init__(self, data, case.reduced)
         self._keep(case, study, kept)
 
@@ -88,13 +96,13 @@ class EquilibriumRegion(_Drawn, EquilibriumRegionFields):
         return f"<EquilibriumRegion: {self.status}, {len(self.region)} points>"
 
 
-def _longest(value: Any, case: Case) -> str:
+def _longest(value: object, case: Case) -> str:
     return "" if value is None else quantity_in_words("longest", value, "m", "a length", case.reduced)
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def equilibrium(file: Any = None, *, points: int | None = None, longest: Any = None, set: Mapping[str, Any] | None = None,  # noqa: A002
-                **keywords: Any) -> Equilibrium:
+def equilibrium(file: object = None, *, points: int | None = None, longest: str | float | None = None, set: Mapping[str, object] | None = None,  # noqa: A002
+                **keywords: object) -> Equilibrium:
     """The curve of loading: force and deflection where friction is fully mobilised, whatever the rig.
 
     Parameters
@@ -128,8 +136,8 @@ def equilibrium(file: Any = None, *, points: int | None = None, longest: Any = N
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def equilibrium_region(file: Any = None, *, points: int | None = None, levels: int = 41, longest: Any = None,
-                       set: Mapping[str, Any] | None = None, **keywords: Any) -> EquilibriumRegion:  # noqa: A002
+def equilibrium_region(file: object = None, *, points: int | None = None, levels: int = 41, longest: str | float | None = None,
+                       set: Mapping[str, object] | None = None, **keywords: object) -> EquilibriumRegion:  # noqa: A002
     """All equilibria of a specimen: those with less friction mobilised, too.
 
     Parameters

@@ -5,9 +5,10 @@ import operator
 import os
 import re
 from collections.abc import Sequence
-from typing import Any
+from typing import SupportsFloat, SupportsIndex, cast
 
 
+Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 ARRAYS = "arrays"  # what a record in memory is called
 
 
@@ -50,11 +51,11 @@ class InputError(ValueError):
     problem: str | None = None
     remedy: str | None = None
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         parts = {name: getattr(self, name) for name in _PARTS}
         return error_of, (str(self),), {"parts": parts}
 
-    def __setstate__(self, state: dict[str, Any] | None) -> None:
+    def __setstate__(self, state: dict[str, dict[str, object]] | None) -> None:
         for name, value in (state or {"parts": {}})["parts"].items():
             setattr(self, name, value)
 
@@ -99,12 +100,28 @@ def in_python(text: str) -> str:
     def argument(found: re.Match[str]) -> str:
         value = found.group(3) or ""
         is_bare = value[:1] in '"' or value[:1].isdigit() or (value.isupper() and len(value) > 2)
-        return (found.group(1) or "") + found.group(2).replace("-", "_") + "=" + (value if is_bare else f'"{value}"')
+        return (found.group(1) or "") + _argument(found.group(2)) + "=" + (value if is_bare else f'"{value}"')
 
     text = _KEYS.sub(lambda found: ("Pass " if found.group(0).startswith("W") else "pass ") + ", ".join(f"{name}={value}" for name, value in _KEY.findall(found.group(1))), text)
     text = re.sub(r"^--set: (?=\w+\.)", "", text)  # a key by its whole name follows
-    text = re.sub(r"^--([a-z-]+): ", lambda found: found.group(1).replace("-", "_") + ": ", text)
+    text = re.sub(r"^--([a-z-]+): ", lambda found: f"{_argument(found.group(1))}: ", text)
+    text = re.sub(r"\b(?:modulus|fit) --([a-z-]+)", lambda found: f"{_argument(found.group(1))}=…", text)
+    text = re.sub(r"\bflexslip (\w+) FILE\b", r"flexslip.\1(file)", text)
     return re.sub(r"\bflexslip (sweep|fit|simulate|design|read|surface|modulus)\b", r"flexslip.\1", _FLAG.sub(argument, text))
+
+
+def _argument(flag: str) -> str:
+    """The argument that a flag of the command line is."""
+    return "friction_range" if flag == "friction" else flag.replace("-", "_")
+
+
+_VALUE = r'(?: = ("[^"]*"|[\w.%]+))?'
+
+
+def advice(text: str) -> str:
+    """What the program says of an answer, with arguments instead of flags and of keys of a case file: [friction] mu0 is friction={"mu0": …}."""
+    text = re.sub(r"\[(friction|stage)\] (\w+)" + _VALUE, lambda found: f'{found[1]}={{"{found[2]}": {found[3] or "…"}}}', in_python(text))
+    return re.sub(r"\[(?:specimen|rig|record)\] (\w+)" + _VALUE, lambda found: found[1] + (f"={found[2]}" if found[2] else ""), text)
 
 
 _ADDED = re.compile(r'(\w+) = ("[^"]*"|\[[^\]]*\]|[^,\s]+)')
@@ -135,7 +152,7 @@ def of_keywords(error: InputError, record: str) -> InputError:
     if error.file not in (None, record):
         return error
     parts = {name: getattr(error, name) for name in _PARTS if name != "line"}
-    parts |= {name: _in_keywords(parts[name]) for name in ("field", "problem", "remedy") if parts[name]}
+    parts |= {name: _in_keywords(str(parts[name])) for name in ("field", "problem", "remedy") if parts[name]}
     return error_of(_in_keywords(str(error)), **parts)
 
 
@@ -152,32 +169,32 @@ def _remedy(text: str) -> str:
     return text[:1].upper() + text[1:] if _BARE_VALUE.search(text) else sentence(text)
 
 
-def error_of(message: str, **parts: Any) -> InputError:
+def error_of(message: str, **parts: str | float | None) -> InputError:
     """The exception for a fault; of a file that is not there, one that is a FileNotFoundError as well."""
     message = in_python(message)
-    parts |= {name: in_python(parts[name]) for name in ("field", "problem", "remedy") if parts.get(name)}
-    parts |= {name: made(parts[name]) for name, made in (("problem", sentence), ("remedy", _remedy)) if parts.get(name)}
-    error = next((kind for words, kind in _OF_SYSTEM.items() if words in (parts.get("problem") or "")), InputError)(message)
+    parts |= {name: in_python(str(parts[name])) for name in ("field", "problem", "remedy") if parts.get(name)}
+    parts |= {name: made(str(parts[name])) for name, made in (("problem", sentence), ("remedy", _remedy)) if parts.get(name)}
+    error = next((kind for words, kind in _OF_SYSTEM.items() if words in str(parts.get("problem"))), InputError)(message)
     for name, value in parts.items():
         setattr(error, name, value)
     if isinstance(error, OSError):
-        error.filename = os.fspath(parts.get("file") or "")
+        error.filename = str(parts.get("file") or "")
     return error
 
 
-def wrong(field: str, expected: str, found: Any, remedy: str | None = None, **parts: Any) -> InputError:
+def wrong(field: str, expected: str, found: object, remedy: str | None = None, **parts: str | float | None) -> InputError:
     """The exception for an argument, its message made as the program makes it."""
     shown = found if isinstance(found, str) else repr(found)
     return refused(field, f"This must be {expected}, not {shown}", remedy, **parts)
 
 
-def refused(field: str, problem: str, remedy: str | None = None, **parts: Any) -> InputError:
+def refused(field: str, problem: str, remedy: str | None = None, **parts: str | float | None) -> InputError:
     """The exception for an argument, of what is wrong with it and what to do."""
     message = f"{field}: {sentence(problem)}" + (f" {_remedy(remedy)}" if remedy else "")
     return error_of(message, field=field, problem=problem, remedy=remedy, **parts)
 
 
-def yes_no(field: str, value: Any) -> bool:
+def yes_no(field: str, value: object) -> bool:
     """An option that is True or False: "no" is neither."""
     import numpy as np
 
@@ -186,13 +203,14 @@ def yes_no(field: str, value: Any) -> bool:
     return bool(value)
 
 
-def one_of(field: str, word: Any, known: Sequence[str]) -> None:
-    """Refuses an argument that is none of some words."""
+def one_of(field: str, word: object, known: Sequence[str]) -> str:
+    """An argument that is one of some words."""
     if not isinstance(word, str) or word not in known:
         raise wrong(field, f"one of {', '.join(known)}", word)
+    return word
 
 
-def path_of(file: Any, field: str = "file", what: str = "the name of a file") -> str:
+def path_of(file: Path, field: str = "file", what: str = "the name of a file") -> str:
     """A path as a string, which may hold bytes that are no UTF-8, as os.fsdecode has them."""
     path: str = os.fsdecode(file)
     if not path or path == "-" or "\0" in path:
@@ -200,10 +218,10 @@ def path_of(file: Any, field: str = "file", what: str = "the name of a file") ->
     return path
 
 
-def whole(name: str, value: Any, least: int, most: int) -> int:
+def whole(name: str, value: object, least: int, most: int) -> int:
     """An option that is a whole number."""
     try:
-        number = operator.index(value)
+        number = operator.index(cast(SupportsIndex, value))
     except TypeError:
         raise wrong(name, f"a whole number from {least} to {most}", value) from None
     if isinstance(value, bool) or not least <= number <= most:
@@ -211,10 +229,10 @@ def whole(name: str, value: Any, least: int, most: int) -> int:
     return number
 
 
-def positive(name: str, value: Any) -> float:
+def positive(name: str, value: object) -> float:
     """An option that is a positive number."""
     try:
-        number = float(value)
+        number = float(cast(SupportsFloat, value))
     except (TypeError, ValueError):
         raise wrong(name, "a positive number", value) from None
     if not 0 < number < float("inf"):

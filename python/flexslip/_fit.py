@@ -4,20 +4,23 @@ from __future__ import annotations
 import os
 import textwrap
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
-from ._answers import ANSWERS, same, table_of
+from ._answers import ANSWERS, Data, same, table_of
 from ._case import Case, case_of, in_words_of, with_keywords
-from ._errors import one_of, path_of, positive
+from ._errors import Path, advice, one_of, path_of, positive
 from ._fields import FitDraws, FitFields
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
 
     from ._fields import FitCurvesTable, Numbers
+    from ._flexslip import Columns, Figure
 
 _CURVES = ANSWERS["fit --curves"]["entries"]
 
@@ -45,19 +48,19 @@ class Fit(FitFields):
 
     _title = "Fit"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, case: Case, test: _flexslip.FittedTest | None = None, kept: Mapping[str, object] | None = None) -> None:
         super().__init__(data, case.reduced)
         self.case = case
         self._test = test
-        self._kept: dict[str, Any] = dict(kept or {})
+        self._kept: dict[str, object] = dict(kept or {})
 
-    def _part(self, name: str) -> Any:
+    def _part(self, name: str) -> object:
         """What is made of the test when it is first asked for."""
         if name not in self._kept:
             self._kept[name] = getattr(self._test, name)()
         return self._kept[name]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         for name in _KEPT if self.success else _ALWAYS_KEPT:
             self._part(name)
         return _fit_again, (self._data, self.case, self._kept)
@@ -71,14 +74,19 @@ class Fit(FitFields):
     def message(self) -> str:
         """The verdict's sentence; where there is no answer, what to do about it, too."""
         has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
-        return self.verdict.sentence if has_answer or not self.next else f"{self.verdict.sentence} {self.next}"
+        sentence = advice(self.verdict.sentence)
+        return sentence if has_answer or not self.next else f"{sentence} {self.next}"
+
+    @property
+    def next(self) -> str:
+        """The next step, in words of Python."""
+        return advice(super().next)
 
     @property
     def curves(self) -> FitCurvesTable:
         """Point by point of the record that was evaluated: measured, fitted and replayed force, length and friction, as NumPy arrays. `row` is the row of the
         file, frame or arrays, from 1."""
-        table: FitCurvesTable = table_of(self._part("curves"), _CURVES, self._reduced)
-        return table
+        return cast("FitCurvesTable", table_of(cast("Columns", self._part("curves")), _CURVES, self._reduced))
 
     @property
     def residual(self) -> Numbers:
@@ -134,7 +142,7 @@ class Fit(FitFields):
         """Profiles of friction that explain the record, drawn at random."""
         if not self.success:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
-        return Draws(self._data["draws"], self._part("draws"), self._reduced)
+        return Draws(cast(Data, self._data["draws"]), cast("Columns", self._part("draws")), self._reduced)
 
     def summary(self, full: bool = False) -> str:
         """The answer in words, as the program prints it; `full`: every slip and table."""
@@ -146,7 +154,7 @@ class Fit(FitFields):
         """A pandas.DataFrame with a row for each parameter."""
         return self.params.to_frame()
 
-    def report(self, folder: Any) -> str:
+    def report(self, folder: Path) -> str:
         """Writes report.html and its figures into a folder, as ``flexslip fit --report`` does; gives the path of the former."""
         if self._test is None:
             raise ValueError("a fit that was pickled has no report: call fit(fit.case).report(folder)")
@@ -154,15 +162,15 @@ class Fit(FitFields):
         self._test.write_report(os.fsencode(path))
         return os.path.join(path, "report.html")
 
-    def plot(self, figure: str | None = None, ax: Any = None) -> Any:
+    def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
         """A figure of the report, drawn with matplotlib.
 
         Parameters
         ----------
-        figure : {"force", "profile", "wavelengths", "passes", "boxes"}, optional
-            "force" unless given, or "record" if the test determines no friction.
+        figure : {"force", "profile", "wavelengths", "passes", "boxes", "record"}, optional
             Force against deflection, with residuals below; friction along the specimen; what a wave of each wavelength adds. Of a test that unloads:
-            the force of all its passes; the friction of each against the length that slid. Those that the report has.
+            the force of all its passes; the friction of each against the length that slid. A test without friction has only the record. Unless stated:
+            "force", or else "record".
         ax : matplotlib Axes, optional
             Where to draw: as many as the figure has panels ("force" has two), or one for the first of them.
 
@@ -173,12 +181,15 @@ class Fit(FitFields):
         """
         from . import _plots
 
-        return _plots.plot(self._part("figures"), figure, ax)
+        figures = cast("list[Figure]", self._part("figures"))
+        if not figures and figure in (None, "record"):  # the report draws no record without a force
+            return _plots.record(self.curves.deflection, self.curves.force, self._reduced, ax)
+        return _plots.plot(figures, figure, ax)
 
     def _found(self) -> list[str]:
         """The findings that did not pass, each with its remedy; of what the verdict says itself the remedy alone."""
         told = [each for each in self.findings if each.severity not in ("passed", "unjudged")]
-        return [words for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
+        return [advice(words) for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
 
     def _parameters_hold(self) -> bool:
         return self.success and self.verdict.code in ("slip", "undecided", "no_drops")
@@ -199,11 +210,12 @@ class Fit(FitFields):
         return head + (self.params._repr_html_() if self._parameters_hold() else "")
 
 
-def _concluded(data: Mapping[str, Any]) -> dict[str, Any]:
+def _concluded(data: Data) -> dict[str, object]:
     """What is measured and concluded, without where and how the record was read, and without remedies, which are in words of the door."""
     left = {name: value for name, value in data.items() if name not in ("name", "provenance", "preparation", "next")}
-    findings = left["findings"]
-    left["findings"] = {**findings, "columns": {name: values for name, values in findings["columns"].items() if name != "remedy"}}
+    findings = cast("Columns", left["findings"])
+    concluded = {name: values for name, values in findings["columns"].items() if name != "remedy"}
+    left["findings"] = {"rows": findings["rows"], "absent": findings["absent"], "columns": concluded}
     return left
 
 
@@ -212,7 +224,7 @@ _ALWAYS_KEPT = ("curves", "text", "figures")
 _KEPT = (*_ALWAYS_KEPT, "draws", "screen")
 
 
-def _fit_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> Fit:
+def _fit_again(data: Data, case: Case, kept: Mapping[str, object]) -> Fit:
     return Fit(data, case, None, kept)
 
 
@@ -237,16 +249,16 @@ class Draws(FitDraws):
     profiles: Numbers
     _title = "Draws"
 
-    def __init__(self, data: Mapping[str, Any], table: Mapping[str, Any], reduced: bool) -> None:
+    def __init__(self, data: Data, table: Columns, reduced: bool) -> None:
         import numpy as np
 
         super().__init__(data, reduced)
         self._table = table
         columns = table["columns"]
-        self.length, self.mu, self.deviation = columns["length"], columns["mu"], columns["deviation"]
+        self.length, self.mu, self.deviation = (cast("Numbers", columns[name]) for name in ("length", "mu", "deviation"))
         self.profiles = np.array([values for name, values in columns.items() if name.startswith("draw_")])
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Draws, (self._data, self._table, self._reduced)
 
     def to_frame(self) -> pandas.DataFrame:
@@ -264,9 +276,9 @@ class Draws(FitDraws):
 
 
 @with_keywords("specimen", "rig", "record")
-def fit(file: Any = None, *arrays: Any, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
-        name: str | None = None, set: Mapping[str, Any] | None = None,  # noqa: A002
-        **keywords: Any) -> Fit:
+def fit(file: object = None, *arrays: object, model: str | None = None, false_alarms: float | None = None, suspect_limit: float | None = None,
+        name: str | None = None, set: Mapping[str, object] | None = None,  # noqa: A002
+        **keywords: object) -> Fit:
     """What friction a measured test shows, where along the specimen, and how certainly.
 
     Parameters

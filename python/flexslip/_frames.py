@@ -1,13 +1,17 @@
 """pandas frames as data. The program's own reader finds what their columns are."""
 from __future__ import annotations
 
+import csv
 import os
 import tempfile
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, TypeGuard
 
 from ._errors import InputError, error_of, one_of, wrong
 from ._read import read
+
+if TYPE_CHECKING:
+    import pandas
 
 NAME = "frame"  # what such data are called
 _ROLES = ("stage", "deflection", "force")  # that titles can say
@@ -15,31 +19,51 @@ _COLUMNS = (*_ROLES, "length")
 _PAIRS = (("stage", "force"), ("deflection", "force"), ("stage", "deflection"))  # two tell the third
 
 
-def is_frame(value: Any) -> bool:
+def is_frame(value: object) -> TypeGuard[pandas.DataFrame]:
     """Is it a pandas.DataFrame? Without importing pandas, which need not be there."""
     return hasattr(value, "iloc") and hasattr(value, "columns")
 
 
-def whole_frame(frame: Any) -> Any:
+def whole_frame(frame: pandas.DataFrame) -> pandas.DataFrame:
     """With an index that has a name as a column, and titles as text."""
     if any(name is not None for name in frame.index.names):
         frame = frame.reset_index()
     return frame.set_axis([str(title) for title in frame.columns], axis=1)
 
 
-def _titles(frame: Any) -> dict[str, str]:
+def _titles(frame: pandas.DataFrame) -> dict[str, str]:
     """Titles as a file has them, with the units of `attrs["units"]`."""
     units = frame.attrs.get("units") or {}
     return {title: f"{title} [{units[title]}]" if units.get(title) not in (None, "", "1") else title for title in frame.columns}
 
 
-def written(frame: Any, path: str) -> None:
+def is_series(value: object) -> TypeGuard[pandas.Series]:
+    """Is it a pandas.Series, whose name is a title?"""
+    return hasattr(value, "iloc") and hasattr(value, "name")
+
+
+def unit_of_series(series: pandas.Series) -> str:
+    """The unit in the title of a column, or in its `attrs["units"]`; empty if there is none. The program's own reader finds it."""
+    title = str(series.name)
+    if unit := (series.attrs.get("units") or {}).get(series.name):
+        return str(unit)
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "column.csv")
+        with open(path, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows([[title, "other"], *([row, row] for row in range(9))])
+        try:
+            return str(read(path)._columns[0]["unit"])
+        except InputError:
+            return ""  # no title of a file
+
+
+def written(frame: pandas.DataFrame, path: str) -> None:
     """A frame as a file that the program reads, its numbers to the last bit."""
     frame = whole_frame(frame)
     frame.rename(columns=_titles(frame)).to_csv(path, index=False)
 
 
-def _given(frame: Any, record: Mapping[str, Any]) -> dict[str, tuple[str, str | None]]:
+def _given(frame: pandas.DataFrame, record: Mapping[str, object]) -> dict[str, tuple[str, str | None]]:
     """The title of each column that the call names, and the unit beside it: force="Load", force=("Load", "kN")."""
     given: dict[str, tuple[str, str | None]] = {}
     for role in _COLUMNS:
@@ -55,7 +79,7 @@ def _given(frame: Any, record: Mapping[str, Any]) -> dict[str, tuple[str, str | 
     return given
 
 
-def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
+def record_of(frame: pandas.DataFrame, record: Mapping[str, object]) -> dict[str, object]:
     """What a call says of a record, with the columns of a frame as arrays: those that it names, or else those whose titles say what they are."""
     frame = whole_frame(frame)
     own = next((pair for pair in _PAIRS if all(name in frame.columns for name in pair)), ())  # as the package's own frames have them
@@ -64,7 +88,7 @@ def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
     out = {name: value for name, value in record.items() if name not in (*_COLUMNS, "displacement")}
     columns = {role: (title, None) for role, title in titled.items()} | given
     if all(role in columns for role in _ROLES) and not all(role in given for role in _ROLES):  # one too many: as of a file, a deflectometer comes first
-        stated = {"crosshead": {"stage"}, "deflection": {"deflection"}}.get(record.get("displacement", ""), set())
+        stated = {"crosshead": {"stage"}, "deflection": {"deflection"}}.get(str(record.get("displacement")), set())
         pair = next(pair for pair in (("deflection", "force"), *_PAIRS) if stated | ({*given} & {*_ROLES}) <= {*pair})
         columns = {role: named for role, named in columns.items() if role in (*pair, "length")}
     for role, (title, unit) in columns.items():
@@ -76,17 +100,16 @@ def record_of(frame: Any, record: Mapping[str, Any]) -> dict[str, Any]:
     return out
 
 
-def _read(frame: Any, displacement: Any, by_titles: bool) -> tuple[dict[str, str], dict[str, str]]:
+def _read(frame: pandas.DataFrame, displacement: object, by_titles: bool) -> tuple[dict[str, str], dict[str, str]]:
     """The titles of stage, deflection and force, as far as they say so, and the units of all columns."""
-    if displacement is not None:
-        one_of("displacement", displacement, ("crosshead", "deflection"))
+    said = None if displacement is None else one_of("displacement", displacement, ("crosshead", "deflection"))
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "frame.csv")
         written(frame.head(1000), path)
         try:
             export = read(path)
-            if displacement and not {"crosshead", "deflection"} <= {column["role"] for column in export._columns}:
-                export = read(path, displacement=displacement)
+            if said and not {"crosshead", "deflection"} <= {column["role"] for column in export._columns}:
+                export = read(path, displacement=said)
             columns = list(zip(frame.columns, export._columns))
         except InputError as error:
             raise in_words_of_frame(error, path) from None

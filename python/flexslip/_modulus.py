@@ -2,12 +2,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 from . import _flexslip
+from ._answers import Data
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
-from ._errors import wrong
+from ._errors import advice, wrong
 from ._fields import ModulusFields
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from ._flexslip import Curve
 
 
 class Modulus(ModulusFields):
@@ -24,12 +30,12 @@ class Modulus(ModulusFields):
 
     _title = "Modulus"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...]) -> None:
+    def __init__(self, data: Data, case: Case, remarks: tuple[str, ...], curve: Curve) -> None:
         super().__init__(data, case.reduced)
-        self.case, self.remarks = case, remarks
+        self.case, self.remarks, self._curve = case, remarks, curve
 
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Modulus, (self._data, self.case, self.remarks)
+    def __reduce__(self) -> tuple[object, ...]:
+        return Modulus, (self._data, self.case, self.remarks, self._curve)
 
     @property
     def success(self) -> bool:
@@ -41,8 +47,17 @@ class Modulus(ModulusFields):
         """Why there is no stiffness; empty if there is one."""
         return "" if self.success else self.remarks[0]
 
+    def plot(self, ax: Axes | None = None) -> Axes:
+        """Force against deflection with the linear region and the chord of ISO 178, drawn with matplotlib; gives the Axes.
 
-def _window(given: Any) -> list[str]:
+        Deflections are counted from the origin of strains, or from the contact if there is no linear region.
+        """
+        from . import _plots
+
+        return _plots.modulus(self._curve, self, self._reduced, ax)
+
+
+def _window(given: object) -> list[str]:
     if given is None:
         return []
     if not isinstance(given, (tuple, list)) or len(given) != 2:
@@ -50,7 +65,7 @@ def _window(given: Any) -> list[str]:
     return [quantity_in_words("window", share, "", "a share of the greatest force") for share in given]
 
 
-def _friction(given: Any) -> list[str]:
+def _friction(given: object) -> list[str]:
     if given is None:
         return []
     both = given if isinstance(given, (tuple, list)) else (given,)
@@ -60,8 +75,8 @@ def _friction(given: Any) -> list[str]:
 
 
 @with_keywords("specimen", "rig", "friction", "record")
-def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None, friction_range: Any = None,
-            set: Mapping[str, Any] | None = None, **keywords: Any) -> Modulus:  # noqa: A002
+def modulus(file: object = None, *arrays: object, window: Sequence[str | float] | None = None, friction_range: str | float | Sequence[str | float] | None = None,
+            set: Mapping[str, object] | None = None, **keywords: object) -> Modulus:  # noqa: A002
     """Stiffness and flexural modulus as the bending standards have them: small deflections, no friction, no shear.
 
     Parameters
@@ -98,4 +113,4 @@ def modulus(file: Any = None, *arrays: Any, window: Sequence[Any] | None = None,
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         found = _flexslip.modulus(given, _window(window), _friction(friction_range))
-    return Modulus(found["answer"], case, tuple(found["words"]))
+    return Modulus(found["answer"], case, tuple(map(advice, found["words"])), found["curve"])

@@ -3,17 +3,21 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
-from ._errors import one_of, path_of, whole, wrong
+from ._answers import Data, Numbers
+from ._errors import Path, one_of, path_of, whole, wrong
 from ._xls import readable
 from ._fields import ExportFields
 
 if TYPE_CHECKING:
     import pandas
+
+    from ._flexslip import ExportColumn
 
 _ROLES = ("time", "displacement", "crosshead", "deflection", "force")
 
@@ -29,19 +33,19 @@ class Export(ExportFields):
 
     _title = "Export"
 
-    def __init__(self, data: Mapping[str, Any], columns: list[dict[str, Any]], in_si: Mapping[str, Any]) -> None:
+    def __init__(self, data: Data, columns: list[ExportColumn], in_si: Mapping[str, Numbers | ValueError]) -> None:
         super().__init__(data)
         self._columns, self._in_si = columns, in_si
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Export, (self._data, self._columns, self._in_si)
 
     @property
-    def data(self) -> dict[str, Any]:
+    def data(self) -> dict[str, npt.NDArray[np.float64] | list[str]]:
         """Columns by name, in the units of the file: NumPy arrays, NaN where a cell holds no number."""
         return {column["name"]: column["values"] for column in self._columns}
 
-    def si(self, role: str) -> Any:
+    def si(self, role: str) -> Numbers:
         """The column with a role in SI: "time", "displacement", "crosshead", "deflection" or "force".
 
         Raises
@@ -68,7 +72,7 @@ class Export(ExportFields):
         return f"<Export, {self.format}, {self.rows} rows: {names}>"
 
 
-def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = None, encoding: str | None = None, separator: str | None = None, decimal: str | None = None,
+def read(file: Path, *, specimen: int | None = None, sheet: str | int | None = None, encoding: str | None = None, separator: str | None = None, decimal: str | None = None,
          thousands: str | None = None, time: str | int | None = None, crosshead: str | int | None = None, deflection: str | int | None = None,
          force: str | int | None = None, displacement: str | None = None, time_unit: str | None = None, displacement_unit: str | None = None,
          force_unit: str | None = None, calibration: str | None = None) -> Export:
@@ -108,7 +112,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
     given = {"sheet": sheet, "encoding": encoding, "separator": separator, "decimal": decimal, "thousands": thousands, "time": time, "crosshead": crosshead,
              "deflection": deflection, "force": force, "displacement": displacement, "time_unit": time_unit,
              "displacement_unit": displacement_unit, "force_unit": force_unit, "calibration": calibration}
-    words: dict[str, Any] = {}
+    words: dict[str, str | int] = {}
     for name, value in given.items():
         if value is None:
             continue
@@ -126,7 +130,7 @@ def read(file: Any, *, specimen: int | None = None, sheet: str | int | None = No
         raise wrong("calibration", "either a unit of the force or its calibration", "both")
     export = _flexslip.read(os.fsencode(path), words)
     chosen = 0 if specimen is None else whole("specimen", specimen, 1, export.specimens) - 1
-    in_si: dict[str, Any] = {}
+    in_si: dict[str, Numbers | ValueError] = {}
     for role in _ROLES:
         try:
             in_si[role] = export.in_si(chosen, role)

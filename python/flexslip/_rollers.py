@@ -1,12 +1,12 @@
 """The elastica on rollers, and of a thick specimen, state by state, over arrays."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from . import _flexslip
-from ._states import GREATEST, Inverse, computed, numbers, require, require_friction, seen
+from ._states import GREATEST, ArrayLike, Inverse, Numbers, Out, computed, numbers, require, require_friction, seen
 
 _DEEPEST = float(_flexslip.deepest_on_supports)
 _WIDEST_SAID = float(_flexslip.widest_supports)
@@ -20,18 +20,18 @@ class RollerStates(NamedTuple):
     between the contacts, of what has slid past them along the surface, and of the axis between the verticals through the supports, as a camera sees it. In
     reduced variables; NaN where there is no state."""
 
-    q: Any
-    F: Any
-    theta0: Any
-    Pn: Any
-    U: Any
-    curvature: Any
-    length: Any
-    slid: Any
-    imaged: Any
+    q: Numbers
+    F: Numbers
+    theta0: Numbers
+    Pn: Numbers
+    U: Numbers
+    curvature: Numbers
+    length: Numbers
+    slid: Numbers
+    imaged: Numbers
 
 
-def _supports(roller_radius: Any, thickness: Any) -> tuple[Any, Any]:
+def _supports(roller_radius: ArrayLike, thickness: ArrayLike) -> tuple[Numbers, Numbers]:
     radius, thick = numbers("roller_radius", roller_radius), numbers("thickness", thickness)
     require("roller_radius", seen(radius), 0, GREATEST, "a finite number of at least 0, in spans")
     require("thickness", seen(thick), 0, float(np.nextafter(_THICKEST, 0)), f"0 or more, and less than {_THICKEST:g} spans, for beam theory")
@@ -41,11 +41,11 @@ def _supports(roller_radius: Any, thickness: Any) -> tuple[Any, Any]:
     return radius, thick
 
 
-def _require_deflection(w: Any) -> None:
+def _require_deflection(w: Numbers) -> None:
     require("w", seen(w), _LEAST, _DEEPEST, f"a deflection above 0 and up to {_DEEPEST:g} spans")
 
 
-def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: Any = 0.0, out: Any = None) -> RollerStates:
+def elastica_on_rollers(w: ArrayLike, q: ArrayLike, *, roller_radius: ArrayLike = 0.0, thickness: ArrayLike = 0.0, out: Out = None) -> RollerStates:
     """States on fixed rollers, of a specimen with a thickness at whose surface friction acts, bent by w with mobilised friction q.
 
     All arguments broadcast against each other, as those of :func:`elastica`. States are told apart by their deflection: with a thickness, two of them may
@@ -71,7 +71,7 @@ def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: 
     Raises
     ------
     InputError
-        For a value outside of the domain, or NaN, which is named.
+        For a value outside of the domain, which is named with its index. NaN gives NaN.
     TypeError
         For what is no real number.
 
@@ -89,14 +89,13 @@ def elastica_on_rollers(w: Any, q: Any, *, roller_radius: Any = 0.0, thickness: 
     >>> abs(flexslip.elastica_on_rollers(edges.w, 0.3).F - edges.F) < 1e-10
     True
     """
-    w, q = numbers("w", w), numbers("q", q)
-    _require_deflection(w)
-    require_friction(q)
-    answer: RollerStates = computed(_flexslip.states_on_rollers, RollerStates, (w, q, *_supports(roller_radius, thickness)), out, (0.1, 0, 0, 0))
-    return answer
+    deflection, friction = numbers("w", w), numbers("q", q)
+    _require_deflection(deflection)
+    require_friction(friction)
+    return computed(_flexslip.states_on_rollers, RollerStates, (deflection, friction, *_supports(roller_radius, thickness)), out, (0.1, 0, 0, 0))
 
 
-def elastica_on_rollers_inverse(w: Any, F: Any, *, roller_radius: Any = 0.0, thickness: Any = 0.0, out: Any = None) -> Inverse:
+def elastica_on_rollers_inverse(w: ArrayLike, F: ArrayLike, *, roller_radius: ArrayLike = 0.0, thickness: ArrayLike = 0.0, out: Out = None) -> Inverse:
     """Length between the contacts and mobilised friction of states with deflection w and force F: the inverse of :func:`elastica_on_rollers`.
 
     Parameters
@@ -120,8 +119,7 @@ def elastica_on_rollers_inverse(w: Any, F: Any, *, roller_radius: Any = 0.0, thi
     >>> round(float(q), 9)
     0.3
     """
-    w, F = numbers("w", w), numbers("F", F)
-    _require_deflection(w)
-    require("F", seen(F), 0, GREATEST, "a finite number of at least 0")
-    answer: Inverse = computed(_flexslip.states_on_rollers_from_forces, Inverse, (w, F, *_supports(roller_radius, thickness)), out, (0.1, 0, 0, 0))
-    return answer
+    deflection, force = numbers("w", w), numbers("F", F)
+    _require_deflection(deflection)
+    require("F", seen(force), 0, GREATEST, "a finite number of at least 0")
+    return computed(_flexslip.states_on_rollers_from_forces, Inverse, (deflection, force, *_supports(roller_radius, thickness)), out, (0.1, 0, 0, 0))

@@ -2,15 +2,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, cast
 
 from . import _flexslip
+from ._answers import Data
 from ._case import Case, case_of, in_words_of, quantity_in_words, with_keywords
-from ._errors import whole
+from ._errors import advice, whole
 from ._fields import ProfileFields, SimulationFields
 
 if TYPE_CHECKING:
     import pandas
+    from matplotlib.axes import Axes
+
+    from ._flexslip import Figure
 
 
 class Simulation(SimulationFields):
@@ -29,22 +33,23 @@ class Simulation(SimulationFields):
 
     _title = "Simulation"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, test: Any = None, kept: Mapping[str, Any] | None = None) -> None:
+    def __init__(self, data: Data, case: Case, test: _flexslip.SimulatedTest | None = None, kept: Mapping[str, object] | None = None) -> None:
         super().__init__(data, case.reduced)
         self.case = case
         self._test = test
-        self._kept: dict[str, Any] = dict(kept or {})
+        self._kept: dict[str, object] = dict(kept or {})
         if test is not None:
-            self._kept |= {"remarks": tuple(test.remarks), "message": test.why_it_ends}
+            self._kept |= {"remarks": tuple(map(advice, test.remarks)), "message": advice(test.why_it_ends)}
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         self._figures()
         return _simulation_again, (self._data, self.case, self._kept)
 
-    def _figures(self) -> Any:
+    def _figures(self) -> list[Figure]:
         if "figures" not in self._kept:
+            assert self._test is not None  # or it was pickled with its figures
             self._kept["figures"] = self._test.figures()
-        return self._kept["figures"]
+        return cast("list[Figure]", self._kept["figures"])
 
     @property
     def success(self) -> bool:
@@ -59,13 +64,13 @@ class Simulation(SimulationFields):
     @property
     def remarks(self) -> tuple[str, ...]:
         """What there is to say besides."""
-        return tuple(self._kept["remarks"])
+        return cast(tuple[str, ...], self._kept["remarks"])
 
     def to_frame(self) -> pandas.DataFrame:
         """The path as a pandas.DataFrame."""
         return self.path.to_frame()
 
-    def plot(self, ax: Any = None) -> Any:
+    def plot(self, ax: Axes | None = None) -> Axes:
         """Force against deflection, snaps dashed, as ``flexslip simulate --figure``; gives the Axes."""
         from . import _plots
 
@@ -76,7 +81,7 @@ class Simulation(SimulationFields):
         return f"<Simulation: {self.status}, {len(self.path)} points, {len(self.snaps)} snaps{end}>"
 
 
-def _simulation_again(data: Mapping[str, Any], case: Case, kept: Mapping[str, Any]) -> Simulation:
+def _simulation_again(data: Data, case: Case, kept: Mapping[str, object]) -> Simulation:
     return Simulation(data, case, None, kept)
 
 
@@ -94,11 +99,11 @@ class Profile(ProfileFields):
 
     _title = "Profile"
 
-    def __init__(self, data: Mapping[str, Any], case: Case, remarks: tuple[str, ...], message: str) -> None:
+    def __init__(self, data: Data, case: Case, remarks: tuple[str, ...], message: str) -> None:
         super().__init__(data, case.reduced)
         self.case, self.remarks, self.message = case, remarks, message
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Profile, (self._data, self.case, self.remarks, self.message)
 
     @property
@@ -115,8 +120,8 @@ class Profile(ProfileFields):
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: int = 1, energies: bool = False,
-             set: Mapping[str, Any] | None = None, **keywords: Any) -> Simulation:  # noqa: A002
+def simulate(file: object = None, *, points: int = 200, noise: str | float | None = None, seed: int = 1, energies: bool = False,
+             set: Mapping[str, object] | None = None, **keywords: object) -> Simulation:  # noqa: A002
     """What a specimen on a rig would show, loaded, unloaded and cycled.
 
     Parameters
@@ -158,7 +163,7 @@ def simulate(file: Any = None, *, points: int = 200, noise: Any = None, seed: in
 
 
 @with_keywords("specimen", "rig", "record")
-def friction_profile(file: Any = None, *arrays: Any, set: Mapping[str, Any] | None = None, **keywords: Any) -> Profile:  # noqa: A002
+def friction_profile(file: object = None, *arrays: object, set: Mapping[str, object] | None = None, **keywords: object) -> Profile:  # noqa: A002
     """Friction along the specimen, read off a record point by point at the bending stiffness stated, without a fit.
 
     Parameters
@@ -184,4 +189,4 @@ def friction_profile(file: Any = None, *arrays: Any, set: Mapping[str, Any] | No
     case = case_of(file, arrays, set, keywords)
     with in_words_of(case) as given:
         answer = _flexslip.friction_profile(given)
-    return Profile(answer["answer"], case, tuple(answer["remarks"]), answer["why_no_answer"])
+    return Profile(answer["answer"], case, tuple(map(advice, answer["remarks"])), advice(answer["why_no_answer"]))

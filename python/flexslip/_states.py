@@ -1,55 +1,60 @@
 """The elastica, state by state, over arrays."""
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
+import numpy.typing as npt
 
 from . import _flexslip
 from ._errors import wrong
 
+Numbers = npt.NDArray[np.float64]
+ArrayLike = npt.ArrayLike
+Out = Sequence[Numbers | None] | None
+Answer = TypeVar("Answer", bound=tuple[Numbers, ...])
 _MOST = float(_flexslip.largest_q)
 
 
 class States(NamedTuple):
     """Deflections [span] and forces [EI/span²] at midspan; NaN where there is no state."""
 
-    w: Any
-    F: Any
+    w: Numbers
+    F: Numbers
 
 
 class Slopes(NamedTuple):
     """States with their partial derivatives: to S at fixed q, and to q at fixed S. NaN also at S = 1, where those to S are infinite."""
 
-    w: Any
-    F: Any
-    w_S: Any
-    w_q: Any
-    F_S: Any
-    F_q: Any
+    w: Numbers
+    F: Numbers
+    w_S: Numbers
+    w_q: Numbers
+    F_S: Numbers
+    F_q: Numbers
 
 
 class Details(NamedTuple):
     """Slope at the support [rad], normal force at one support, bending energy, curvature at midspan, in reduced variables."""
 
-    theta0: Any
-    Pn: Any
-    U: Any
-    curvature: Any
+    theta0: Numbers
+    Pn: Numbers
+    U: Numbers
+    curvature: Numbers
 
 
 class Inverse(NamedTuple):
     """Lengths between the supports [span] and mobilised friction; NaN where no friction explains deflection and force."""
 
-    S: Any
-    q: Any
+    S: Numbers
+    q: Numbers
 
 
-def numbers(name: str, values: Any) -> Any:
+def numbers(name: str, values: ArrayLike) -> Numbers:
     """An array as it is, or what becomes one, of numbers without an imaginary part."""
     if isinstance(values, np.ndarray) or hasattr(values, "__array_ufunc__"):
-        array = np.asarray(values)
-        given = values
+        array, given = np.asarray(values), cast(Numbers, values)
     else:
         try:
             given = array = np.asarray(values)
@@ -60,16 +65,19 @@ def numbers(name: str, values: Any) -> Any:
     return given.astype(np.float64) if array.dtype.kind == "f" and array.dtype.itemsize > 8 else given
 
 
-def _first(array: Any) -> str:
+def _first(array: npt.NDArray[np.generic]) -> str:
     return repr(array.flat[0]) if array.size else ""
 
 
-def require(name: str, array: Any, low: float, high: float, expected: str) -> None:
-    """Refuses what is outside of [low, high], or NaN, and names it."""
+def require(name: str, array: Numbers, low: float, high: float, expected: str) -> None:
+    """Refuses what is outside of [low, high], and names it; NaN is let through."""
     numbers = np.asarray(array)
     if numbers.size == 0 or (numbers.min() >= low and numbers.max() <= high):
         return
-    at = np.unravel_index(int(np.argmin((numbers >= low) & (numbers <= high))), numbers.shape)
+    is_outside = (numbers < low) | (numbers > high)
+    if not is_outside.any():
+        return
+    at = np.unravel_index(int(np.argmax(is_outside)), numbers.shape)
     place = f"{name}[{', '.join(str(int(i)) for i in at)}]" if numbers.ndim else name
     raise wrong(place, expected, repr(numbers[at].item()))
 
@@ -78,43 +86,54 @@ _MA: Any = np.ma  # whose functions have no types
 GREATEST = float(np.finfo(float).max)
 
 
-def seen(values: Any) -> Any:
+def seen(values: Numbers) -> Numbers:
     """What of an array is not masked."""
-    return _MA.compressed(values) if _MA.isMaskedArray(values) else values
+    visible: Numbers = _MA.compressed(values) if _MA.isMaskedArray(values) else values
+    return visible
 
 
-def computed(function: Any, kind: Any, inputs: tuple[Any, ...], out: Any, valid: tuple[float, ...]) -> Any:
+def computed(function: np.ufunc, kind: type[Answer], inputs: tuple[Numbers, ...], out: Out, valid: tuple[float, ...]) -> Answer:
     """What a universal function gives; of masked arrays, masked where one of them is. `valid` are numbers to compute with there."""
     if any(isinstance(each, np.ma.MaskedArray) for each in inputs):
         if out is not None:
             raise wrong("out", "arrays without a mask beside it", "masked arrays")
-        values = function(*(_MA.filled(each, number) for each, number in zip(inputs, valid)))
+        values = _with_nan(function, tuple(_MA.filled(each, number) for each, number in zip(inputs, valid)), None, valid)
         mask = np.zeros(np.shape(values[0]), dtype=bool)
         for each in inputs:
             mask = mask | _MA.getmaskarray(each)
         return kind(*(_MA.MaskedArray(value, mask) for value in values))
-    return kind(*(function(*inputs) if out is None else function(*inputs, out=_outputs(out, len(kind._fields)))))
+    return kind(*_with_nan(function, inputs, None if out is None else _outputs(out, function.nout), valid))
 
 
-def _outputs(out: Any, count: int) -> tuple[Any, ...]:
+def _with_nan(function: np.ufunc, inputs: tuple[Numbers, ...], out: Out, valid: tuple[float, ...]) -> tuple[Numbers, ...]:
+    """NaN where an input is NaN. The function computes with valid numbers there, because it takes several states at a time."""
+    if not any(np.isnan(each).any() for each in map(np.asarray, inputs)):
+        states: tuple[Numbers, ...] = function(*inputs, out=out) if out else function(*inputs)
+        return states
+    zero_or_nan = sum(np.multiply(0.0, each) for each in inputs)
+    values = function(*(np.nan_to_num(each, nan=number) for each, number in zip(inputs, valid)), out=out or (None,) * function.nout)
+    return tuple(np.add(value, zero_or_nan, out=given) for value, given in zip(values, out or (None,) * function.nout))
+
+
+def _outputs(out: object, count: int) -> tuple[Numbers | None, ...]:
     if not isinstance(out, tuple) or len(out) != count:
         raise wrong("out", f"a tuple of {count} arrays, one for each answer, or None in its place", type(out).__name__)
     return out
 
 
-def require_friction(q: Any) -> None:
+def require_friction(q: Numbers) -> None:
     """Refuses mobilised friction that is not computed with."""
     require("q", seen(q), -_MOST, _MOST, f"a mobilised friction from {-_MOST:g} to {_MOST:g}")
 
 
-def _in_domain(S: Any, q: Any) -> tuple[Any, Any]:
-    S, q = numbers("S", S), numbers("q", q)
-    require("S", seen(S), 1, GREATEST, "a length of at least 1 span, finite")
-    require_friction(q)
-    return S, q
+def _in_domain(S: ArrayLike, q: ArrayLike) -> tuple[Numbers, Numbers]:
+    lengths, friction = numbers("S", S), numbers("q", q)
+    require("S", seen(lengths), 1, GREATEST, "a length of at least 1 span, finite")
+    require_friction(friction)
+    return lengths, friction
 
 
-def elastica(S: Any, q: Any, *, out: Any = None) -> States:
+def elastica(S: ArrayLike, q: ArrayLike, *, out: Out = None) -> States:
     """Deflection and force of a fibre of length S between two edges, with mobilised friction q.
 
     The arguments broadcast against each other; the types, strides and subclasses of NumPy are what they are for its own functions.
@@ -136,7 +155,7 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
     Raises
     ------
     InputError
-        For a value outside of the domain, or NaN, which is named.
+        For a value outside of the domain, which is named with its index. NaN gives NaN.
     TypeError
         For what is no real number.
 
@@ -154,12 +173,10 @@ def elastica(S: Any, q: Any, *, out: Any = None) -> States:
     >>> flexslip.elastica([[1.1], [1.2]], [0.0, 0.2, 0.4]).w.shape
     (2, 3)
     """
-    S, q = _in_domain(S, q)
-    answer: States = computed(_flexslip.states, States, (S, q), out, (1, 0))
-    return answer
+    return computed(_flexslip.states, States, _in_domain(S, q), out, (1, 0))
 
 
-def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
+def elastica_slopes(S: ArrayLike, q: ArrayLike, *, out: Out = None) -> Slopes:
     """The same as :func:`elastica` with exact partial derivatives.
 
     Examples
@@ -168,12 +185,10 @@ def elastica_slopes(S: Any, q: Any, *, out: Any = None) -> Slopes:
     >>> flexslip.elastica_slopes(1.2, 0.3).w_S > 0
     True
     """
-    S, q = _in_domain(S, q)
-    answer: Slopes = computed(_flexslip.states_slopes, Slopes, (S, q), out, (1, 0))
-    return answer
+    return computed(_flexslip.states_slopes, Slopes, _in_domain(S, q), out, (1, 0))
 
 
-def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
+def elastica_details(S: ArrayLike, q: ArrayLike, *, out: Out = None) -> Details:
     """Slope at the support, normal force, bending energy and curvature at midspan of states as of :func:`elastica`.
 
     Examples
@@ -182,12 +197,10 @@ def elastica_details(S: Any, q: Any, *, out: Any = None) -> Details:
     >>> float(flexslip.elastica_details(1.0, 0.3).theta0)
     0.0
     """
-    S, q = _in_domain(S, q)
-    answer: Details = computed(_flexslip.states_more, Details, (S, q), out, (1, 0))
-    return answer
+    return computed(_flexslip.states_more, Details, _in_domain(S, q), out, (1, 0))
 
 
-def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
+def elastica_inverse(w: ArrayLike, F: ArrayLike, *, out: Out = None) -> Inverse:
     """Length and mobilised friction of states with deflection w and force F: the inverse of :func:`elastica`.
 
     Parameters
@@ -214,8 +227,7 @@ def elastica_inverse(w: Any, F: Any, *, out: Any = None) -> Inverse:
     >>> round(float(S), 12), round(float(q), 12)
     (1.2, 0.3)
     """
-    w, F = numbers("w", w), numbers("F", F)
-    for name, values in (("w", w), ("F", F)):
+    given = numbers("w", w), numbers("F", F)
+    for name, values in zip("wF", given):
         require(name, seen(values), 0, GREATEST, "a finite number of at least 0")
-    answer: Inverse = computed(_flexslip.states_from_forces, Inverse, (w, F), out, (0, 0))
-    return answer
+    return computed(_flexslip.states_from_forces, Inverse, given, out, (0, 0))

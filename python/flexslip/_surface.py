@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -18,6 +18,8 @@ from ._case import quantity_in_words
 from ._errors import whole, wrong
 
 Numbers = npt.NDArray[np.float64]
+Value = str | float
+Frequencies = TypeVar("Frequencies", float, Numbers)
 
 FEWEST_HEIGHTS = 64  # that tell a spectrum
 MOST_DEGREE = 9  # of the polynomial to take off
@@ -181,7 +183,7 @@ def _spectrum(z: Numbers, step: float, tapers: int) -> _Spectrum:
                      frequency_step * np.arange(padded // 2 + 1), sides * step * np.mean(np.abs(tapered) ** 2, axis=0), tapered)
 
 
-def _coherence(tapered: npt.NDArray[np.complex128], n: int) -> tuple[Any, Any]:
+def _coherence(tapered: npt.NDArray[np.complex128], n: int) -> tuple[npt.NDArray[np.complex128], Numbers]:
     """By the F test, for transforms taper by taper: the wave that all tapers share, as half its amplitude with its phase, and its p value at one frequency."""
     k = np.arange(1, len(tapered) + 1)
     sums = np.where(k % 2 == 1, math.sqrt(2 / (n + 1)) / np.tan(0.5 * np.pi * k / (n + 1)), 0.0)  # of each taper over the heights
@@ -208,10 +210,11 @@ class _Background:
     noise_found: bool = False
     noise_error: float = 0.0  # relative
 
-    def _unfolded(self, f: Any) -> Any:
-        return self.level * np.exp(-self.power * np.log1p((f / self.knee) ** 2) - self.decay * f**2)
+    def _unfolded(self, f: Frequencies) -> Frequencies:
+        density: Frequencies = self.level * np.exp(-self.power * np.log1p((f / self.knee) ** 2) - self.decay * f**2)
+        return density
 
-    def surface(self, f: Any) -> Any:
+    def surface(self, f: Frequencies) -> Frequencies:
         folds = 4
         total = self._unfolded(f)
         for m in range(1, folds + 1):
@@ -221,7 +224,7 @@ class _Background:
             total = total + 2 * self._unfolded(beyond) * beyond / ((2 * self.power - 1) * self.folding)
         return total
 
-    def __call__(self, f: Any) -> Any:
+    def __call__(self, f: Frequencies) -> Frequencies:
         return self.surface(f) + self.noise
 
 
@@ -257,11 +260,11 @@ class _Whittle:
         self.bounds = [(most - 30, most + 15), (math.log(0.3 * first), math.log(2 * last)), (0, 4), (math.log(1e-3 / last**2), math.log(10 / first**2)),
                        (math.log(max(self.density.min(), 1e-300)) - 10, most)][:5 if noise is None else 4]
 
-    def background(self, at: Any) -> _Background:
+    def background(self, at: Numbers) -> _Background:
         noise = math.exp(at[4]) if self.noise is None else self.noise
         return _Background(math.exp(at[0]), math.exp(at[1]), float(at[2]), math.exp(at[3]), noise, self.folding)
 
-    def slopes(self, at: Any) -> tuple[Any, Any]:
+    def slopes(self, at: Numbers) -> tuple[Numbers, Numbers]:
         """The background in the bins, and how its logarithm changes with each parameter."""
         small = 1e-4
         expected = np.maximum(self.background(at)(self.frequency), FLOOR)
@@ -272,7 +275,7 @@ class _Whittle:
             slopes.append((self.background(at + beside)(self.frequency) - self.background(at - beside)(self.frequency)) / (2 * small * expected))
         return expected, np.array(slopes)
 
-    def likelihood(self, at: Any) -> float:
+    def likelihood(self, at: Numbers) -> float:
         """Its logarithm, less that of a background that goes through every bin."""
         ratio = self.density / np.maximum(self.background(at)(self.frequency), FLOOR)
         return -float(np.sum(self.weight * (ratio - np.log(np.maximum(ratio, FLOOR)) - 1)))
@@ -312,7 +315,7 @@ class _Whittle:
                 found.append(self.climb(np.array([level, knee, power, decay, floor])))
         return max(found, key=lambda each: each[1])
 
-    def noise_error(self, at: Any) -> float:
+    def noise_error(self, at: Numbers) -> float:
         _, slopes = self.slopes(at)
         information = (slopes * self.weight) @ slopes.T + 1e-9 * np.eye(len(at))
         return math.sqrt(max(float(np.linalg.inv(information)[4, 4]), 0.0))
@@ -502,14 +505,14 @@ def _least_amplitude(density: float, width: float, heights: int) -> float:
     return math.sqrt(2 * density / width) * (math.sqrt(math.log(max(heights // 2, 1) / 0.05)) + one_in_twenty_missed)
 
 
-def _length(name: str, value: Any) -> float:
+def _length(name: str, value: object) -> float:
     length = float(_flexslip.length(name, quantity_in_words(name, value, "m", "a length"), name == "noise"))
     if not (SMALLEST <= length <= LARGEST or length == 0):
         raise wrong(name, f"a length from {SMALLEST} to {LARGEST} m", value, "check its unit")
     return length
 
 
-def _heights(heights: Any) -> Numbers:
+def _heights(heights: npt.ArrayLike) -> Numbers:
     try:
         z = np.array(heights, dtype=np.float64)
     except (TypeError, ValueError):
@@ -535,8 +538,9 @@ def _in_nanometres(length: float) -> str:
     return str(_flexslip.readable(length, "m"))
 
 
-def surface(heights: Any, step: Any, *, level: int = 1, wavelength: Any = None, amplitude: Any = None, pixel: Any = None, noise: Any = None,
-            shortest: Any = None, longest: Any = None, tapers: int = 7) -> Surface:
+def surface(heights: npt.ArrayLike, step: Value, *, level: int = 1, wavelength: Value | Sequence[Value] | Numbers | None = None,
+            amplitude: Value | None = None, pixel: Value | None = None, noise: Value | None = None, shortest: Value | None = None,
+            longest: Value | None = None, tapers: int = 7) -> Surface:
     """What a height profile shows of a surface: height and slope, waves, and which waves it could show at all.
 
     Parameters

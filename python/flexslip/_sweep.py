@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     import pandas
 
 
-def _value(name: str, value: Any, reduced: bool) -> str:
+def _value(name: str, value: object, reduced: bool) -> str:
     if isinstance(value, str):
         return _in_quotes(value)
     unit = "" if reduced else unit_of_parameter(name)
@@ -27,7 +27,7 @@ def _value(name: str, value: Any, reduced: bool) -> str:
 _RANGE = "a list of values, or a range: (from, to, points), and \"log\" after it for even ratios"
 
 
-def _axis(name: str, given: Any, sampled: bool, reduced: bool) -> str:
+def _axis(name: str, given: object, sampled: bool, reduced: bool) -> str:
     """An axis as a case file has it."""
     if hasattr(given, "__array__") or isinstance(given, range):
         given = np.asarray(given)
@@ -58,7 +58,7 @@ def _axis(name: str, given: Any, sampled: bool, reduced: bool) -> str:
     return "{ " + ", ".join(parts) + " }"
 
 
-def _changes(axes: Any, samples: Any, seed: Any, reduced: bool) -> list[str]:
+def _changes(axes: object, samples: object, seed: object, reduced: bool) -> list[str]:
     changes = []
     if samples is not None:
         changes += ['sweep.method="latin hypercube"', f"sweep.samples={whole('samples', samples, 1, 10**12)}"]
@@ -79,8 +79,8 @@ def _changes(axes: Any, samples: Any, seed: Any, reduced: bool) -> list[str]:
 
 
 @with_keywords("specimen", "rig", "friction", "stage")
-def sweep(file: Any = None, *, axes: Mapping[str, Any] | None = None, samples: int | None = None, seed: int | None = None, threads: int | None = None,
-          set: Mapping[str, Any] | None = None, **keywords: Any) -> pandas.DataFrame:  # noqa: A002
+def sweep(file: object = None, *, axes: Mapping[str, object] | None = None, samples: int | None = None, seed: int | None = None, threads: int | None = None,
+          set: Mapping[str, object] | None = None, **keywords: object) -> pandas.DataFrame:  # noqa: A002
     """Thousands of designs of a test: a grid or a sample of them.
 
     Parameters

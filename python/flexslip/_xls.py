@@ -6,9 +6,12 @@ import csv
 import pathlib
 import shutil
 import tempfile
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ._errors import refused
+
+if TYPE_CHECKING:
+    import xlrd
 
 _MARK = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 
@@ -44,11 +47,11 @@ def readable(path: str, sheet: str | int | None) -> tuple[str, str | int | None]
     return str(plain), None
 
 
-def _chosen(book: Any, path: str, sheet: str | int | None) -> Any:
+def _chosen(book: xlrd.Book, path: str, sheet: str | int | None) -> xlrd.sheet.Sheet:
     import xlrd
 
     if sheet is None:
-        def numbers(each: Any) -> int:
+        def numbers(each: xlrd.sheet.Sheet) -> int:
             return sum(cell.ctype == xlrd.XL_CELL_NUMBER for row in range(each.nrows) for cell in each.row(row))
         return max(book.sheets(), key=numbers)
     for number, each in enumerate(book.sheets(), 1):

@@ -48,6 +48,20 @@ class Records(unittest.TestCase):
         frame = pandas.DataFrame({"stage": stage, "force": force})
         self.assertEqual(flexslip.modulus(frame, **SPECIMEN), flexslip.modulus(stage, force, **SPECIMEN))
 
+    def test_identity_the_title_of_a_series_gives_its_unit(self):
+        def modulus(stage, force):
+            return flexslip.modulus(stage=stage, force=force, **SPECIMEN).modulus.value
+
+        usual, series = modulus(self.stage, self.force), pandas.Series
+        frame = self.export.to_frame()  # in µm and mN, as its attrs say
+        for stage, force in ((series(1e3 * self.stage, name="Crosshead (mm)"), series(self.force, name="Load (N)")),
+                             (series(1e6 * self.stage, name="w_s [µm]"), series(1e3 * self.force, name="F_mN")), (series(1e3 * self.stage, name="Extension_mm"), self.force),
+                             (series(self.stage, name="stage"), series(self.force)), (frame.stage, frame.force),
+                             ((series(1e3 * self.stage, name="in m"), "mm"), series(self.force, name=3))):
+            self.assertAlmostEqual(modulus(stage, force) / usual, 1, delta=1e-9)
+        with self.assertRaisesRegex(flexslip.InputError, "^stage: The unit 'N' measures a force, but a unit of length is needed"):
+            modulus(series(self.stage, name="Load (N)"), self.force)
+
     def test_identity_a_frame_of_three_columns_is_fitted_as_its_file(self):
         three = pandas.DataFrame({"w_s_m": self.stage, "w0_m": self.stage - self.force / 90.65, "F_N": self.force})
         with tempfile.TemporaryDirectory() as folder:

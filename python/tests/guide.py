@@ -4,6 +4,7 @@ import contextlib
 import doctest
 import importlib
 import io
+import json
 import os
 import pathlib
 import pkgutil
@@ -41,6 +42,23 @@ class Guide(unittest.TestCase):
             os.chdir(SOURCE)
 
 
+class Notebooks(unittest.TestCase):
+    def test_outside_the_cells_of_every_notebook_run_in_order(self):
+        os.environ["FLEXSLIP_ROOT"] = str(SOURCE)
+        self.addCleanup(os.chdir, SOURCE)
+        paths = sorted((SOURCE / "docs/notebooks").glob("*.ipynb"))
+        self.assertGreater(len(paths), 3)
+        with tempfile.TemporaryDirectory() as folder:
+            os.chdir(folder)
+            for path in paths:
+                names = {"__name__": "__main__"}
+                for number, cell in enumerate(json.loads(path.read_text(encoding="utf-8"))["cells"]):
+                    if cell["cell_type"] == "code":
+                        with self.subTest(path.stem, cell=number), contextlib.redirect_stdout(io.StringIO()):
+                            exec(compile("".join(cell["source"]), f"{path.name}, cell {number}", "exec"), names)
+            os.chdir(SOURCE)
+
+
 class Docstrings(unittest.TestCase):
     def test_outside_examples_in_docstrings(self):
         os.chdir(SOURCE)
@@ -55,7 +73,9 @@ class Docstrings(unittest.TestCase):
         self.assertGreater(tried, 30)
 
     def test_outside_everything_public_says_what_it_is(self):
-        for name in flexslip.__all__:
+        self.assertLessEqual(len(flexslip.__all__), 25)
+        self.assertLessEqual({name for name in flexslip.__all__ if name[0].isupper()}, {*flexslip.types.__all__})
+        for name in {*flexslip.__all__, *flexslip.types.__all__}:
             thing = getattr(flexslip, name)
             self.assertTrue(thing.__doc__ and len(thing.__doc__) > 10, name)
             if not isinstance(thing, type):

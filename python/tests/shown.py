@@ -18,9 +18,15 @@ import numpy as np  # noqa: E402
 import pandas  # noqa: E402
 
 import flexslip  # noqa: E402
+from flexslip._errors import advice  # noqa: E402
 from package import DESIGN, EXAMPLES, PROGRAM, SOURCE, campaign_of_examples, case, fitted  # noqa: E402
 
 os.chdir(SOURCE)
+
+
+def without_force():
+    """The fit of a record that shows none."""
+    return flexslip.fit(np.linspace(0, 5e-4, 60), np.zeros(60), diameter="34.8 um", modulus="29.6 GPa", span="1278 um", stiffness=90.65)
 
 
 def drawn():
@@ -40,7 +46,11 @@ def drawn():
     yield "equilibrium", flexslip.equilibrium(DESIGN).plot()
     yield "region", flexslip.equilibrium_region(DESIGN, points=50).plot()
     not_explained = flexslip.fit(case("simulated"), modulus="1 GPa")
-    yield "no answer", not_explained.plot("record")
+    yield "no answer", not_explained.plot()
+    yield "no force", without_force().plot()
+    for name in EXAMPLES:
+        yield f"modulus {name}", flexslip.modulus(case(name)).plot()
+    yield "no modulus", flexslip.modulus(without_force().case).plot()
 
 
 class Figures(unittest.TestCase):
@@ -115,6 +125,38 @@ class Figures(unittest.TestCase):
         np.testing.assert_allclose(line.get_xdata(), 1e6 * fit.curves.deflection, rtol=1e-12)  # µm; the products round
         np.testing.assert_allclose(line.get_ydata(), 1e3 * fit.curves.force, rtol=1e-12)
 
+    def test_identity_a_test_without_a_fit_has_its_record(self):
+        fit = without_force()
+        line = fit.plot().lines[-1]
+        np.testing.assert_allclose(line.get_xdata(), 1e6 * fit.curves.deflection, rtol=1e-12)
+        self.assertEqual(len(pickle.loads(pickle.dumps(fit)).plot("record").lines), 2)
+        self.assertRaises(ValueError, fit.plot, "force")
+        self.assertEqual(len(fitted("simulated").plot()), 2)
+
+    def test_identity_the_chord_and_the_linear_region_lie_on_the_record(self):
+        found = flexslip.modulus(case("simulated"))
+        lines = {line.get_label().split(":")[0]: line for line in found.plot().lines}
+        measured, chord, region = (lines[name] for name in ("Measured", "Chord of ISO 178", "Linear region"))
+        np.testing.assert_allclose(chord.get_xdata(), 1e6 * np.asarray(found.chord.deflection), rtol=1e-12)
+        self.assertEqual(chord.get_label(), f"Chord of ISO 178: {found.chord.modulus}")
+        of_line = np.diff(region.get_ydata())[0] / np.diff(region.get_xdata())[0] * 1e3  # N/m, of mN and µm
+        self.assertAlmostEqual(of_line / found.stiffness.value, 1, delta=1e-9)
+        noise = 2 * found.stiffness.stderr / found.stiffness.value * np.max(region.get_ydata())
+        for line in chord, region:
+            np.testing.assert_allclose(line.get_ydata(), np.interp(line.get_xdata(), measured.get_xdata(), measured.get_ydata()), atol=noise)
+        figure, axes = plt.subplots()
+        self.assertIs(found.plot(axes), axes)
+        self.assertEqual(len(pickle.loads(pickle.dumps(found)).plot().lines), 4)
+
+    def test_outside_a_campaign_and_a_map_are_one_table_and_one_figure(self):
+        for thing in campaign_of_examples(), flexslip.design(DESIGN, over={"stiffness": (10, 40, 3), "mu0": (0.1, 0.9, 4)}):
+            page = thing._repr_html_()
+            self.assertEqual((page.count("<table"), page.count("<img")), (1, 1))
+            self.assertEqual(plt.get_fignums(), [])
+        page = campaign_of_examples()._repr_html_()
+        self.assertIn(str(fitted("simulated").params.mu0), page)
+        self.assertLess(len(re.findall("<th>", page.split("</thead>")[0])), 20)
+
     def test_outside_axes_of_ones_own(self):
         fit = fitted("simulated")
         figure, axes = plt.subplots(1, 2)
@@ -187,8 +229,8 @@ class Words(unittest.TestCase):
                     told = each.severity not in ("passed", "unjudged")
                     self.assertEqual(each.sentence in words, told, each.sentence)
                     if told:
-                        self.assertIn(each.remedy, words)
-                        self.assertIn(html.escape(each.remedy), page)
+                        self.assertIn(advice(each.remedy), words)
+                        self.assertIn(html.escape(advice(each.remedy)), page)
                 has_parameters = code in ("slip", "no_drops") and fit.success
                 self.assertEqual("bending_stiffness" in words, has_parameters)
                 self.assertEqual("bending_stiffness" in page, has_parameters)
@@ -226,6 +268,20 @@ class Words(unittest.TestCase):
         self.assertIn("<caption>Fitted parameters of the friction model</caption>", fit.params._repr_html_())
         for part in fit.params, fit.energy, fit.judgement, fit.measurement, flexslip.design(DESIGN), fit.drops[0]:
             self.assertRegex(part._repr_html_(), "<caption>([A-Z][a-z-]*) ")  # a sentence, no name of a class
+
+    def test_identity_an_estimate_rounds_and_compares_as_its_value(self):
+        fit = fitted("simulated")
+        mu0, wavelength = fit.params.mu0, fit.params.wavelength
+        self.assertEqual((round(mu0, 2), round(mu0), float(mu0)), (round(mu0.value, 2), 1, mu0.value))
+        self.assertTrue(mu0 > 0.3 and 0.3 < mu0 and mu0 >= mu0 and mu0 <= mu0.value and mu0 == mu0.value and mu0 < fitted("surface").params.mu0)
+        self.assertEqual((hash(mu0), max(mu0, 0.7), sorted([mu0, 0.1])[0]), (hash(mu0.value), 0.7, 0.1))
+        self.assertEqual((np.array([0.1, 0.9]) > mu0).tolist(), [False, True])
+        self.assertTrue(mu0 != wavelength and mu0 != "mu0" and np.float64(0.3) < mu0 and mu0 < flexslip.Quantity(0.9, "1"))
+        with self.assertRaisesRegex(TypeError, "a number in 1 cannot be compared with one in m"):
+            mu0 < wavelength
+        self.assertRaises(TypeError, lambda: mu0 < "0.3")
+        unknown = flexslip.fit(case("simulated"), model="constant").params.wavelength
+        self.assertFalse(unknown < 1 or unknown >= 1 or unknown == unknown)
 
     def test_outside_an_estimate_is_formatted_as_its_value(self):
         mu0 = fitted("simulated").params.mu0

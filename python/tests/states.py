@@ -119,6 +119,24 @@ class Universal(unittest.TestCase):
         self.assertTrue(masked.mask[1] and masked[0] == flexslip.elastica(1.2, 0.3).w)
         self.assertIsInstance(flexslip.elastica(np.matrix([1.1, 1.2]), 0.3).w, np.matrix)
 
+    def test_identity_nan_gives_nan_and_changes_no_other_state(self):
+        S, q = self.S[:40].copy(), self.q[:40].copy()
+        S[3], q[17] = np.nan, np.nan
+        unknown = np.isnan(S) | np.isnan(q)
+        on_rollers = flexslip.elastica_on_rollers([0.1, np.nan, 0.1], 0.3, roller_radius=[0.05, 0.05, np.nan])
+        self.assertEqual([np.isnan(each).tolist() for each in on_rollers], [[False, True, True]] * 9)
+        with np.errstate(all="raise"):
+            for function, inputs in ((flexslip.elastica, (self.S, self.q)), (flexslip.elastica_slopes, (self.S, self.q)), (flexslip.elastica_details, (self.S, self.q)),
+                                     (flexslip.elastica_inverse, (self.w, self.F))):
+                whole = function(*(np.where(np.isnan(each), 1, each)[:40] for each in inputs))
+                holed = function(*(np.where(unknown, np.nan, np.where(np.isnan(each), 1, each)[:40]) for each in inputs))
+                for one, other in zip(whole, holed):
+                    np.testing.assert_array_equal(np.where(unknown, np.nan, one), other)
+        out = np.empty(40), None
+        self.assertIs(flexslip.elastica(S, q, out=out).w, out[0])
+        np.testing.assert_array_equal(np.isnan(out[0]), unknown | np.isnan(self.w[:40]))
+        self.assertTrue(np.isnan(flexslip.elastica(np.nan, 0.3).F))
+
     def test_identity_threads_share_the_work(self):
         answers = [None] * 4
 

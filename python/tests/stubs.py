@@ -57,7 +57,7 @@ WRONG = {  # and the code or words of what mypy says
 
 def mypy(*arguments, folder):
     settings = pathlib.Path(folder) / "mypy.ini"
-    settings.write_text("[mypy]\nstrict = True\nshow_error_codes = True\n[mypy-pandas.*,matplotlib.*,scipy.*]\nignore_missing_imports = True\n")
+    settings.write_text("[mypy]\nstrict = True\nshow_error_codes = True\n[mypy-pandas.*,matplotlib.*,scipy.*,xlrd.*]\nignore_missing_imports = True\n")
     environment = {**os.environ, "MYPYPATH": str(BUILT)}
     environment.pop("PYTHONPATH", None)
     return subprocess.run([sys.executable, "-m", "mypy", "--config-file", settings, "--cache-dir", pathlib.Path(folder) / "cache", *arguments],

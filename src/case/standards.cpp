@@ -22,8 +22,8 @@ namespace {
 std::optional<LoadingRead> loading_read(const Measurement& measurement, const SmallDeflection& numbers,
                                         const Scales& scales) {
   const auto counted = [&](std::size_t point) { return measurement.record.deflection[point] - numbers.origin; };
-  const double from = numbers.chord ? numbers.chord->deflection_from : counted(numbers.first);
-  const double to = numbers.chord ? numbers.chord->deflection_to : counted(numbers.last - 1);
+  const double from = reports_chord(numbers) ? numbers.chord->deflection_from : counted(numbers.first);
+  const double to = reports_chord(numbers) ? numbers.chord->deflection_to : counted(numbers.last - 1);
   const LoadingRead read{.from = std::max(scales.reduced_length(from), 0.0),
                          .to = scales.reduced_length(to),
                          .greatest = scales.reduced_length(std::max(to, numbers.greatest.deflection))};

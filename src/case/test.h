@@ -1,7 +1,6 @@
 // A bending test as the user describes it. Each key has a member here and a row in case_keys.cpp.
 //
-// Numbers are in SI and radians, in a reduced test in the model's scaled variables: lengths in
-// spans L, forces in EI/L^2, stiffnesses in EI/L^3. Units below are for physical tests.
+// Numbers are in SI and radians; in a reduced test, lengths are in spans L, forces in EI/L^2.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +21,6 @@
 namespace flexslip {
 
 struct FrictionTable;  // contact/friction.h
-
 // Determined from the record.
 struct ToFit {
   bool operator==(const ToFit&) const = default;
@@ -162,9 +160,9 @@ using PlaceInRecord = std::variant<AtRow, AtStage, AtDeflection>;
 struct RecordInput {
   std::string file{};
   std::optional<SheetChoice> sheet{};  // of a workbook; empty: the first sheet with a table of numbers
-  std::optional<std::string> stage{}, deflection{}, force{};  // titles; in an export also numbers
-  std::optional<std::string> length{};                        // sliding length over both supports, as imaged
-  std::optional<DisplacementOf> displacement{};               // empty: from the titles in the file
+  // titles, in an export also numbers; length: sliding length over both supports, as imaged
+  std::optional<std::string> stage{}, deflection{}, force{}, length{};
+  std::optional<DisplacementOf> displacement{};  // empty: from the titles in the file
   std::optional<std::string> displacement_column{};
   std::optional<std::uint64_t> specimen{};   // from 1; empty: the only one
   std::optional<std::string> calibration{};  // of a force in volts, "222 N/V"

@@ -390,9 +390,11 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   return result;
 }
 
+bool reports_chord(const SmallDeflection& numbers) { return numbers.chord && !numbers.chord_in_toe; }
+
 std::optional<Estimate> standard_modulus(const SmallDeflection& numbers) {
   if (numbers.status != SmallDeflectionStatus::ok || !numbers.modulus) return std::nullopt;
-  const auto& [stiffness, modulus] = numbers.chord && !numbers.chord_in_toe
+  const auto& [stiffness, modulus] = reports_chord(numbers)
                                          ? std::pair(numbers.chord->stiffness, numbers.chord->modulus)
                                          : std::pair(numbers.stiffness, *numbers.modulus);
   return normal_estimate(modulus, modulus * (stiffness.standard_error / stiffness.value));

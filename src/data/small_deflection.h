@@ -178,8 +178,11 @@ bool yields(const SmallDeflection& numbers);
 // True if the record ends while the force still rises, so that its maximum is no strength.
 bool ends_rising(const SmallDeflection& numbers);
 
-// [Pa] The modulus to report: from the chord, or from the linear region if there is no chord or the
-// chord lies in the toe. Empty unless the status is ok and the section is known.
+// True if the chord gives the modulus to report: there is one, and it does not lie in the toe.
+bool reports_chord(const SmallDeflection& numbers);
+
+// [Pa] The modulus to report, from the chord or the linear region. Empty unless the status is ok and
+// the section is known.
 std::optional<Estimate> standard_modulus(const SmallDeflection& numbers);
 
 }  // namespace flexslip

@@ -279,7 +279,7 @@ std::string spacing_in_words(T test) {
     clauses.push_back(period == spacing ? "friction varies along it with the same period"
                                         : fmt::format("friction varies with a period of {}", period));
   } else if (analysis.fit.model == ProfileModel::roughness && !analysis.fit.mu0_is_bound) {
-    clauses.emplace_back("the spacing is irregular");
+    clauses.emplace_back("irregular");
   }
   return in_clauses(clauses);
 }

@@ -1,8 +1,7 @@
 // The analysis of one measured test: its friction along the specimen with errors, its drops, and
 // the work of friction. Inputs are in SI units, results in reduced variables with their Scales.
 //
-// The order of a whole evaluation: find_contact (beginning.h), fit_passes (passes.h) if the record
-// reloads, analyse, judge (judgement.h); then summary_of and summarise (campaign.h) over many tests.
+// An evaluation calls find_contact, fit_passes if the record reloads, analyse and judge.
 #pragma once
 
 #include <cstddef>
@@ -24,7 +23,6 @@
 #include "numerics/elementary.h"
 
 namespace flexslip {
-
 // ---- Before a fit
 
 // True if sliding with non-negative friction can explain the record: at least four fifths of the
@@ -46,8 +44,7 @@ FrictionlessForceRatio frictionless_force_ratio(const ReducedRecord& record, con
 struct StiffnessFromSlope {
   bool found = false;  // to max_stiffness_error or better; if not, nothing else is valid
   double value = 0;    // [N m^2] EI
-  // [1] standard deviation of the slope, with 3 % for friction and large deflection; without the
-  // errors of contact and load train
+  // [1] standard deviation, with 3 % for friction and large deflection; without contact and load train
   double relative_error = 0;
   double deflection = 0;  // [m] an error of the contact divided by it is the relative error of EI
 };

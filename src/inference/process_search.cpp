@@ -314,8 +314,7 @@ class Search {
 
   // Move the most probable waves to the joint optimum of their lengths and the errors of the rig,
   // which stretch all waves alike. The resulting error of the lengths serves for all other modes
-  // with as many waves. Mean and error are those of the parabola through the top and both ends of
-  // the valley.
+  // with as many waves. A parabola through the top and both ends of the valley gives mean and error.
   void move_along_valley(std::vector<Component>& components) const {
     Component& component = components.front();
     const std::size_t waves = component.mode.theta.waves;
@@ -341,8 +340,10 @@ class Search {
     }
     if (!o_.parts.valley_move) return;
     const double goal = std::clamp((rise - 0.5 * curvature * down) / curvature, -down, up);
-    const Stretched& nearest = *std::ranges::min_element(
-        goal > 0 ? longer : shorter, {}, [&](const Stretched& each) { return std::abs(each.by - goal); });
+    const std::vector<Stretched>& way = goal > 0 ? longer : shorter;
+    const Stretched& nearest = *std::min_element(way.begin(), way.end(), [&](const Stretched& a, const Stretched& b) {
+      return std::abs(a.by - goal) < std::abs(b.by - goal);
+    });
     Mode moved = nearest.mode;
     stretch(moved, goal - nearest.by);
     if (!(moved.log_posterior > top)) return;

@@ -101,9 +101,9 @@ Rows number_rows(const StandardTest& test) {
     rows.push_back({numbers.chord ? "flexural modulus E_f, linear region" : "flexural modulus E_f = F L³/(48 I δ)",
                     modulus_in_words(*numbers.modulus, relative, as(kind::pressure))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
-    rows.push_back(
-        {fmt::format("E_f of the {} without the effect of the supports", numbers.chord ? "chord" : "linear region"),
-         three_digits(modulus->value, as(kind::pressure))});
+    rows.push_back({fmt::format("E_f of the {} without the effect of the supports",
+                                reports_chord(numbers) ? "chord" : "linear region"),
+                    three_digits(modulus->value, as(kind::pressure))});
   add_reached(rows, measurement.test, numbers.greatest, "maximum force", stress_label(test), "at the maximum force");
   if (is_broken(test))
     add_reached(rows, measurement.test, numbers.end, "force at break", "flexural stress at break σ_fB", "at break");
@@ -279,7 +279,7 @@ std::vector<Remark> remarks_on_inputs(const StandardTest& test) {
     list.push_back(
         {fmt::format("As the specimen bends, its contacts with the supports move inwards, which adds {} to the "
                      "stiffness of the {}.",
-                     percent_to_two_digits(*test.supports.alone), numbers.chord ? "chord" : "linear region")});
+                     percent_to_two_digits(*test.supports.alone), reports_chord(numbers) ? "chord" : "linear region")});
   if (test.supports.friction) list.push_back({friction_in_words(test, *test.supports.friction)});
   return list;
 }

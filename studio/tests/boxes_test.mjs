@@ -5,36 +5,39 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, test } from "node:test";
-import { close, drop, fitted, missing, open, painted, program, RIG, root, say } from "./browser.mjs";
+import { close, commandOf, drop, fitted, missing, open, painted, program, RIG, root, say } from "./browser.mjs";
 
 const skip = missing || false;
 after(close);
 const bytes = readFileSync(join(root, "examples/simulated/test.csv"));
-const shown = (tab) => tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "mine");
+const shown = (tab) => tab.waitForFunction(() => document.querySelector("#tests .selected b")?.textContent === "mine");
 const mine = { name: "mine.csv", bytes: Buffer.from(bytes.toString("utf8").replace("stage [um]", "crosshead [um]")) };
-const wrongAt = (tab, box) => tab.locator(`#card [aria-label="${box}"] + .wrong`);
+const boxOf = (tab, box) => tab.locator(`:is(#card, #request) [aria-label="${box}"]`), wrongAt = (tab, box) => tab.locator(`:is(#card, #request) :has(> [aria-label="${box}"]) ~ .wrong, #card [aria-label="${box}"] + .wrong`);
 
 test("a quantity of another kind is refused at its box, which keeps it; mended, the message goes", { skip }, async () => {
   const tab = await open();
   await drop(tab, mine);
   await shown(tab);
-  for (const [box, wrong, right] of [["span", "1278 N", "1278 um"], ["load train", "90.65 GPa", "90.65 N/m"], ["diameter", "34.8", "34.8 um"], ["modulus", "30 mm", "30 GPa"], ["span", "-3 mm", "1.278 mm"], ["span", "inf", "1278 um"]]) {
-    const at = tab.locator(`#card [aria-label="${box}"]`);
-    await at.fill(wrong);
-    await at.press("Enter");
-    await painted(tab);
-    assert.equal(await at.inputValue(), wrong, "what was written stays to be mended");
-    assert.ok((await wrongAt(tab, box).innerText()).length > 10, `${box}: ${wrong}`);
-    assert.doesNotMatch(await wrongAt(tab, box).innerText(), /--[a-z]/);
-    assert.doesNotMatch(await tab.locator("#command").innerText(), new RegExp(wrong.replace(/[-.]/g, "\\$&")), "it is not taken");
+  for (const [box, right, ...wrongs] of [["diameter", "34.8 um", "34.8"], ["modulus", "30 GPa", "30 mm"], ["load train", "90.65 N/m", "90.65 GPa"], ["span", "1278 um", "1278 N", "-3 mm", "inf"]]) {
+    const at = boxOf(tab, box);
+    await at.waitFor();
+    for (const wrong of wrongs) {
+      await at.fill(wrong);
+      await at.press("Enter");
+      await painted(tab);
+      assert.equal(await at.inputValue(), wrong, "what was written stays to be mended");
+      assert.ok((await wrongAt(tab, box).innerText()).length > 10, `${box}: ${wrong}`);
+      assert.doesNotMatch(await wrongAt(tab, box).innerText(), /--[a-z]/);
+      assert.doesNotMatch(await commandOf(tab), new RegExp(wrong.replace(/[-.]/g, "\\$&")), "it is not taken");
+      assert.match(await at.getAttribute("placeholder"), /^e\.g\. /, "an example reads as one");
+    }
     await at.fill(right);
     await painted(tab);
     assert.equal(await wrongAt(tab, box).isVisible(), false, `${box}: the message goes as it is mended`);
     await at.press("Enter");
-    await painted(tab);
-    assert.equal(await wrongAt(tab, box).isVisible(), false, box);
   }
-  assert.match(await tab.locator("#card [aria-label=modulus]").getAttribute("placeholder"), /^e\.g\. /, "an example reads as one");
+  await fitted(tab);
+  assert.match(await commandOf(tab), /--span "1278 um" --diameter "34\.8 um" --modulus "30 GPa" --stiffness "90\.65 N\/m"/);
   assert.deepEqual(tab.said, []);
   await tab.end();
 });
@@ -45,23 +48,28 @@ test("every box takes what the program takes: units of all kinds, and what is no
     writeFileSync(join(folder, "few.csv"), "crosshead [um],force [mN]\n0,0\n1,1\n");
     await drop(tab, mine);
     await shown(tab);
-    const values = ["12 um", "12 µm", "12 μm", "0.5 in", "3 mil", "12 micron", "12 N/m", "12 N/mm", "12 mN/um", "12 lbf/in", "12 kgf/mm", "12 GPa", "12 ksi", "12 Msi", "12 N/mm^2", "12 N/mm²", "12 N m^2", "12 s", "12 deg", "12", "1,5 mm", "1.5mm", "1e-3 m", ".5 mm", "+2 mm", "0 mm", "-1 mm", "inf", "Inf", "nan mm", "12 mmm", "12 KN", "12 mm mm", "mm", "", "12 furlongs", "1e99 m", "12 M", "12 %", "12 um ± 1 um", "12 N/m +- 2 %", "12 GPa ± 3 GPa", "12 um ± 1 N", "12 N/m ±", "12 N/m ± 1"];
-    const boxes = { span: "span", diameter: "diameter", "load train": "stiffness", modulus: "modulus" };
-    for (const [box, flag] of Object.entries(boxes))
-      for (const words of values.filter((each) => each !== "")) {
+    const values = ["12 um", "12 µm", "12 μm", "0.5 in", "3 mil", "12 micron", "12 N/m", "12 N/mm", "12 mN/um", "12 lbf/in", "12 kgf/mm", "12 GPa", "12 ksi", "12 Msi", "12 N/mm^2", "12 N/mm²", "12 N m^2", "12 s", "12 deg", "12", "1,5 mm", "1.5mm", "1e-3 m", ".5 mm", "+2 mm", "0 mm", "-1 mm", "inf", "Inf", "nan mm", "12 mmm", "12 KN", "12 mm mm", "mm", "12 furlongs", "1e99 m", "12 M", "12 %", "12 um ± 1 um", "12 N/m +- 2 %", "12 GPa ± 3 GPa", "12 um ± 1 N", "12 N/m ±", "12 N/m ± 1"];
+    for (const [box, flag] of Object.entries({ diameter: "diameter", modulus: "modulus", "load train": "stiffness", span: "span" })) {
+      await boxOf(tab, box).waitFor();
+      for (const words of values) {
         let natively = "";
         try {
           execFileSync(program, ["fit", "few.csv", "--span", "1278 um", "--stiffness", "90 N/m", "--diameter", "30 um"].map((word, i, all) => (all[i - 1] === `--${flag}` ? words : word)).concat(flag === "modulus" ? ["--modulus", words] : []), { cwd: folder, encoding: "utf8", stdio: ["ignore", "pipe", "pipe"] });
         } catch (cause) {
           natively = cause.stderr;
         }
-        const at = tab.locator(`#card [aria-label="${box}"]`);
-        await at.fill("");
+        const at = boxOf(tab, box), refused = new RegExp(`--${flag}|\\] ${flag}\\.`).test(natively) && !natively.includes("not less than the span");
         await at.fill(words);
         await at.press("Enter");
-        await painted(tab);
-        assert.equal(await wrongAt(tab, box).isVisible(), new RegExp(`--${flag}|\\] ${flag}\\.`).test(natively) && !natively.includes("thinner than"), `${box}: ${words}: ${natively}`);
+        await tab.waitForFunction(([name, wrong]) => wrong === (document.querySelector(`:is(#card, #request) [aria-label="${name}"]`)?.getAttribute("aria-invalid") === "true"), [box, refused], { timeout: 5000 }).catch(() => assert.fail(`${box}: ${words}: ${natively}`));
+        if (refused) continue;
+        await tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit");
+        await tab.evaluate(() => document.activeElement.blur());
+        await tab.keyboard.press("Control+z");
+        await boxOf(tab, box).waitFor();
       }
+      if (box === "load train") await boxOf(tab, box).fill("90 N/m"), await boxOf(tab, box).press("Enter");
+    }
     assert.deepEqual(tab.said, []);
   } finally {
     rmSync(folder, { recursive: true });
@@ -74,33 +82,37 @@ test("several files: what one is told of the rig the others are told; Fit all, t
   const shorter = { bytes: mine.bytes.subarray(0, mine.bytes.lastIndexOf("\n", mine.bytes.length - 2) + 1) };
   await drop(tab, ...names.map((name) => ({ ...mine, ...(name === "c.csv" ? shorter : {}), name })));
   await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 4);
-  assert.match(await tab.locator("#error").innerText(), /^3 files do not say the support span and the stiffness of the load train\. Enter them in the boxes of one of them, once for all, then press Fit all\./);
+  await tab.locator("#request .ask input").waitFor();
+  assert.match(await tab.locator("#verdict").innerText(), /c\.csv, 425 rows; 2 questions are open\. The answer holds for all 3 files\s+How stiff is the load train\?/);
   await say(tab, RIG);
+  await fitted(tab);
   const at = (box) => tab.locator(`#card [aria-label="${box}"]`), show = async (name) => {
-    await tab.locator("#tests li").nth(1 + names.indexOf(name)).click();
+    await tab.locator("#tests .test").nth(1 + names.indexOf(name)).click();
     await painted(tab);
   };
   await show("a.csv");
+  assert.match(await tab.locator("#verdict").innerText(), /Press Fit\./);
   assert.equal(await at("span").inputValue(), "1278 µm", "the rig is that of all");
   assert.equal(await at("diameter").inputValue(), "", "a specimen is that of its file");
-  for (const [span, ofTheOthers] of [["1.3 mm", "1278 µm"], ["1278 um", "1278 µm"]]) {
-    await show("a.csv");
-    await at("span").fill(span);
-    await at("span").press("Enter");
-    for (const other of ["b.csv", "c.csv"]) {
-      await show(other);
-      assert.equal(await at("span").inputValue(), ofTheOthers, "what was said of one is not said over by another");
-    }
-  }
+  await at("span").fill("1.3 mm");
+  await at("span").press("Enter");
+  await fitted(tab);
+  await show("b.csv");
+  assert.equal(await at("span").inputValue(), "1278 µm", "what was said of one is not said over by another");
   await tab.locator("#fit-all").click();
-  await tab.waitForFunction(() => [...document.querySelectorAll("#tests .badge")].every((badge) => /of 3\d/.test(badge.textContent)));
+  await tab.waitForFunction(() => [...document.querySelectorAll("#tests .badge")].every((badge) => badge.textContent === "SLIP"));
+  await show("a.csv");
+  await tab.locator(".parameter[data-parameter=L] input.number").fill("1278 um");
+  await tab.locator(".parameter[data-parameter=L] input.number").press("Enter");
+  await tab.locator("#fit").click();
+  await fitted(tab);
   await tab.locator("#table-of-tests").click();
   assert.equal(await tab.locator("[role=dialog] tbody tr").count(), 4);
   const saved = tab.waitForEvent("download");
   await tab.getByText("Save as CSV").click();
   const table = readFileSync(await (await saved).path(), "utf8").trim().split("\n");
   assert.deepEqual(table.slice(1).map((line) => line.split(",").slice(0, 3).join()), ["a,ok,SLIP", "c,ok,SLIP", "simulated,ok,SLIP"]);
-  assert.match(await tab.locator("[role=dialog] [role=status]").innerText(), /'b' is omitted: its record is identical to the record of 'a'/);
+  assert.match(await tab.locator("[role=dialog] [role=status]").innerText(), /'b' is .*record of 'a'/);
   await tab.keyboard.press("Escape");
   await tab.locator("#tests li").nth(1).hover();
   await tab.locator("#tests li").nth(1).locator(".away").click();
@@ -116,19 +128,16 @@ test("several files: what one is told of the rig the others are told; Fit all, t
   await tab.end();
 });
 
-test("while one is fitted another is read and seen, waits, and a slider of a third cancels neither", { skip }, async () => {
+test("while one is fitted another is read and seen, waits, and a parameter of a third cancels neither", { skip }, async () => {
   const tab = await open();
   await drop(tab, mine);
   await shown(tab);
   await say(tab, RIG);
-  await tab.locator("#fit").click();
   await drop(tab, { ...mine, name: "later.csv" });
   await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 3);
-  await tab.locator("#tests li").first().click();
-  const slider = tab.locator(".parameter[data-parameter=mu0] input[type=range]");
-  await slider.focus();
-  await slider.press("ArrowRight");
-  await tab.waitForFunction(() => /of 3\d/.test(document.querySelectorAll("#tests .badge")[1].textContent));
+  await tab.locator("#tests .test").first().click();
+  await tab.locator(".parameter[data-parameter=mu0] .drag").press("ArrowRight");
+  await tab.waitForFunction(() => document.querySelectorAll("#tests .badge")[1].textContent === "SLIP");
   assert.deepEqual(tab.said, []);
   await tab.end();
 });

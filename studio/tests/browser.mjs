@@ -51,20 +51,37 @@ export async function drop(tab, ...files) {
   }, list);
   await tab.dispatchEvent("body", "drop", { dataTransfer: transfer });
 }
-export const fitted = (tab) => tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && /Fitted|No fit/.test(document.querySelector("#fit-said").textContent));
+/** Nothing is read or fitted, and the program asks nothing. */
+export const fitted = (tab) => tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && document.querySelector("#request .ask") === null && !/^(Reading|Fitting|Waits)/.test(document.querySelector("#fit-said").textContent) && !/^(Fitting|Waits)/.test(document.querySelector("#verdict h1").textContent));
+/** The command that the menu offers to copy. */
+export async function commandOf(tab) {
+  await tab.click("#export");
+  const command = await tab.locator("#menu [data-command]").getAttribute("data-command");
+  await tab.keyboard.press("Escape");
+  return command;
+}
 export const errorOf = (tab) => tab.locator("#error").innerText();
 export const painted = (tab) => tab.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 
-/** Says the numbers of the rig that a data file does not, by the keys alone: one box after the other. */
+/** States what a data file does not: what the card has a box for, then what the program asks, one question after the other; at the last answer it fits. */
 export async function say(tab, rig) {
-  await tab.locator(`#card [aria-label="${Object.keys(rig)[0]}"]`).focus();
-  for (const [name, value] of Object.entries(rig)) {
-    const at = await tab.evaluate(() => document.activeElement.getAttribute("aria-label"));
-    if (at !== name) throw new Error(`the focus is at ${at}, not at ${name}`);
-    await tab.keyboard.press("Control+a");
-    await tab.keyboard.type(value);
-    await tab.keyboard.press("Tab");
-    await painted(tab);
+  const left = { ...rig }, enter = async (box, name) => {
+    await box.fill(left[name]);
+    await box.press("Enter");
+    delete left[name];
+  };
+  const request = tab.locator("#request .ask input");
+  await request.waitFor();
+  for (const name of Object.keys(left)) {
+    const box = tab.locator(`#card [aria-label="${name}"]`);
+    if (await box.count()) await enter(box, name), await tab.waitForTimeout(300);  // asked once more, the program asks the same
+  }
+  while (await request.count()) {
+    const name = await request.getAttribute("aria-label");
+    if (!(name in left)) return;
+    const asked = await tab.locator("#verdict h1").innerText();
+    await enter(request, name);
+    await tab.waitForFunction((words) => document.querySelector("#verdict h1").innerText !== words && document.querySelector("#fit").textContent === "Fit", asked);
   }
 }
 export const RIG = { span: "1278 um", diameter: "34.8 um", "load train": "90.65 N/m" };

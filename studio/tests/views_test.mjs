@@ -5,7 +5,7 @@ import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { close, data, drop, errorOf, fitted, longRecord, missing, open, page, painted, program, RIG, root, say } from "./browser.mjs";
+import { close, commandOf, data, drop, errorOf, fitted, longRecord, missing, open, page, painted, program, RIG, root, say } from "./browser.mjs";
 
 const skip = missing || false, cycles = join(data, "instruments/bluehill_blades/cyclic_Specimen_RawData_1.csv"), offRig = join(data, "cracked/K03.csv");
 after(close);
@@ -15,27 +15,33 @@ const quiet = (tab) => {
 };
 const row = async (tab) => Number(await tab.locator("#moment .cell b").first().innerText());
 
-for (const [width, height] of [[1280, 800], [1440, 900], [1920, 1080], [820, 1180]])
+/** Words that are cut off, or that lie over others, in the answer, the moment, the list and the boxes. */
+const overlapping = (tab) => tab.evaluate(() => {
+  const all = [...document.querySelectorAll("#verdict :is(h1, dt, dd), #moment .cell, #moment .drop, .tests b, .badge, .view > h2 > *, .parameter > *, .hang, #card :is(dt, dd), .head > *, #request *")].filter((e) => e.offsetParent && e.textContent.trim() && !e.closest("details:not([open]) > :not(summary)"));
+  const box = (e) => e.getBoundingClientRect(), cut = all.filter((e) => box(e).right > innerWidth + 1 || (e.scrollWidth > e.clientWidth + 1 && e.clientWidth && getComputedStyle(e).textOverflow !== "ellipsis"));
+  const over = all.flatMap((a, i) => all.slice(i + 1).filter((b) => !a.contains(b) && !b.contains(a) && box(a).left < box(b).right - 1 && box(b).left < box(a).right - 1 && box(a).top < box(b).bottom - 3 && box(b).top < box(a).bottom - 3).map((b) => `${a.textContent} / ${b.textContent}`));
+  return [...cut.map((e) => e.textContent), ...over];
+});
+
+for (const [width, height] of [[390, 844], [640, 400], [820, 1180], [1280, 800], [1440, 900], [1920, 1080]])
   for (const theme of ["light", "dark"])
     test(`first picture, ${width} by ${height}, ${theme}: the example is open and analysed, nothing overflows`, { skip }, async () => {
       const tab = await open({ width, height, theme });
       assert.match(await tab.locator("#answer h1").innerText(), /^SLIP\. All 35 force drops can be slips over the supports\. Probability that the drops are cracks only: below 1 %\.$/);
-      assert.match(await tab.locator("#answer .lead").innerText(), /^Next: unload to .* or less and load again,/);
-      assert.equal(await tab.locator(".numbers > div").count(), 5);
-      assert.ok((await tab.locator(".checks li").count()) >= 6);
+      const shown = await tab.locator("#verdict .lines").first().locator("dt").allInnerTexts();
+      assert.deepEqual(shown, ["friction", "work", "spacing", "next"], "the first lines of the program's screen");
       assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme), theme);
       const wide = await tab.evaluate(() => document.documentElement.scrollWidth - innerWidth);
       assert.ok(wide <= 0, `the page is ${wide} px wider than the window`);
-      const clipped = await tab.evaluate(() => [...document.querySelectorAll("#answer *:not(svg *), #force-marks, .parameter .number")].filter((e) => e.scrollWidth > e.clientWidth + 1 || e.getBoundingClientRect().right > e.closest("section, aside").getBoundingClientRect().right).map((e) => e.textContent));
-      assert.deepEqual(clipped, []);
+      assert.deepEqual(await overlapping(tab), []);
       for (const plot of ["force", "friction", "fibre"]) assert.ok((await tab.locator(`#${plot}-plot path`).count()) > 3, `${plot} is drawn`);
       quiet(tab);
       await tab.end();
     });
 
-test("first visit: five steps, each with one thing to drag; they come once", { skip }, async () => {
+test("first visit: the steps follow the verdict; they come once", { skip }, async () => {
   const tab = await open({ visited: false });
-  assert.match(await tab.locator("#tour").innerText(), /Is this toughness\?/);
+  assert.match(await tab.locator("#tour").innerText(), /The answer\s*SLIP\. All 35 force drops/);
   for (let i = 0; i < 4; ++i) {
     await tab.locator("#tour [data-next]").click();
     await painted(tab);
@@ -46,7 +52,7 @@ test("first visit: five steps, each with one thing to drag; they come once", { s
   assert.equal(await tab.locator("#tour").isVisible(), false);
   await tab.keyboard.press("?");
   assert.match(await tab.locator("[role=dialog]").innerText(), /previous, next drop/);
-  await tab.getByText("Show the five steps").click();
+  await tab.getByText("Show the first steps").click();
   await painted(tab);
   assert.equal(await tab.locator("#tour").isVisible(), true);
   quiet(tab);
@@ -82,7 +88,7 @@ test("hover: a moment pointed at in one view is marked in all others", { skip },
   await tab.end();
 });
 
-test("keyboard: rows, drops, play, pins, theme, table, undo", { skip }, async () => {
+test("keyboard: rows, drops, play, pins, theme, undo", { skip }, async () => {
   const tab = await open();
   const start = await row(tab);
   await tab.keyboard.press("ArrowRight");
@@ -102,32 +108,30 @@ test("keyboard: rows, drops, play, pins, theme, table, undo", { skip }, async ()
   assert.equal(await tab.locator("#pins li").count(), 1);
   await tab.keyboard.press("d");
   assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme), "dark");
-  await tab.keyboard.press("t");
-  assert.equal(await tab.locator("[role=dialog] tbody tr").count(), 426);
-  await tab.keyboard.press("Escape");
-  assert.equal(await tab.locator("[role=dialog]").count(), 0);
   quiet(tab);
   await tab.end();
 });
 
-test("every slider: a drag redraws the model, turns the row blue, is one undo, and comes home by a double-click on its name", { skip }, async () => {
+test("every parameter has one box with a handle: a drag redraws the model, turns it blue, is one undo, and comes home by a double-click on its name", { skip }, async () => {
   const tab = await open();
   const keys = await tab.evaluate(() => [...document.querySelectorAll(".parameter")].map((e) => e.dataset.parameter));
   assert.deepEqual(keys, ["mu0", "rms", "len", "amp", "lam", "phi", "EI", "D", "kc", "L", "R"]);
+  assert.equal(await tab.locator("input[type=range]").count(), 0);
   const model = () => tab.evaluate(() => [...document.querySelectorAll("#force-plot path[stroke='var(--model)']")].map((p) => p.getAttribute("d")).join());
   const home = await model();
   for (const key of keys) {
-    const slider = tab.locator(`.parameter[data-parameter=${key}] input[type=range]`), box = await slider.boundingBox();
-    const place = (await slider.evaluate((e) => Number(e.value))) / 1000, x = box.x + 10 + (box.width - 20) * place;
-    await tab.mouse.move(x, box.y + box.height / 2);
+    const handle = tab.locator(`.parameter[data-parameter=${key}] .drag`);
+    await handle.scrollIntoViewIfNeeded();
+    const box = await handle.boundingBox(), x = box.x + box.width / 2, y = box.y + box.height / 2, way = Number(await handle.getAttribute("aria-valuenow")) > 80 ? -1 : 1;
+    await tab.mouse.move(x, y);
     await tab.mouse.down();
-    for (let i = 1; i <= 4; ++i) await tab.mouse.move(x + (place > 0.8 ? -1 : 1) * i * 3, box.y + box.height / 2);
+    for (let i = 1; i <= 4; ++i) await tab.mouse.move(x + way * i * 5, y);
     await tab.mouse.up();
     await painted(tab);
     assert.equal(await errorOf(tab).catch(() => ""), "", key);
     assert.notEqual(await model(), home, `${key} changes the model`);
     assert.ok(await tab.locator(`.parameter[data-parameter=${key}].changed`).count(), `${key} is marked as changed`);
-    assert.match(await tab.locator("#fit-said").innerText(), /By hand: off by/);
+    assert.match(await tab.locator("#fit-said").innerText(), /By hand: residual/);
     await tab.keyboard.press("Control+z");
     await painted(tab);
     assert.equal(await model(), home, `one undo takes ${key} back`);
@@ -168,7 +172,7 @@ test("rows: dragging a handle changes the command, and the fit uses those rows",
   await tab.mouse.move(box.x - 120, y, { steps: 5 });
   await tab.mouse.up();
   await painted(tab);
-  const until = Number(/record\.until=(\d+)/.exec(await tab.locator("#command").innerText())[1]);
+  const until = Number(/record\.until=(\d+)/.exec(await commandOf(tab))[1]);
   assert.ok(until > 200 && until < 420, `${until}`);
   await tab.keyboard.press("f");
   await fitted(tab);
@@ -237,7 +241,7 @@ test("programme: a double-click adds a point and takes one away; play runs throu
 
 test("rows before contact and after failure are taken off by dragging either handle, by keys on it, and by [ and ]", { skip }, async () => {
   const tab = await open();
-  const command = () => tab.locator("#command").innerText(), { x, y, width, height } = await tab.locator("[data-handle=first]").boundingBox();
+  const command = () => commandOf(tab), { x, y, width, height } = await tab.locator("[data-handle=first]").boundingBox();
   await tab.mouse.move(x + width / 2, y + height / 2);
   await tab.mouse.down();
   await tab.mouse.move(x + width / 2 + 60, y + height / 2, { steps: 4 });
@@ -262,35 +266,21 @@ test("rows before contact and after failure are taken off by dragging either han
   await tab.end();
 });
 
-/** Fits what is shown, with these words in boxes of its card. */
-async function fitWith(tab, boxes) {
-  for (const [box, words] of Object.entries(boxes)) {
-    await tab.locator(`#card [aria-label="${box}"]`).fill(words);
-    await tab.locator(`#card [aria-label="${box}"]`).press("Enter");
-    await painted(tab);
-  }
-  await tab.locator("#fit").click();
-  await fitted(tab);
-  await painted(tab);
-}
-
-/** What the model is off by [N] when the slider of a parameter is moved one step, and by the fit; and the words that say so. */
+/** What the model is off by [N] when a parameter is moved one step, and by the fit; and the words that say so. */
 async function offBy(tab, key) {
-  const slider = tab.locator(`.parameter[data-parameter=${key}] input[type=range]`);
-  await slider.focus();
-  await slider.press("ArrowRight");
+  await tab.locator(`.parameter[data-parameter=${key}] .drag`).press("ArrowRight");
   await painted(tab);
   const words = await tab.locator("#fit-said").innerText();
   assert.ok(words.startsWith("By hand"), words);
-  return [...[...words.matchAll(/by ([\d.]+) (\S?)N/g)].map(([, number, prefix]) => number * { "": 1, m: 1e-3, µ: 1e-6 }[prefix]), words];
+  return [...[...words.matchAll(/([\d.]+) (\S?)N/g)].map(([, number, prefix]) => number * { "": 1, m: 1e-3, µ: 1e-6 }[prefix]), words];
 }
 
 test("a rig that the fit finds to be off by a little: the model is what it reads", { skip: skip || (!existsSync(offRig) && `there is no ${offRig}`) }, async () => {
   const tab = await open();
   await drop(tab, offRig);
-  await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 2);
+  await say(tab, { diameter: "39.3 um", "load train": "90.6455 N/m", span: "1.278 mm" });
+  await fitted(tab);
   await painted(tab);
-  await fitWith(tab, { span: "1.278 mm", "load train": "90.6455 N/m", diameter: "39.3 um" });
   const [byHand, byFit, words] = await offBy(tab, "D");  // which moves the force by little
   assert.ok(byHand < 1.3 * byFit, words);  // on a rig as stated it would be seven times as much
   quiet(tab);
@@ -300,10 +290,10 @@ test("a rig that the fit finds to be off by a little: the model is what it reads
 test("a record whose friction is seen in part: the model is pale beyond, and off by hand over the same rows as by the fit", { skip: skip || (!existsSync(cycles) && `there is no ${cycles}`) }, async () => {
   const tab = await open();
   await drop(tab, cycles);
-  await tab.waitForFunction(() => document.querySelectorAll("#tests li").length === 2);
-  await tab.locator("#card select[aria-label=moves]").selectOption({ index: 1 });
+  await tab.locator("#request").getByText("crosshead").click();
+  await say(tab, { "load train": "inf", span: "100 mm" });
+  await fitted(tab);
   await painted(tab);
-  await fitWith(tab, { span: "100 mm", "load train": "inf" });
   assert.match(await tab.locator("#force-plot").innerText(), /beyond the friction seen/);
   assert.ok((await tab.locator("#force-plot path[stroke-opacity='0.4']").first().getAttribute("d")).length > 40);
   const [byHand, byFit, words] = await offBy(tab, "EI");
@@ -312,7 +302,7 @@ test("a record whose friction is seen in part: the model is pale beyond, and off
   await tab.end();
 });
 
-test("sensitivity: a quantity pointed at, or its slider moved a little, moves the band by the change of friction", { skip }, async () => {
+test("sensitivity: a quantity pointed at, or moved a little, moves the band by what friction would change", { skip }, async () => {
   const tab = await open();
   const told = JSON.parse(execFileSync(program, ["fit", join(root, "examples/simulated/case.toml"), "--json"], { maxBuffer: 1 << 28 })).sensitivities;
   const buttons = tab.locator("#hangs .hang"), band = tab.locator("#friction-plot .restated"), words = () => tab.locator("#friction-plot").innerText();
@@ -357,7 +347,7 @@ test("lock: EI that is held stays in the next fit where the slider stands", { sk
   assert.equal(await lock.getAttribute("aria-pressed"), "true");
   await tab.locator("#fit").click();
   await fitted(tab);
-  assert.match(await tab.locator("#command").innerText(), /--set '?specimen\.(modulus|bending_stiffness)=/);
+  assert.match(await commandOf(tab), /--set '?specimen\.(modulus|bending_stiffness)=/);
   assert.equal(Number(await box.inputValue()).toPrecision(4), stiffer);
   quiet(tab);
   await tab.end();
@@ -387,7 +377,6 @@ test("fit: the bar shows the share that the program tells beside the stage, neve
     new MutationObserver(() => window.seen.push([document.querySelector("#fit-said").textContent, document.querySelector("#fit-bar span").style.width])).observe(document.querySelector("#fit-said"), { childList: true, characterData: true, subtree: true });
   });
   await say(tab, RIG);
-  await tab.locator("#fit").click();
   await fitted(tab);
   const seen = await tab.evaluate(() => window.seen), shown = seen.filter(([words]) => /^Fitting, /.test(words));
   assert.ok(new Set(shown.map(([words]) => words)).size >= 2, JSON.stringify(seen));
@@ -406,6 +395,8 @@ test("tests: J, K and Delete go through the list, and each has its own verdict a
     await drop(tab, { name: `${name}.toml`, bytes: Buffer.from(readFileSync(join(root, `examples/${name}/case.toml`), "utf8").replace("test.csv", `${name}.csv`)) }, { name: `${name}.csv`, bytes: readFileSync(join(root, `examples/${name}/test.csv`)) });
     await tab.waitForFunction((n) => document.querySelector("#what b")?.textContent === n, name);
     await fitted(tab);
+    await painted(tab);
+    await painted(tab);
   }
   const drawn = () => tab.evaluate(() => ["#answer", "#force-plot", "#friction-plot", "#fibre-plot", "#rows-plot", "#parameters"].map((q) => document.querySelector(q).innerHTML));
   const last = await drawn();
@@ -420,7 +411,7 @@ test("tests: J, K and Delete go through the list, and each has its own verdict a
   await tab.keyboard.press("j");
   await painted(tab);
   assert.equal(await head(), "cracked");
-  await tab.locator("#tests li[aria-selected=true]").focus();
+  await tab.locator("#tests .selected .test").focus();
   await tab.keyboard.press("Delete");
   await painted(tab);
   assert.deepEqual(await tab.locator("#tests li b").allInnerTexts(), ["simulated", "cyclic"]);

@@ -17,22 +17,26 @@ async function pageWords(source = "answer.ts") {
   const bundle = buildSync({ entryPoints: [join(root, "studio/page/src", source)], bundle: true, write: false, format: "esm", charset: "utf8" });
   return import(`data:text/javascript;base64,${Buffer.from(bundle.outputFiles[0].text).toString("base64")}`);
 }
-const noCase = { secondMoment: null, quantity: () => null };
 const fitOf = (name) => JSON.parse(execFileSync(program, ["fit", join(root, "examples", name, "case.toml"), "--json"], { maxBuffer: 1e8 }));
 
-test("every finding: the verdict, the sentence, its remedy and the next step stand on the page as the program says them", { skip }, async () => {
-  const { answerOf } = await pageWords();
-  const fit = fitOf("simulated"), situations = JSON.parse(readFileSync(join(root, "tests/outside/golden/findings.json"), "utf8"));
+test("every answer: friction is shown where the program's own line has it, and of no answer only what to correct", { skip }, async () => {
+  const { isWithdrawn, tellsFriction } = await pageWords();
+  const situations = JSON.parse(readFileSync(join(root, "tests/outside/golden/findings.json"), "utf8"));
   assert.ok(situations.length >= 28, "the program knows that many findings");
-  for (const { found, verdict, answer: rows, findings, next } of situations) {
-    const answer = answerOf({ ...fit, verdict, findings, next }, noCase);
-    assert.equal([answer.verdict, answer.rest].filter(Boolean).join(". "), verdict.sentence, found);
-    assert.equal(answer.next, next, found);
-    const judged = findings.filter((finding) => finding.severity !== "note" && finding.severity !== "condition");
-    assert.deepEqual(answer.checks.map((check) => check.words), judged.map((finding) => finding.short_form || finding.sentence), found);
-    assert.deepEqual(answer.checks.map((check) => check.reason), judged.map((finding) => [finding.sentence, finding.remedy].filter(Boolean).join(" ")), found);
-    const tells = !["check_input", "no_answer"].includes(verdict.code) && !rows.some(({ label, words }) => label === "friction" && words.startsWith("none: friction"));
-    assert.equal(/\d/.test(answer.numbers[0].value), tells, `${found}: friction is told where the verdict tells it`);
+  for (const { found, verdict, answer } of situations) {
+    const withdrawn = ["check_input", "no_answer"].includes(verdict.code), friction = answer.find(({ label }) => label === "friction")?.words ?? "none";
+    assert.equal(isWithdrawn({ verdict }), withdrawn, found);
+    assert.equal(tellsFriction({ verdict, answer }), !withdrawn && /\d/.test(friction), `${found}: ${friction}`);
+  }
+});
+
+test("the lines of the screen are those that the program prints, none lost and none wrapped", { skip }, async () => {
+  const { screenOf } = await pageWords();
+  for (const name of ["simulated", "cracked", "cyclic"]) {
+    const printed = execFileSync(program, ["fit", join(root, "examples", name, "case.toml"), "--quiet"], { encoding: "utf8" }), { lines, foot } = screenOf(printed), flat = printed.replace(/\s+/g, " ");
+    assert.ok(lines.length >= 4 && lines.some(({ label }) => label === "next"), printed);
+    for (const { label, words } of lines) assert.ok(flat.includes(`${label} ${words}`), `${label}: ${words}`);
+    assert.match(foot, /checks .*passed.* ± is one standard error\.$/);
   }
 });
 
@@ -42,26 +46,32 @@ test("every drop says what the program reads from it", { skip }, async () => {
     fitOf(name).drops.forEach((drop, i) => assert.equal(dropInWords(drop, i + 1).claim, `Drop ${i + 1}: ${drop.reading}`));
 });
 
-test("of a case with three faults each is said, by its line, and the file once", { skip }, async () => {
+test("of a case with three faults each is said, word for word", { skip }, async () => {
   const { sentence } = await pageWords("answers.ts"), { inPageWords } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
   writeFileSync(join(cwd, "case.toml"), '[specimen]\ndiameter = "34 kg"\n[rig]\nspan = "5 N"\nspam = 3\n');
   const { stderr } = spawnSync(program, ["fit", "case.toml"], { cwd, encoding: "utf8" });
   rmSync(cwd, { recursive: true });
-  const words = inPageWords(sentence(stderr), { isCase: true, name: "bar", data: "test.csv", main: "case.toml", plainName: "" });
-  for (const fault of ["line 2: [specimen] diameter", "line 4: [rig] span", "line 5: [rig] spam"]) assert.ok(words.includes(fault), `${words} says ${fault}`);
-  assert.ok(words.startsWith("bar: ") && !words.includes("case.toml"), words);
+  const words = inPageWords(sentence(stderr), { isCase: true, isPlain: false });
+  assert.equal(words, stderr.trim().replaceAll("flexslip: ", ""));
+  assert.equal(words.split("\n").filter((line) => /^case\.toml:[245]: /.test(line)).length, 3, words);
 });
 
-test("what a data file does not say is asked for by boxes: units, a radius; no key of a case, no flag", { skip }, async () => {
-  const { sentence } = await pageWords("answers.ts"), { inPageWords } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
-  const rows = Array.from({ length: 40 }, (_, i) => `${i},${0.02 * i}`).join("\n"), file = { isCase: false, name: "run", data: "run.csv", main: "run.csv", plainName: "run.plain" };
+test("what a data file does not say is asked one question at a time, each with its box; no key of a case, no flag", { skip }, async () => {
+  const { sentence } = await pageWords("answers.ts"), { questionOf } = await pageWords("words.ts"), cwd = mkdtempSync(join(tmpdir(), "flexslip-"));
+  const rows = Array.from({ length: 40 }, (_, i) => `${i},${0.02 * i}`).join("\n");
   const askedBy = (titles, ...flags) => {
     writeFileSync(join(cwd, "run.csv"), `${titles}\n${rows}\n`);
-    return inPageWords(sentence(spawnSync(program, ["fit", "run.csv", ...flags], { cwd, encoding: "utf8" }).stderr), file);
+    return questionOf({ isCase: false, isPlain: false, fit: null, refusal: sentence(spawnSync(program, ["fit", "run.csv", ...flags], { cwd, encoding: "utf8" }).stderr) });
   };
-  const units = askedBy("Position,Load"), radius = askedBy("stage [um],force [mN]", "--span", "1278 um", "--stiffness", "90 N/m", "--supports", "rollers");
+  const load = ["--stiffness", "90 N/m"], span = ["--span", "1278 um"];
+  const asked = {
+    measures: askedBy("Position [um],Load [mN]"), "displacement unit": askedBy("crosshead,Load [mN]"), "force unit": askedBy("crosshead [um],Load"), "load train": askedBy("crosshead [um],force [mN]"), span: askedBy("crosshead [um],force [mN]", ...load),
+    radius: askedBy("crosshead [um],force [mN]", ...load, ...span, "--supports", "rollers"), width: askedBy("crosshead [um],force [mN]", ...load, ...span, "--height", "1 mm"), force: askedBy("crosshead [um],second [um]"),
+  };
   rmSync(cwd, { recursive: true });
-  assert.ok(units.includes("“stage unit”: mm") && units.includes("“force unit”: N") && units.includes("“moves”"), units);
-  assert.match(radius, /“radius”/);
-  for (const words of [units, radius]) assert.doesNotMatch(words, /--[a-z]|\[[a-z]+\] /, words);
+  for (const [box, question] of Object.entries(asked)) {
+    assert.equal(question?.box, box, JSON.stringify(question));
+    assert.doesNotMatch(question.words, /--[a-z]|\[[a-z]+\] |\(2\)/, box);
+  }
+  assert.equal(asked["load train"].of, 2);
 });

@@ -64,8 +64,8 @@ bool is_another_case(const CaseKey& key) {
            name == "position" || name == "height" || name == "direction" || name == "level" || name == "cutoff" ||
            name == "edge_radius";
   if (key.section == "stage") return name == "file" || name == "stage" || name == "time" || name == "decimal";
-  return key.section == "record" &&
-         (name == "deflection" || name.starts_with("displacement") || name == "specimen" || name == "calibration");
+  return key.section == "record" && (name == "deflection" || name.starts_with("displacement") || name == "specimen" ||
+                                     name == "calibration" || name == "speed");
 }
 
 }  // namespace

@@ -252,7 +252,7 @@ class Workbooks(InFolder):
             archive.writestr("test.csv", "a,b\n1,2\n")
         old = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1" + bytes(600)
         self.refused_as(ods.getvalue(), "an OpenDocument (.ods)", REMEDY_OF_OTHERS)
-        self.refused_as(old, "Excel 97 to 2003 (.xls)", REMEDY_OF_OTHERS)
+        self.refused_as(old, "Excel 97 to 2003 (.xls)", "libreoffice --headless --convert-to xlsx")
         self.refused_as(old + "EncryptedPackage".encode("utf-16le") + bytes(64), "a workbook with a password", "Save it without a password")
         self.refused_as(raw({"a": NUMBERS}, main="xl/workbook.bin"), "a binary workbook (.xlsb)", REMEDY_OF_OTHERS)
         self.refused_as(plain.getvalue(), "an archive without a workbook", "Unpack it")

@@ -2,7 +2,7 @@
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "drift" | "reference" | "roughness" | "correlation_length" | "bending_stiffness" | "contact_offset";
-export interface Finding { code: string; severity: "refusal" | "suspicion" | "doubt" | "condition" | "note" | "passed" | "unjudged"; sentence: string; short_form: string; remedy: string }
+export interface Finding { sentence: string; remedy: string }
 export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: number | null; mu_before: number | null; mu_after: number | null;
 }
@@ -15,19 +15,16 @@ export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estim
 export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; friction: number; friction_moves: number; work_moves: number | null }
 
 export interface FitAnswer {
-  status: string; name: string; model: string; suspect: boolean;
+  status: string; name: string; model: string;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   residual_rms: number | null; wave: Wave | null;
-  judgement: { cracks_alone: number | null } | null;
   answer: { label: string; words: string }[]; passes: { passes: Pass[] } | null;
   verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
-  drops: Drop[]; slips: { median_spacing: number | null; median_fall_of_mu: number | null; slips: { length_before: number; length_after: number }[] } | null;
-  energy: { work_of_fracture: number; friction_share: number | null; friction_share_interval95: number[] } | null;
+  drops: Drop[]; slips: { slips: { length_before: number; length_after: number }[] } | null;
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
-  small_deflection: { over_fit: number | null } | null;
   measurement: { rows: number; first_row: number; last_row: number; ends_with: string };
-  preparation: Step[]; contact: { source: string } | null;
+  preparation: Step[];
   nominal_bending_stiffness: { nominal: number; relative_error: number; source: string } | null;
   draws: { bending_stiffness: number[] } | null;
   profile: ProfilePoint[];
@@ -39,7 +36,6 @@ export interface ReadAnswer {
   format: string; encoding: string; delimiter: string; decimal: string; thousands: string | null; columns: ReadColumn[]; rows: number;
   sheet?: string | null; sheets?: string[] | null;  // of a workbook
   specimens: { name: string; rows: number }[]; test: { span: number | null; diameter: number | null; width: number | null; thickness: number | null };
-  notes: string[]; asks: string[]; repeat_with: string;
 }
 
 /** What the program remarks on beside its answer. */
@@ -48,5 +44,6 @@ export const remarksOf = (err: string): string => err.split("\n").filter((line) 
 export function sentence(err: string): string {
   const lines = err.split("\n").map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);
   const last = lines.at(-1) ?? "the program gave no answer", [place] = /^.*?:(?=\d+: )/.exec(last) ?? [];
-  return place ? lines.filter((line) => line.startsWith(place)).join("\n") : last;
+  const begin = place ?? (last.startsWith("--") ? "--" : null);
+  return begin ? lines.filter((line) => line.startsWith(begin)).join("\n") : last;
 }

@@ -1,7 +1,6 @@
 // A case file as the program writes it back (`provenance.case`): one key a line, in sections. Only read here; the program alone decides what it means.
 
 import { parseQuantity } from "./quantity";
-import { inertia } from "./settings";
 
 export class CaseText {
   private readonly values = new Map<string, string>();
@@ -28,16 +27,6 @@ export class CaseText {
   quantity(key: string): number | null {
     const words = this.words(key);
     return words === null ? null : parseQuantity(words);
-  }
-  uncertainty(key: string): string | null {
-    return /uncertainty\s*=\s*"([^"]*)"/.exec(this.values.get(key) ?? "")?.[1] ?? null;
-  }
-  /** The second moment of area of the section [m⁴]; null where none is stated. */
-  get secondMoment(): number | null {
-    const of = (key: string): number | null => this.quantity(`specimen.${key}`), width = of("width"), height = of("height"), diameter = of("diameter"), wall = of("wall");
-    if (width !== null && height !== null) return (width * height ** 3) / 12;
-    if (diameter === null) return null;
-    return inertia(diameter) - inertia(of("inner_diameter") ?? (wall === null ? 0 : diameter - 2 * wall));
   }
   /** Whether the case is of a kind whose rig the page's mechanics has: a round section or EI alone, edges or fixed rollers. */
   get hasRoundSection(): boolean {

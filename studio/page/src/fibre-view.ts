@@ -1,10 +1,11 @@
-// The fibre itself, to scale: bent over its supports at the marked moment, with the forces on it.
+// The specimen itself, to scale: bent over its supports at the marked moment, with the forces on it.
 
+import { forceInWords } from "./answer";
 import { byId, label, svg } from "./dom";
 import type { Shape } from "./engine";
 import { greatest, haloed, nearest, path, placeIn, sized, sizeOf } from "./plot";
 import { unitFor, written } from "./quantity";
-import type { Studio } from "./studio";
+import type { Moment, Studio } from "./studio";
 
 export class FibreView {
   private readonly host = byId("fibre-plot");
@@ -93,17 +94,18 @@ export class FibreView {
     // The nose, above the fibre at midspan.
     const tip = Y(shape.y[middle] ?? 0) - thick / 2 - 0.8;
     g.append(svg("path", { d: `M${X(0)} ${tip}l-8 -38h16Z`, fill: "var(--metal)", stroke: "var(--metal2)" }));
-    if (!after && moment.used) this.drawForces(g, shape, contacts, X, Y, thick, height, width);
+    if (!after && moment.used) this.drawForces(g, shape, moment, X, Y, thick, height, width, contacts);
     const bar = barOf(values.L), u = unitFor(bar, "length");
     const foot = height - 12;
     g.append(svg("path", { d: `M20 ${foot - 5}v5h${(bar * this.scale).toFixed(1)}v-5`, fill: "none", stroke: "var(--line2)" }), svg("text", { x: 26 + bar * this.scale, y: foot }, `${Number((bar / u.factor).toPrecision(3))} ${u.name}`));
     const legend = 26 + bar * this.scale + 58;
     if (width - legend > 150) g.append(svg("circle", { cx: legend, cy: foot - 4, r: 3.2, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.5 }), label("met the support at the start", { x: legend + 7, y: foot }));
     sized(this.drawing, this.host, g);
-    this.host.setAttribute("aria-label", `The fibre at row ${studio.row}: deflection ${written(deflection, "length")}, force ${written(moment.force, "force")}, ${written(drawn / 2, "length")} drawn in at each support.`);
+    this.host.setAttribute("aria-label", `The specimen at row ${studio.row}: deflection ${written(deflection, "length")}, force ${forceInWords(moment.force, fit.answer)}, ${written(drawn / 2, "length")} slid in over each support.`);
   }
 
-  private drawForces(g: SVGGElement, shape: Shape, contacts: [number, number][], X: (x: number) => number, Y: (y: number) => number, thick: number, height: number, width: number): void {
+  /** The force is that of the moment; those at the supports belong to it where friction is known there and the model is that of the fit. */
+  private drawForces(g: SVGGElement, shape: Shape, { force, mu }: Moment, X: (x: number) => number, Y: (y: number) => number, thick: number, height: number, width: number, contacts: [number, number][]): void {
     const most = greatest(this.studio.fit!.curves.column("F")!);
     const middle = nearest(shape.x, 0), foot = Y(shape.y[middle] ?? 0) + thick / 2;
     const length = (force: number): number => (Math.max(0, force) / Math.max(1e-30, most)) * Math.min(46, Math.max(18, height - 34 - foot));
@@ -114,11 +116,12 @@ export class FibreView {
       const ex = x + dx, ey = y + dy, bx = ex - ux * head, by = ey - uy * head;
       g.append(svg("line", { x1: x, y1: y, x2: bx, y2: by, stroke: colour, "stroke-width": 1.8 }), svg("path", { d: `M${ex} ${ey}L${bx - uy * 3} ${by + ux * 3}L${bx + uy * 3} ${by - ux * 3}Z`, fill: colour }));
     };
-    for (const [i, contact] of contacts.entries()) {
+    const known = Number.isFinite(mu) && (!this.studio.changed || this.studio.tried !== null);
+    for (const [i, contact] of known ? contacts.entries() : []) {
       const side = i === 0 ? -1 : 1, at = nearest(shape.x, contact[0]), a = Math.max(0, at - 1), b = Math.min(shape.x.length - 1, at + 1);
       const tx = shape.x[b]! - shape.x[a]!, ty = shape.y[b]! - shape.y[a]!, t = Math.hypot(tx, ty) || 1;
-      const ox = (tx / t) * side, oy = (ty / t) * side;  // along the fibre, outwards and up
-      const nx = -side * oy, ny = side * ox;             // of the support on the fibre: up and inwards
+      const ox = (tx / t) * side, oy = (ty / t) * side;  // along the specimen, outwards and up
+      const nx = -side * oy, ny = side * ox;             // of the support on the specimen: up and inwards
       const x = X(contact[0]), y = Y(contact[1]);
       arrow(x + nx * thick * 0.5, y - ny * thick * 0.5, nx * length(shape.normal), -ny * length(shape.normal), "var(--ink)");
       arrow(x + ox * 4, y - oy * 4, ox * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), -oy * length(Math.abs(shape.tangential)) * Math.sign(shape.tangential || 1), "var(--model)");
@@ -129,9 +132,9 @@ export class FibreView {
         g.append(haloed("friction", fx, y + 26, "end", "var(--model)"), haloed(written(Math.abs(shape.tangential), "force"), fx, y + 39, "end", "var(--model)"));
       }
     }
-    const force = shape.force, cx = X(0);
+    const cx = X(0);
     arrow(cx, foot + 2, 0, length(force), "var(--moment)");
-    const words = haloed(`*F* ${written(force, "force")}`, Math.min(cx + 8, width - 60), Math.min(height - 30, foot + 2 + length(force)), "start", "var(--moment)");
+    const words = haloed(`*F* ${forceInWords(force, this.studio.fit!.answer)}, ${this.studio.tried === null ? "measured" : "calculated"}`, Math.min(cx + 8, width - 130), Math.min(height - 30, foot + 2 + length(force)), "start", "var(--moment)");
     words.setAttribute("font-weight", "600");
     g.append(words);
   }

@@ -41,16 +41,16 @@ export function dataOfCase(text: string): string | null {
 const stem = (name: string): string => name.replace(/\.[^.]+$/, "");
 
 /** Tests of these files: a case with its data, or a data file alone. */
-export function testsOf(incoming: Incoming[], refuse: (sentence: string) => void, named?: string): Test[] {
+export function testsOf(incoming: Incoming[], named?: string): Test[] {
   const tests: Test[] = [], taken = new Set<string>(), byName = new Map<string, Incoming>();
   for (const file of incoming) byName.set(file.name, file);
   for (const file of byName.values()) {
     if (!/\.toml$/i.test(file.name)) continue;
     const text = new TextDecoder().decode(file.bytes), stated = dataOfCase(text);
-    const wanted = stated === null ? null : harmless(stated), data = wanted === null ? undefined : byName.get(wanted);
+    const wanted = stated === null ? "" : harmless(stated), data = byName.get(wanted);
     taken.add(file.name);
-    if (!data || !wanted) {
-      refuse(wanted === null ? `${file.name} names no record to evaluate; [record] file says which.` : `${file.name} names ${wanted}: drop both together.`);
+    if (!data) {
+      tests.push(new Test(stem(file.name), { [file.name]: file.bytes }, file.name, wanted));  // the program says what it lacks
       continue;
     }
     taken.add(data.name);

@@ -2,13 +2,12 @@
 
 import { select } from "d3-selection";
 import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomTransform } from "d3-zoom";
-import { slipOf } from "./answer";
+import { isWithdrawn, slipOf, tellsFriction } from "./answer";
 import type { Drop } from "./answers";
 import { byId, el, fill, label, svg } from "./dom";
 import type { Loading } from "./engine";
 import { seenTo, type Curve } from "./model";
-import { kindsOf } from "./passes";
-import { passLine } from "./passes-view";
+import { kindsOf, type DrawnPass } from "./passes";
 import { area, axes, dots, dotted, dropColour, dropMark, frameOf, greatest, haloed, least, lineThrough, path, placeIn, rangeIn, sized, sizeOf, type Frame, type Scale } from "./plot";
 import { fixed, unitFor, type Unit } from "./quantity";
 import type { Studio } from "./studio";
@@ -16,6 +15,10 @@ import type { Fit } from "./test";
 
 const MARGINS = { left: 54, right: 24, top: 12, bottom: 34 };
 const DRAWS = 20;
+
+/** The line of a pass that is not evaluated: wide and pale beneath the data where it loads, dashed where it unloads. */
+const passLine = ({ words }: DrawnPass, d: string): SVGElement =>
+  words === "out" ? path(d, "var(--pass)", 1.6, { "stroke-dasharray": "6 3" }) : path(d, "var(--pass)", 5, { "stroke-opacity": 0.6, "stroke-linecap": "round" });
 
 export class ForceView {
   private readonly host = byId("force-plot");
@@ -80,7 +83,7 @@ export class ForceView {
   draw(): void {
     const { studio } = this, fit = studio.fit;
     for (const axis of ["deflection", "stage"] as const) byId(`axis-${axis}`).setAttribute("aria-pressed", String(studio.axis === axis));
-    if (!fit || !studio.values || fit.rows.length === 0) {
+    if (!fit || !studio.values || fit.rows.length === 0 || isWithdrawn(fit.answer)) {
       for (const drawing of [this.drawing, this.moving, this.over]) sized(drawing, this.host);
       this.still = null;
       this.host.setAttribute("aria-label", "Force against deflection: nothing to show yet");
@@ -114,7 +117,7 @@ export class ForceView {
       sized(this.drawing, this.host, axes(this.frame, title, { x: Math.max(3, Math.round(base.width / 150)), y: Math.max(3, Math.round(base.height / 48)) }), ...clipped("force-clip", band, passes, data));
       sized(this.moving, this.host, ...clipped("model-clip", this.references, this.model, drops));
       sized(this.over, this.host, this.marker);
-      this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops${fit.passes.length ? `, ${fit.passes.length} passes` : ""}. Arrow keys move row by row, with Shift from drop to drop, T shows the table.`);
+      this.host.setAttribute("aria-label", `Force against ${studio.axis} of ${fit.answer.name}, ${fit.rows.length} rows, ${fit.answer.drops.length} drops${fit.passes.length ? `, ${fit.passes.length} passes` : ""}. Arrow keys move row by row, with Shift from drop to drop.`);
       this.drawKeys(fit);
     }
     fill(this.references);
@@ -164,12 +167,9 @@ export class ForceView {
       return Number.isFinite(low) && high > low ? [low, high + 0.06 * (high - low)] : [0, 1];
     };
     const dx = spanned(rows.stage), dy = spanned(rows.force);
-    const asItStands: Unit = { name: "no unit yet", command: "", factor: 1 }, { unitless } = rows;
-    this.units = { x: unitless.stage ? asItStands : unitFor(Math.max(-dx[0], dx[1]), "length"), y: unitless.force ? asItStands : unitFor(Math.max(-dy[0], dy[1]), "force") };
-    byId("force-unit").textContent = `(${this.units.y.name})`;
-    this.frame = frameOf(this.host, MARGINS, [dx[0] / this.units.x.factor, dx[1] / this.units.x.factor], [dy[0] / this.units.y.factor, dy[1] / this.units.y.factor]);
-    const { x, y } = this.si();
-    sized(this.drawing, this.host, axes(this.frame, `displacement as in the file (${this.units.x.name})`, { x: 5, y: 5 }), dotted(dots(rows.stage, rows.force, x, y), "var(--data)", 2.4));
+    byId("force-unit").textContent = /\[[^\]]*\]$/.exec(rows.titles.force)?.[0] ?? "";
+    const { x, y } = (this.frame = frameOf(this.host, MARGINS, dx, dy));
+    sized(this.drawing, this.host, axes(this.frame, rows.titles.stage, { x: 5, y: 5 }), dotted(dots(rows.stage, rows.force, x, y), "var(--data)", 2.4));
   }
 
   private drawBand(inside: SVGGElement, fit: Fit, x: Scale, y: Scale): void {
@@ -239,20 +239,21 @@ export class ForceView {
   }
 
   private drawKeys(fit: Fit): void {
+    const { studio } = this;
     const mark = (words: string, ...shapes: SVGElement[]): HTMLElement => el("span", {}, svg("svg", { width: 20, height: 12 }, ...shapes), words);
     const kinds = new Set(fit.answer.drops.map(slipOf));
-    const drops: [("could" | "undecided" | "no"), string][] = [["could", "could be a slip"], ["undecided", "cannot tell"], ["no", "no slip does it"]];
+    const drops: [("could" | "undecided" | "no"), string][] = [["could", "can be a slip"], ["undecided", "cannot be judged"], ["no", "cannot be a slip"]];
     const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `drop: ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
     const data = dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3), passes = kindsOf(fit.passes).map(({ words, pass }) => mark(words, pass.isEvaluated ? data : passLine(pass, "M2 6h16")));
-    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), mark("model", path("M0 6h20", "var(--model)", 1.6)),
-      this.studio.changed ? el("span", {}, "by hand") : fit.friction.draws.length ? mark("draws", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
+    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), tellsFriction(fit.answer) ? mark("model", path("M0 6h20", "var(--model)", 1.6)) : null,
+      studio.changed ? el("span", {}, "by hand") : fit.friction.draws.length && tellsFriction(fit.answer) ? mark("posterior samples", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
   }
 
   /** The marked moment alone, for the pointer. */
   mark(): void {
     const { studio } = this, fit = studio.fit, moment = studio.moment;
     this.marker.replaceChildren();
-    if (!fit || !moment || !this.frame || !Number.isFinite(moment.force)) return;
+    if (!fit || !moment || !this.frame || !Number.isFinite(moment.force) || isWithdrawn(fit.answer)) return;
     const { x, y } = this.si(), { height, margins, width } = this.frame;
     const at = studio.axis === "stage" ? moment.stage : moment.deflection, px = x(at), py = y(moment.force);
     const bottom = height - margins.bottom;
@@ -323,7 +324,7 @@ export class ForceView {
 
   private pick(event: PointerEvent): void {
     const { studio } = this, fit = studio.fit;
-    if (!fit || !this.frame || event.shiftKey) return;
+    if (!fit || !this.frame || event.shiftKey || isWithdrawn(fit.answer)) return;
     const [a, b] = placeIn(event, this.host), { x, y } = this.si(), xs = this.abscissa(fit), f = fit.curves.column("F")!;
     let best = Infinity, row = studio.row;
     for (let i = 0; i < xs.length; ++i) {

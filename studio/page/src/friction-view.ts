@@ -42,10 +42,9 @@ export class FrictionView {
     if (this.frame && this.still?.fit === fit && this.still?.key === key) return this.mark();
     this.still = fit ? { fit, key } : null;
     this.frame = null;
-    if (!fit || !fit.friction.length.length) {
-      this.host.setAttribute("aria-label", "Friction along the fibre: nothing to show yet");
-      const { height } = sizeOf(this.host);
-      return sized(this.drawing, this.host, fit && height > 40 ? svg("text", { x: MARGINS.left, y: 34 }, "No friction was read off this record.") : svg("g"));
+    if (!fit || !fit.friction.length.length || !tellsFriction(fit.answer)) {
+      this.host.setAttribute("aria-label", "Friction along the specimen: nothing to show yet");
+      return sized(this.drawing, this.host, svg("g"));
     }
     const points = fit.answer.profile.filter((p) => p.mu_error < UNTOLD);
     const px = Float64Array.from(points, (p) => (p.length - fit.fitted.L) / 2), mu = Float64Array.from(points, (p) => p.mu);
@@ -59,24 +58,23 @@ export class FrictionView {
     const bottom = frame.height - MARGINS.bottom, right = frame.width - MARGINS.right;
     const clip = svg("clipPath", { id: "friction-clip" }, svg("rect", { x: MARGINS.left, y: MARGINS.top - 4, width: Math.max(0, right - MARGINS.left), height: Math.max(0, bottom - MARGINS.top + 4) }));
     const inside = svg("g", { "clip-path": "url(#friction-clip)" });
-    const told = tellsFriction(fit.answer);
-    if (told) inside.append(svg("path", { d: area(bandX, mean.map((m, i) => m - 1.96 * deviation[i]!), mean.map((m, i) => m + 1.96 * deviation[i]!), x, y), fill: "var(--band)" }));
+    inside.append(svg("path", { d: area(bandX, mean.map((m, i) => m - 1.96 * deviation[i]!), mean.map((m, i) => m + 1.96 * deviation[i]!), x, y), fill: "var(--band)" }));
     inside.append(path(points.map((p, i) => `M${x(px[i]!).toFixed(1)} ${y(p.mu - p.mu_error_force).toFixed(1)}V${y(p.mu + p.mu_error_force).toFixed(1)}`).join(""), "var(--mute)", 1));
-    for (const slip of told ? this.slips(fit) : []) {
+    for (const slip of this.slips(fit)) {
       const a = x((slip[0] - fit.fitted.L) / 2), b = x((slip[1] - fit.fitted.L) / 2);
       inside.append(svg("rect", { x: a, y: bottom - 6, width: Math.max(1.5, b - a), height: 5, fill: "var(--ok)" }));
     }
     if (hand) for (const [from, to, opacity] of [[0, seen, 1], [seen - 1, hand.length.length, 0.4]] as const) inside.append(path(lineThrough(this.past(fit, hand.length), hand.mu, x, y, from, to), "var(--model)", 1.4, { "stroke-opacity": opacity }));
     inside.append(dotted(dots(px, mu, x, y), "var(--data)", px.length > 600 ? 1.8 : 2.4));
     const side = svg("g"), mu0 = fit.answer.parameters.mu0;
-    if (mu0 && !mu0.bound && told) {
+    if (mu0 && !mu0.bound) {
       const cx = right + 12, at = y(studio.values?.mu0 ?? mu0.value);
       side.append(svg("line", { x1: cx, x2: cx, y1: y(mu0.interval95[0]), y2: y(mu0.interval95[1]), stroke: "var(--model)", "stroke-width": 3 }),
         svg("circle", { cx, cy: at, r: 3.5, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.6 }), label("mean *μ*₀", { x: cx + 8, y: at + 4 }));
       side.append(svg("text", { x: right + 2, y: bottom - 1, fill: "var(--ink3)" }, "slips"));
     }
-    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `fibre past each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
-    this.host.setAttribute("aria-label", `Friction along the fibre of ${fit.answer.name}: ${points.length} points${told && mu0 ? `, mean ${mu0.value.toFixed(2)}` : ""}. Arrow keys move row by row.`);
+    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `sliding length over each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
+    this.host.setAttribute("aria-label", `Friction along the specimen of ${fit.answer.name}: ${points.length} points${mu0 ? `, mean ${mu0.value.toFixed(2)}` : ""}. Arrow keys move row by row.`);
     this.mark();
   }
 
@@ -90,15 +88,15 @@ export class FrictionView {
     return (fit.answer.slips?.slips ?? []).map((s) => [s.length_before, s.length_after]);
   }
 
-  /** A button for each input that friction depends on; it moves the band while pointed at. */
+  /** What friction depends on, a button each; pointed at, it moves the band. */
   private listHangs(fit: Fit | null): void {
     if (this.listed === fit) return;
     this.listed = fit;
-    const all = (fit?.answer.sensitivities ?? []).filter((each) => Math.abs(each.friction_moves) >= WORTH_SAYING);
+    const all = (fit && tellsFriction(fit.answer) ? fit.answer.sensitivities : []).filter((each) => Math.abs(each.friction_moves) >= WORTH_SAYING);
     this.hangs.hidden = all.length === 0;
     fill(this.hangs, el("span", { class: "note" }, "sensitivity"), ...all.map((each) => {
-      const work = each.work_moves === null ? "" : `, and its share of the work ${signed(100 * each.work_moves, 1)} points`;
-      const words = `${each.title}: ${each.stated}. If it were larger by ${each.may_be_off}, friction would change by ${signed(each.friction_moves, 3)}${work}`;
+      const work = each.work_moves === null ? "" : `, its share of the work by ${signed(100 * each.work_moves, 1)} points`;
+      const words = `${each.title}: ${each.stated}. If it is larger by ${each.may_be_off}, friction changes by ${signed(each.friction_moves, 3)}${work}`;
       return el("button", { class: "hang", title: words, "aria-label": words, pointerenter: () => this.studio.doubt(each), pointerleave: () => this.studio.doubt(null), focus: () => this.studio.doubt(each), blur: () => this.studio.doubt(null) },
         each.title, " ", el("b", {}, signed(each.friction_moves, 3)));
     }));

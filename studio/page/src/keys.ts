@@ -5,12 +5,12 @@ import { byId, el, fill } from "./dom";
 export const KEYS_IN_WORDS: [string[], string][] = [
   [["←", "→"], "previous, next row"], [["Shift ←", "Shift →"], "previous, next drop"], [["Space"], "play, pause"], [["F"], "fit"], [["Esc"], "cancel the fit, or close"],
   [["R"], "parameters back to the last fit"], [["P"], "pin the curve"], [["[", "]"], "first, last row used: here"], [["J", "K"], "next, previous test"], [["Ctrl Z"], "undo; with Shift redo"],
-  [["D"], "light or dark"], [["T"], "the rows as a table"], [["?"], "these keys"],
+  [["D"], "light or dark"], [["?"], "these keys"],
 ];
 
 export interface Commands {
   row(by: number): void; drop(by: 1 | -1): void; play(): void; fit(): void; escape(): void; reset(): void; pin(): void;
-  first(): void; last(): void; test(by: 1 | -1): void; undo(): void; redo(): void; theme(): void; table(): void; help(): void;
+  first(): void; last(): void; test(by: 1 | -1): void; undo(): void; redo(): void; theme(): void; help(): void;
 }
 
 export function listenToKeys(commands: Commands): void {
@@ -25,12 +25,12 @@ export function listenToKeys(commands: Commands): void {
     }
     if (event.key === "Escape") return commands.escape();
     if (typing || event.ctrlKey || event.metaKey || event.altKey) return;
-    const inMenu = target.closest("[role=menu], [role=listbox]") !== null;
+    const inMenu = target.closest("[role=menu], #tests") !== null;
     const act: Record<string, () => void> = {
       ArrowRight: () => (event.shiftKey ? commands.drop(1) : commands.row(1)), ArrowLeft: () => (event.shiftKey ? commands.drop(-1) : commands.row(-1)),
-      f: commands.fit, r: commands.reset, p: commands.pin, "[": commands.first, "]": commands.last, j: () => commands.test(1), k: () => commands.test(-1), d: commands.theme, t: commands.table, "?": commands.help,
+      f: commands.fit, r: commands.reset, p: commands.pin, "[": commands.first, "]": commands.last, j: () => commands.test(1), k: () => commands.test(-1), d: commands.theme, "?": commands.help,
     };
-    if (key === " " && !target.matches("button, input, [role=option], [role=switch]")) act[" "] = commands.play;
+    if (key === " " && !target.matches("button, input, summary, [role=switch]")) act[" "] = commands.play;
     const run = inMenu && key.startsWith("Arrow") ? undefined : act[key];
     if (!run) return;
     event.preventDefault();
@@ -73,5 +73,5 @@ export function closeDialog(): boolean {
   return true;
 }
 export function openKeys(tour: () => void): void {
-  openDialog("Keys", [el("dl", {}, ...KEYS_IN_WORDS.flatMap(([keys, words]) => [el("dt", {}, ...keys.flatMap((k) => [el("kbd", {}, k), " "])), el("dd", {}, words)]))], [["Show the five steps", tour]]);
+  openDialog("Keys", [el("dl", {}, ...KEYS_IN_WORDS.flatMap(([keys, words]) => [el("dt", {}, ...keys.flatMap((k) => [el("kbd", {}, k), " "])), el("dd", {}, words)]))], [["Show the first steps", tour]]);
 }

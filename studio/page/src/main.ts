@@ -2,6 +2,7 @@
 
 import { openMechanics, openProgram } from "engine";
 import { addressOf, base64Of, bytesOf, linkOf, type Link } from "./address";
+import { isWithdrawn, tellsFriction } from "./answer";
 import { drawAnswer, drawMoment, momentInWords } from "./answer-view";
 import { CardView } from "./card-view";
 import { byId, el, fill, svg } from "./dom";
@@ -9,19 +10,18 @@ import { FibreView } from "./fibre-view";
 import { given, harmless, readFiles, standing, testsOf, type Incoming } from "./files";
 import { ForceView } from "./force-view";
 import { FrictionView } from "./friction-view";
-import { closeDialog, listenToKeys, openDialog, openKeys } from "./keys";
+import { closeDialog, listenToKeys, openKeys } from "./keys";
 import { outputsOf } from "./outputs";
 import { ParametersView } from "./parameters-view";
 import { isAllowed, type Key } from "./parameters";
-import { drawPasses } from "./passes-view";
 import { ProgrammeView } from "./programme-view";
-import { fixed, written } from "./quantity";
 import { RowsView } from "./rows-view";
 import { ERROR_LINE, messageOf, OF_THE_RIG, Studio, type Topic } from "./studio";
 import type { Test } from "./test";
 import { drawPins, drawTests, openTests } from "./tests-view";
 import { startTheme, turnTheme } from "./theme";
 import { drawTour } from "./tour";
+import { questionOf } from "./words";
 
 const remembered = (name: string): string | null => {
   try {
@@ -70,15 +70,13 @@ async function start(): Promise<void> {
   studio.listen("The programme", ["answer", "programme", "view", "card", "moment"], (topics) => (has(topics, "answer", "programme", "view", "card") ? programme.draw() : programme.mark()));
   studio.listen("The parameters", ["model", "parameters"], () => parameters.draw());
   studio.listen("The line of the fit", ["model", "fitting", "progress", "parameters"], () => parameters.drawFit());
-  studio.listen("The passes", ["answer", "tests"], () => drawPasses(studio.fit));
   studio.listen("The pinned curves", ["pins"], () => drawPins(studio));
   studio.listen("The first steps", ["tour", "view", "answer"], () => drawTour(studio));
   studio.listen("The buttons", null, () => {
     byId<HTMLButtonElement>("undo").disabled = !studio.canUndo;
     byId<HTMLButtonElement>("redo").disabled = !studio.canRedo;
-    byId<HTMLButtonElement>("pin").disabled = byId<HTMLButtonElement>("export").disabled = !studio.fit;
-    const command = studio.test?.commandLine ?? "", line = byId("command");
-    if (line.textContent !== command) line.textContent = line.title = command;
+    byId<HTMLButtonElement>("pin").disabled = !studio.loading;
+    byId<HTMLButtonElement>("export").disabled = !studio.test;
   });
   studio.listen("The band of the draws", ["answer", "tests"], () => bandWhenAtRest(studio));
   let sized = 0;
@@ -91,7 +89,7 @@ async function start(): Promise<void> {
   // ---- what comes in
   const refuse = (sentence: string): void => studio.report(sentence);
   const take = async (incoming: Incoming[], named?: string): Promise<void> => {
-    const tests = testsOf(incoming, refuse, named), like = studio.tests.find((t) => !t.isCase && t.fit);
+    const tests = testsOf(incoming, named), like = studio.tests.find((t) => !t.isCase && t.fit);
     for (const test of tests) {
       // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it.
       if (!like || test.isCase) continue;
@@ -157,7 +155,7 @@ async function start(): Promise<void> {
       announce(copied ? "The link is in the address and on the clipboard." : "The link is in the address.");
       byId("fit-said").textContent = copied ? "Link copied" : "Link is in the address";
     };
-    fill(menu, ...outputsOf(studio, link).map((output) => output === null ? el("hr") : el("button", { role: "menuitem", tabindex: -1, click: async () => {
+    fill(menu, ...outputsOf(studio, link).map((output) => output === null ? el("hr") : el("button", { role: "menuitem", tabindex: -1, "data-command": output.command ?? null, click: async () => {
       closeMenu();
       opener.focus();
       try {
@@ -179,12 +177,6 @@ async function start(): Promise<void> {
   });
   addEventListener("click", (event) => {
     if (!(event.target as Element).closest(".holder")) closeMenu();
-  });
-  byId("copy").addEventListener("click", async () => {
-    const copied = await navigator.clipboard?.writeText(byId("command").textContent ?? "").then(() => true, () => false);
-    if (!copied) getSelection()?.selectAllChildren(byId("command"));
-    byId("copy").textContent = copied ? "Copied" : "Selected";
-    setTimeout(() => (byId("copy").textContent = "Copy"), 1200);
   });
 
   // ---- keys and buttons
@@ -217,7 +209,7 @@ async function start(): Promise<void> {
       if (studio.step >= 0) (studio.step = -1), studio.tell("tour");
     },
     reset: () => studio.reset(), pin: () => studio.pin(), first: () => edge("first"), last: () => edge("last"), test: (by) => studio.next(by), undo: () => studio.undo(), redo: () => studio.redo(),
-    theme, table: () => openTable(studio), help: () => openKeys(tour),
+    theme, help: () => openKeys(tour),
   });
   byId("fit-all").addEventListener("click", () => void studio.fitAll());
   byId("table-of-tests").addEventListener("click", () => openTests(studio));
@@ -240,7 +232,7 @@ async function start(): Promise<void> {
       return false;
     }
     const incoming = link.files ? link.files.map((f) => ({ name: harmless(f.name), bytes: bytesOf(f.base64) })) : standing("example");
-    const [test] = testsOf(incoming, refuse, link.files ? undefined : EXAMPLE);
+    const [test] = testsOf(incoming, link.files ? undefined : EXAMPLE);
     if (!test) return false;
     test.settings = link.settings;
     await studio.open(test);
@@ -294,23 +286,17 @@ function drawError(studio: Studio): void {
 function drawHead(studio: Studio): void {
   const { test, fit } = studio;
   byId("empty").hidden = test !== null || studio.fitting !== null;
-  document.body.classList.toggle("none", test === null);
+  // What stands beside the answer: nothing where there is none, the force where there is no friction, all where there is.
+  const { classList } = document.body;
+  classList.toggle("none", test === null);
+  classList.toggle("asked", test !== null && questionOf(test) !== null);
+  classList.toggle("answered", fit !== null && !isWithdrawn(fit.answer));
+  classList.toggle("told", fit !== null && tellsFriction(fit.answer));
   document.title = test ? `${test.name} – FlexSlip studio` : "FlexSlip studio";
   if (!test) return fill(byId("what"));
-  const m = fit?.answer.measurement, text = fit?.text, facts: string[] = [];
-  if (text) {
-    const span = text.quantity("rig.span"), diameter = text.quantity("specimen.diameter"), k = text.quantity("rig.stiffness");
-    if (span) facts.push(`span ${written4(span, "length")}`);
-    if (diameter) facts.push(`diameter ${written4(diameter, "length")}`);
-    if (k) facts.push(Number.isFinite(k) ? `load train ${written4(k, "stiffness")}` : "deflection imposed");
-  }
-  fill(byId("what"), el("b", {}, test.name), m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : "", el("span", { class: "narrow-out" }, facts.length ? ` · ${facts.join(" · ")}` : ""));
+  const m = fit?.answer.measurement;
+  fill(byId("what"), el("b", {}, test.name), el("span", {}, m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : ""));
 }
-const written4 = (value: number, kind: "length" | "stiffness"): string => {
-  const [, unit = ""] = written(value, kind).split(" ");
-  const factor = { nm: 1e-9, "µm": 1e-6, mm: 1e-3, m: 1, "mN/m": 1e-3, "N/m": 1, "N/mm": 1e3, "kN/mm": 1e6 }[unit] ?? 1;
-  return `${Number((value / factor).toPrecision(4))} ${unit}`;
-};
 
 /** The draws are run forward when nothing else is asked of the page. */
 let waiting = 0;
@@ -318,7 +304,7 @@ function bandWhenAtRest(studio: Studio): void {
   clearTimeout(waiting);
   const fit = studio.fit;
   studio.bandReady = false;
-  if (!fit || fit.answer.status !== "ok" || !fit.friction.draws.length) return;
+  if (!fit || fit.answer.status !== "ok" || !tellsFriction(fit.answer) || !fit.friction.draws.length) return;
   waiting = window.setTimeout(() => {
     const later = window.requestIdleCallback ?? ((run: () => void) => window.setTimeout(run, 0));
     later(() => {
@@ -332,17 +318,6 @@ function bandWhenAtRest(studio: Studio): void {
       }
     });
   }, 250);
-}
-
-/** The rows used as a table, for those who cannot see the plots. */
-function openTable(studio: Studio): void {
-  const fit = studio.fit;
-  if (!fit) return;
-  const names = ["w_s", "w", "F", "mu", "mu_error"] as const, columns = names.map((n) => fit.curves.column(n)!), factors = [1e6, 1e6, 1e3, 1, 1];
-  const head = el("tr", {}, ...["row", "stage (µm)", "deflection (µm)", "force (mN)", "friction", "its error"].map((words) => el("th", { scope: "col" }, words)));
-  const body = el("tbody");
-  fit.rows.forEach((row, i) => body.append(el("tr", {}, el("td", {}, String(row)), ...columns.map((c, j) => el("td", {}, Number.isFinite(c[i]!) ? fixed(c[i]! * factors[j]!, 3) : "–")))));
-  openDialog(`Rows of ${fit.answer.name}`, [el("table", {}, el("thead", {}, head), body)]);
 }
 
 void start().catch((cause: unknown) => {

@@ -77,8 +77,12 @@ export class Model {
   rig(fit: Fit, values: Values, wave: boolean): Rig {
     return rigOf(fit, values, fit.friction.at(frictionOf(values, wave)));
   }
+  /** The rig of a record whose friction is not determined. */
+  frictionless(fit: Fit, values: Values): Rig {
+    return { ...rigOf(fit, values, new Float64Array(0)), friction: { length: Float64Array.of(values.L, 2 * values.L), mu: Float64Array.of(0, 0) } };
+  }
   /** The step of the stage [m] with which a programme is run through. */
-  stepOf(programme: number[]): number {
+  private stepOf(programme: number[]): number {
     let way = 0;
     for (let i = 1; i < programme.length; ++i) way += Math.abs(programme[i]! - programme[i - 1]!);
     return way / (STEPS * Math.min(3, Math.max(1, programme.length - 1)));

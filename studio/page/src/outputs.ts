@@ -1,12 +1,13 @@
 // What can be taken out: what the program wrote, byte by byte, and the figures as they are drawn, in the light theme.
 
 import { sentence } from "./answers";
-import { byId, label, svg } from "./dom";
+import { byId, el, label, svg } from "./dom";
+import { openDialog } from "./keys";
 import { lightColours } from "./theme";
 import type { Studio } from "./studio";
-import { OUTPUTS, type Fit, type Test } from "./test";
+import { OUTPUTS, type Test } from "./test";
 
-export interface Output { title: string; note: string; save: () => Promise<void> | void; after?: boolean }
+export interface Output { title: string; note: string; save: () => Promise<void> | void; command?: string }
 
 export function download(name: string, data: BlobPart, type: string): void {
   const address = URL.createObjectURL(new Blob([data], { type })), link = document.createElement("a");
@@ -64,32 +65,21 @@ async function pngOf(figure: Drawn): Promise<Blob> {
 }
 
 const YTITLES: Readonly<Record<string, string>> = { force: "*F*", friction: "friction *μ*" };
-const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the fibre"], ["fibre", "fibre-plot", "The fibre"]] as const;
+const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the specimen"], ["specimen", "fibre-plot", "The specimen"]] as const;
 
-/** A case that simulates what the sliders say, to be run with the table of friction beside it, and what comes of it, bit by bit: on a rig that is as stated. */
-export function simulationOf(studio: Studio, test: Test, fit: Fit): { toml: string; friction: string; curve: string } {
-  studio.settle();
-  studio.flush();
-  const values = studio.values!, rig = studio.model.rig(fit, values, studio.wave);
-  const programme = [0, fit.greatestStage], step = studio.model.stepOf(programme), loading = studio.model.loading(rig, programme);
-  const toml = [
-    `# What the sliders of the studio said of ${test.name.replace(/[\r\n]/g, " ")}: flexslip simulate ${test.name}-model.toml`,
-    "[specimen]", ...(values.D > 0 ? [`diameter = "${values.D} m"`] : []), `bending_stiffness = "${values.EI} N m^2"`, "",
-    "[rig]", `span = "${values.L} m"`, `stiffness = "${Number.isFinite(values.kc) ? `${values.kc} N/m` : "inf"}"`, ...(values.R > 0 ? [`roller_radius = "${values.R} m"`] : []), "",
-    "[friction]", 'model = "table"', `file = ${JSON.stringify(`${test.name}-friction.csv`)}`, 'length = "length [m]"', "",
-    "[stage]", `program = [${programme.map((s) => `"${s} m"`).join(", ")}]`, `step = "${step} m"`, "",
-  ].join("\n");
-  const friction = ["length [m],mu", ...Array.from(rig.friction.length, (S, i) => `${S},${rig.friction.mu[i]}`)].join("\n") + "\n";
-  const curve = ["w_s [m],w [m],F [N]", ...Array.from(loading.stage, (s, i) => `${s},${loading.deflection[i]},${loading.force[i]}`)].join("\n") + "\n";
-  return { toml, friction, curve };
+async function copyCommand(command: string): Promise<void> {
+  const copied = await navigator.clipboard?.writeText(command).then(() => true, () => false);
+  openDialog(copied ? "Copied" : "Command", [el("p", {}, el("code", {}, command))]);
 }
 
 export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | null)[] {
   const { test, fit } = studio;
-  if (!test || !fit) return [];
+  if (!test) return [];
+  const command: Output = { title: "Copy as command", note: "for a shell", command: test.commandLine, save: () => copyCommand(test.commandLine) };
+  if (!fit) return [command];
   const { name } = test, text = "text/plain;charset=utf-8", csv = "text/csv;charset=utf-8";
   const bytes = (file: string): BlobPart => (fit.files[file] ?? new Uint8Array()).slice();
-  const drawings = (): [string, Drawn][] => FIGURES.map(([part, id, title]) => [part, standalone(byId(id), `${name}: ${title}`, part === "force" ? byId("force-marks") : null, YTITLES[part] && `${YTITLES[part]} ${part === "force" ? byId("force-unit").textContent ?? "" : ""}`.trim())]);
+  const drawings = (): [string, Drawn][] => FIGURES.filter(([, id]) => byId(id).clientHeight > 0).map(([part, id, title]) => [part, standalone(byId(id), `${name}: ${title}`, part === "force" ? byId("force-marks") : null, YTITLES[part] && `${YTITLES[part]} ${part === "force" ? byId("force-unit").textContent ?? "" : ""}`.trim())]);
   const figures = async (kind: "svg" | "png"): Promise<void> => {
     for (const [part, figure] of drawings())
       if (kind === "svg") download(`${name}-${part}.svg`, figure.text, "image/svg+xml");
@@ -105,20 +95,13 @@ export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | 
     { title: "Figures", note: "PNG, 300 dpi, 170 mm", save: () => figures("png") },
     null,
     { title: "Curves", note: "CSV", save: () => download(`${name}-curves.csv`, bytes(OUTPUTS.curves), csv) },
-    { title: "Profile of friction", note: "CSV, with errors", save: () => download(`${name}-profile.csv`, bytes(OUTPUTS.profile), csv) },
-    { title: "Mean and draws", note: "CSV", save: () => download(`${name}-draws.csv`, bytes(OUTPUTS.draws), csv) },
+    { title: "Friction along the specimen", note: "CSV, with errors", save: () => download(`${name}-profile.csv`, bytes(OUTPUTS.profile), csv) },
     { title: "All results", note: "JSON", save: () => download(`${name}.json`, fit.json, "application/json") },
     { title: "Case file", note: "TOML, runs in a shell", save: () => download(`${name}.toml`, fit.answer.provenance.case, text) },
-    { title: "Model as it stands", note: "TOML and CSV, to simulate", save: () => {
-      const files = simulationOf(studio, test, fit);
-      download(`${name}-model.toml`, files.toml, text);
-      download(`${name}-friction.csv`, files.friction, csv);
-      download(`${name}-model.csv`, files.curve, csv);
-    } },
     null,
     { title: "Link to this state", note: "in the address", save: link },
   ];
-  return all.map((output) => output && saved(output));
+  return [...all.map((output) => output && saved(output)), command];
 }
 
 /** The report with the page's figures in it, and without links to files that are not beside it. */
@@ -133,7 +116,7 @@ export function withFigures(html: string, figures: Record<string, string>): stri
 }
 const CAPTIONS: Readonly<Record<string, string>> = {
   force: "Force as measured, and as the model has it. Dashed: Euler–Bernoulli; dotted: without friction. Marks: the drops, with their load lines.",
-  friction: "Friction along the specimen: read off the force point by point, with the errors of its noise. Line and band: the mean of the fit, 95 %. Bars: the slips.",
+  friction: "Friction along the specimen: points inverted from the force, with the errors of its noise. Line and band: the fit, with its 95 % interval. Bars: the slips.",
 };
 
 async function report(studio: Studio, test: Test, figures: Record<string, string>): Promise<void> {

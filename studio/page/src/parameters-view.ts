@@ -1,14 +1,16 @@
-// Rows of parameters: lock, name, slider with the 95 % interval and the value of the fit, number, unit; the fit button and what it says.
+// Rows of parameters: lock, name, a handle to drag, number, unit and the 95 % interval of the fit; the fit button and what it says.
 
+import { isWithdrawn } from "./answer";
 import { byId, el, fill, plain, rich, svg } from "./dom";
 import { isAllowed, placeOf, shown, valueAt, type Key, type Parameter } from "./parameters";
-import { parseQuantity, significant, unitFor, written } from "./quantity";
-import { inertia } from "./settings";
+import { parseQuantity, significant, unitFor } from "./quantity";
+import { partsOf } from "./settings";
 import type { Studio } from "./studio";
 
-const STEPS = 1000;  // of a slider
+const REACH = 240;  // [px] that a handle is dragged from one end of its range to the other
+const OFF = { L: "spanOff", kc: "stiffnessOff", D: "diameterOff" } as const;  // what is measured may be stated with its uncertainty
 
-interface Row { parameter: Parameter; root: HTMLElement; range: HTMLInputElement; number: HTMLInputElement }
+interface Row { parameter: Parameter; root: HTMLElement; handle: HTMLElement; number: HTMLInputElement }
 
 const padlock = (held: boolean): SVGElement => held
   ? svg("svg", { width: 12, height: 13, viewBox: "0 0 12 13", "aria-hidden": "true" }, svg("rect", { x: 1.5, y: 6, width: 9, height: 6.5, rx: 1, fill: "currentColor" }), svg("path", { d: "M3.500 6V4a2.500 2.500 0 0 1 5 0v2", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }))
@@ -17,8 +19,7 @@ const padlock = (held: boolean): SVGElement => held
 export class ParametersView {
   private rows: Row[] = [];
   private built: unknown[] = [];
-  private modulus: HTMLElement | null = null;
-  private dragging = false;
+  private grip: { x: number; place: number; moved: boolean } | null = null;
 
   constructor(private readonly studio: Studio) {
     byId("fit").addEventListener("click", () => this.pressFit());
@@ -39,10 +40,6 @@ export class ParametersView {
     const needed = [fit, studio.wave, test?.settings.heldStiffness !== undefined];
     if (needed.some((value, i) => value !== this.built[i])) this.build(host, needed);
     for (const row of this.rows) this.show(row);
-    if (this.modulus) {
-      const E = fit.text.hasRoundSection && values.D > 0 ? values.EI / inertia(values.D) : NaN;
-      fill(this.modulus, Number.isFinite(E) ? rich(`*E* ${written(E, "modulus")}`) : null);
-    }
   }
 
   private build(host: HTMLElement, needed: unknown[]): void {
@@ -70,13 +67,12 @@ export class ParametersView {
     const { studio } = this, fit = studio.fit!;
     const note = el("span", { class: "note" });
     const head = el("div", { class: "group" }, group);
-    if (group === "Friction") note.textContent = "bar: 95 % interval of the fit";
+    if (group === "Friction") note.textContent = "95 % interval of the fit";
     if (group === "Wave") {
       head.append(el("button", { class: "switch", role: "switch", "aria-checked": String(studio.wave), "aria-label": "Wave", "data-focus": "wave", click: () => studio.setWave(!studio.wave) }));
-      note.textContent = studio.wave ? (fit.wave ? "claimed by the evidence" : "tried by hand") : fit.wave ? "off: it was claimed" : "off: not needed here";
+      note.textContent = studio.wave ? (fit.wave ? "detected" : "added by hand") : fit.wave ? "off: it was detected" : "off: none detected";
     }
-    if (group === "Specimen") this.modulus = note;
-    if (group === "Rig") note.textContent = "held: measured";
+    if (group === "Rig") note.textContent = "stated";
     head.append(note);
     return head;
   }
@@ -86,47 +82,34 @@ export class ParametersView {
     const lock = p.lock === "choice"
       ? el("button", { class: "lock", "data-focus": `lock-${p.key}`, "aria-pressed": String(held), "aria-label": `Hold ${name} in the fit`, title: held ? "Held in the fit" : "Found by the fit", click: () => this.hold(p) }, padlock(held))
       : el("span", { class: "lock", role: "img", "aria-label": held ? "held in the fit" : "found by the fit", title: held ? "Measured: the fit holds it" : "Found by the fit" }, padlock(held));
-    const slider = el("span", { class: "slider" });
-    if (p.interval) {
-      const from = placeOf(p, p.interval[0]), to = placeOf(p, p.interval[1]), bar = el("span", { class: "interval" });
-      bar.style.left = `${100 * from}%`;
-      bar.style.width = `${100 * Math.max(0.01, to - from)}%`;
-      slider.append(bar);
-    }
-    const tick = el("span", { class: "tick" });
-    tick.style.left = `${100 * placeOf(p, fit.fitted[p.key])}%`;
-    const range = el("input", { type: "range", min: 0, max: STEPS, step: 1, "data-key": p.key, "data-focus": `range-${p.key}`, "aria-label": name,
-      input: () => {
-        if (!this.dragging) studio.remember();
-        this.dragging = true;
-        studio.set(p.key, this.rounded(p, valueAt(p, Number(range.value) / STEPS)), true);
+    const handle = el("span", { class: "drag", role: "slider", tabindex: 0, "data-key": p.key, "data-focus": `drag-${p.key}`, "aria-label": name, "aria-valuemin": 0, "aria-valuemax": 100, title: "Drag to change",
+      pointerdown: (event: PointerEvent) => {
+        event.preventDefault();
+        handle.focus();
+        handle.setPointerCapture(event.pointerId);
+        this.grip = { x: event.clientX, place: placeOf(p, studio.values![p.key]), moved: false };
       },
-      change: () => {
-        this.dragging = false;
-        studio.settle();
+      pointermove: (event: PointerEvent) => {
+        if (!this.grip || event.clientX === this.grip.x) return;
+        if (!this.grip.moved) studio.remember();
+        this.grip.moved = true;
+        this.toPlace(p, this.grip.place + (event.clientX - this.grip.x) / REACH, true);
       },
+      pointerup: () => this.letGo(), pointercancel: () => this.letGo(),
       keydown: (event: KeyboardEvent) => {
         const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
         if (!by) return;
         event.preventDefault();
         event.stopPropagation();
         studio.remember();
-        const place = placeOf(p, studio.values![p.key]) + (by * (event.shiftKey ? 10 : 1)) / 100;
-        studio.set(p.key, this.rounded(p, valueAt(p, Math.max(0, Math.min(1, place)))));
+        this.toPlace(p, placeOf(p, studio.values![p.key]) + (by * (event.shiftKey ? 10 : 1)) / 100, false);
       },
-    });
-    slider.append(tick, range);
+    }, svg("svg", { width: 14, height: 10, viewBox: "0 0 14 10", "aria-hidden": "true" }, svg("path", { d: "M4 1 1 5l3 4M10 1l3 4-3 4M5.500 2v6M8.500 2v6", fill: "none", stroke: "currentColor", "stroke-width": 1.3 })));
     const number = el("input", { class: "number", inputmode: "decimal", "data-key": p.key, "data-focus": `number-${p.key}`, "aria-label": p.unitWords ? `${name} in ${plain(p.unitWords)}` : name, autocomplete: "off", spellcheck: "false",
       change: () => this.enter(p, number),
       keydown: (event: KeyboardEvent) => {
         if (event.key === "Enter") this.enter(p, number);
         if (event.key === "Escape") this.show(row);
-        const by = { ArrowUp: 1, ArrowDown: -1 }[event.key];
-        if (!by) return;
-        event.preventDefault();
-        studio.remember();
-        const step = 10 ** -Math.min(p.digits, Math.max(0, p.digits)) * (event.shiftKey ? 10 : 1);
-        studio.set(p.key, this.within(p, (Number(shown(p, studio.values![p.key])) + by * step) * p.unit.factor));
       },
     });
     const title = el("span", { class: "name", title: "double-click: back to the fit", dblclick: () => {
@@ -134,31 +117,35 @@ export class ParametersView {
       studio.remember();
       studio.set(p.key, fit.fitted[p.key]);
     } }, rich(p.name));
-    const root = el("div", { class: `parameter${held ? " held" : ""}`, "data-parameter": p.key }, lock, title, slider, number, el("span", { class: "unit" }, rich(p.unitWords)));
-    const row: Row = { parameter: p, root, range, number };
+    const interval = p.interval ? p.interval.map((value) => shown(p, value).replace("-", "−")).join(p.interval[0] < 0 ? " to " : "–") : "";
+    const root = el("div", { class: `parameter${held ? " held" : ""}`, "data-parameter": p.key }, lock, title, handle, number, el("span", { class: "unit" }, rich(p.unitWords)), el("span", { class: "note interval" }, interval));
+    const row: Row = { parameter: p, root, handle, number };
     return row;
+  }
+  private toPlace(p: Parameter, place: number, live: boolean): void {
+    this.studio.set(p.key, this.rounded(p, valueAt(p, Math.max(0, Math.min(1, place)))), live);
+  }
+  private letGo(): void {
+    this.grip = null;
+    this.studio.settle();
   }
 
   private show(row: Row): void {
     const { studio } = this, p = row.parameter, value = studio.values![p.key], words = shown(p, value);
-    const place = String(Math.round(placeOf(p, value) * STEPS));
-    if (row.range.value !== place && !(this.dragging && document.activeElement === row.range)) row.range.value = place;
-    row.range.setAttribute("aria-valuetext", `${words} ${plain(p.unitWords)}`.trim());
+    row.handle.setAttribute("aria-valuenow", String(Math.round(100 * placeOf(p, value))));
+    row.handle.setAttribute("aria-valuetext", `${words} ${plain(p.unitWords)}`.trim());
     if (document.activeElement !== row.number || row.number.value === "" || parseQuantity(row.number.value, p.unit.command) !== value) row.number.value = words;
     row.root.classList.toggle("changed", studio.isChanged(p.key));
   }
 
-  /** To the digits that are shown; the value of the fit where it reads the same, so that a slider comes home exactly. */
+  /** To the digits that are shown; the value of the fit where it reads the same, so that it comes home exactly. */
   private rounded(p: Parameter, value: number): number {
     const fitted = this.studio.fit!.fitted[p.key], words = shown(p, value);
     return words === shown(p, fitted) ? fitted : Number(words) * p.unit.factor;
   }
-  private within(p: Parameter, value: number): number {
-    return isAllowed(p, value) ? this.rounded(p, value) : this.studio.values![p.key];
-  }
 
   private enter(p: Parameter, number: HTMLInputElement): void {
-    const { studio } = this, value = parseQuantity(number.value, p.unit.command), old = studio.values![p.key];
+    const { studio } = this, old = studio.values![p.key], { value: words, off } = partsOf(number.value), value = parseQuantity(words, p.unit.command);
     if (number.value === shown(p, old)) return;
     if (value === null || !isAllowed(p, value)) {
       const range = p.logarithmic ? `between ${significant(p.low / 100 / p.unit.factor, 2)} and ${significant((p.high * 100) / p.unit.factor, 2)}` : p.key === "phi" ? "that is an angle" : `from 0 to ${p.key === "amp" ? 1 : p.key === "R" ? significant((p.high * 10) / p.unit.factor, 2) : 3}`;
@@ -167,7 +154,9 @@ export class ParametersView {
       return;
     }
     studio.remember();
-    studio.set(p.key, p.key === "kc" ? value : this.within(p, value));
+    const stated = OFF[p.key as keyof typeof OFF];
+    if (off !== null && stated !== undefined) studio.decide({ [stated]: off });
+    studio.set(p.key, p.key === "kc" ? value : this.rounded(p, value));
   }
 
   private hold(p: Parameter): void {
@@ -190,8 +179,7 @@ export class ParametersView {
       const u = unitFor(newtons, "force");
       return `${significant(newtons / u.factor, 2)} ${u.name}`;
     };
-    const ok = fit?.answer.status === "ok";
     said.textContent = busy ? `${fitting.said || "Fitting…"}${others}` : waits ? `Waits for ${fitting?.test.name ?? "the next"}` : fitting ? `Fitting ${fitting.test.name}${others}` : studio.reading ? "Reading…"
-      : !fit ? "" : studio.stale ? "Settings changed: press F to fit" : !ok ? "No fit" : studio.changed ? `By hand: off by ${off(studio.rms)}; the fit by ${off(fit.answer.residual_rms ?? NaN)}` : `Fitted; off by ${off(fit.answer.residual_rms ?? NaN)}`;
+      : !fit ? "" : studio.stale ? "Settings changed: press Fit" : isWithdrawn(fit.answer) ? "" : studio.changed ? `By hand: residual ${off(studio.rms)}; fit: ${off(fit.answer.residual_rms ?? NaN)}` : "Fitted";
   }
 }

@@ -1,5 +1,6 @@
 // What can be turned: eleven numbers of friction, specimen and rig, each with the unit in which it reads best.
 
+import { tellsFriction } from "./answer";
 import type { FitAnswer, ParameterName } from "./answers";
 import type { CaseText } from "./case-text";
 import type { FrictionValues } from "./friction";
@@ -37,7 +38,7 @@ export function valuesOf(fit: FitAnswer, text: CaseText): Values {
   return {
     mu0: p.mu0?.value ?? 0, rms: p.roughness?.value ?? 0, len: p.correlation_length?.value ?? span / 200,
     amp: wave?.claimed ? wave.amplitude.value : 0.1, lam: wave?.wavelength.value ?? span / 100, phi: p.phase && p.wavelength ? wrapped(p.phase.value + Math.PI * middleOf(fit) / p.wavelength.value) : 0,
-    EI: p.bending_stiffness?.value ?? fit.nominal_bending_stiffness?.nominal ?? 0,
+    EI: (tellsFriction(fit) ? p.bending_stiffness?.value : null) ?? fit.nominal_bending_stiffness?.nominal ?? 0,
     D: text.words("rig.friction_at") === "axis" ? 0 : text.quantity("specimen.diameter") ?? text.quantity("specimen.height") ?? 0, kc: text.quantity("rig.stiffness") ?? Infinity, L: span, R: text.quantity("rig.roller_radius") ?? 0,
   };
 }
@@ -65,7 +66,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values, isRound: boolean): 
   const rows = [
     row("mu0", "Friction", "mean *μ*_0_", plainUnit, 0, Math.max(1, 1.5 * fitted.mu0), 3),
     row("rms", "Friction", "roughness", plainUnit, 0, Math.max(0.3, 2 * fitted.rms), 3, { unitWords: "in *μ*" }),
-    row("len", "Friction", "over", len, fitted.len / 30, fitted.len * 30, digitsOf(fitted.len, len, 2), { logarithmic }),
+    row("len", "Friction", "correlation length", len, fitted.len / 30, fitted.len * 30, digitsOf(fitted.len, len, 2), { logarithmic }),
     row("amp", "Wave", "amplitude *A*", plainUnit, 0, 1, 3, { unitWords: "of *μ*_0_" }),
     row("lam", "Wave", "length *λ*", lam, fitted.lam / 5, fitted.lam * 5, digitsOf(fitted.lam, lam, 4), { logarithmic }),
     row("phi", "Wave", "phase *φ*", degrees, -Math.PI, Math.PI, 1),
@@ -73,7 +74,7 @@ export function parametersOf(fit: FitAnswer, fitted: Values, isRound: boolean): 
     row("D", "Specimen", isRound ? "diameter" : "height", D, fitted.D / 3, fitted.D * 3, digitsOf(fitted.D, D, 3), { lock: "measured", logarithmic }),
     row("kc", "Rig", "load train *k*_c_", k, (Number.isFinite(fitted.kc) ? fitted.kc : 1) / 20, (Number.isFinite(fitted.kc) ? fitted.kc : 1) * 20, digitsOf(fitted.kc, k, 4), { lock: "measured", logarithmic }),
     row("L", "Rig", "span *L*", L, span / 2, span * 2, digitsOf(span, L, 4), { lock: "measured", logarithmic }),
-    row("R", "Rig", "tip radius", L, 0, Math.max(span / 10, 2 * fitted.R), 1, { lock: "measured" }),
+    row("R", "Rig", "radius", L, 0, Math.max(span / 10, 2 * fitted.R), 1, { lock: "measured" }),
   ];
   return rows.filter((r) => r.key !== "D" || fitted.D > 0);
 }

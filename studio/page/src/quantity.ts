@@ -77,13 +77,6 @@ export const fixed = (value: number, digits: number): string => minus(value.toFi
 /** "+0.044", "−0.044". */
 export const signed = (value: number, digits: number): string => `${value < 0 ? "" : "+"}${fixed(value, digits)}`;
 
-/** Digits after the point such that the error has two significant ones below 3, else one more than none. */
-export function decimalsFor(error: number): number {
-  if (!(error > 0) || !Number.isFinite(error)) return 2;
-  const exponent = Math.floor(Math.log10(error));
-  return Math.max(0, -exponent + (error / 10 ** exponent < 3 ? 1 : 0));
-}
-
 /** Three significant digits, without an exponent where that reads well. */
 export function significant(value: number, digits = 3): string {
   if (value === 0 || !Number.isFinite(value)) return value === 0 ? "0" : Number.isNaN(value) ? "–" : "∞";

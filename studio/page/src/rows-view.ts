@@ -1,7 +1,7 @@
 // Force by row, with two handles: the only place that shows rows before contact and after failure without ambiguity.
 
 import { scaleLinear } from "d3-scale";
-import { slipOf } from "./answer";
+import { isWithdrawn, slipOf } from "./answer";
 import { byId, svg } from "./dom";
 import { dropColour, greatest, least, lineThrough, path, placeIn, sized, sizeOf, type Scale } from "./plot";
 import type { Studio } from "./studio";
@@ -40,7 +40,7 @@ export class RowsView {
       svg("line", { x1: LEFT, x2: width - RIGHT, y1: bottom, y2: bottom, stroke: "var(--line2)" }),
       path(lineThrough(rows, f, this.x, y), "var(--ink2)", 1),
     ];
-    for (const drop of fit?.answer.drops ?? []) children.push(svg("line", { x1: this.x(drop.row_before), x2: this.x(drop.row_before), y1: TOP, y2: TOP + 5, stroke: dropColour(slipOf(drop)), "stroke-width": 1.5 }));
+    for (const drop of fit && !isWithdrawn(fit.answer) ? fit.answer.drops : []) children.push(svg("line", { x1: this.x(drop.row_before), x2: this.x(drop.row_before), y1: TOP, y2: TOP + 5, stroke: dropColour(slipOf(drop)), "stroke-width": 1.5 }));
     for (const [name, at, words] of [["first", first, "First row used"], ["last", last, "Last row used"]] as const) {
       const px = this.x(at);
       children.push(svg("g", {
@@ -61,7 +61,7 @@ export class RowsView {
     if (last < this.last && width - RIGHT - x2 > 130) children.push(faint(after, (x2 + width - RIGHT) / 2));
     if (last < this.last && width - RIGHT - x2 > 40) children.push(note(String(this.last), width - RIGHT, "end"));
     if (first > 1 && x1 - LEFT > 110) children.push(faint(fit?.passes.length ? "before this loading" : "before contact", (x1 + LEFT) / 2));
-    sized(this.drawing, this.host, ...children, this.marker);
+    sized(this.drawing, this.host, ...children, ...(fit && !isWithdrawn(fit.answer) ? [this.marker] : []));
     this.mark();
   }
 

@@ -1,6 +1,7 @@
 // The state of the studio and what may be done to it. Knows no elements: views listen and draw.
 
 import type { Loading, Mechanics, Program, Rig } from "./engine";
+import { isWithdrawn, tellsFriction } from "./answer";
 import type { Drop, Sensitivity } from "./answers";
 import { History } from "./history";
 import { forceAt, misfit, Model, type Curve } from "./model";
@@ -58,11 +59,13 @@ export class Studio {
   private computed = false;  // and is that of the values as they stand
 
   private readonly reader: Program;  // what is dropped while a fit runs is read and seen
+  private readonly printer: Program;  // prints the screen of a fit beside it
   private line: Promise<void> = Promise.resolve();  // of fits: one runs at a time
 
   /** A fit is under way while the mechanics are still opened. */
   constructor(readonly program: Program, mechanics: Promise<Mechanics>) {
     this.reader = program.another();
+    this.printer = program.another();
     this.ready = mechanics.then((opened) => void (this.model = new Model(opened)));
     this.ready.catch(() => undefined);  // said by each fit
   }
@@ -97,8 +100,9 @@ export class Studio {
     const fit = this.fit, { values } = this;
     this.loading = this.programmed = this.rig = null;
     this.residual = new Float64Array(0);
-    if (!fit || !values || fit.answer.status !== "ok") return;
+    if (!fit || !values || isWithdrawn(fit.answer)) return;
     try {
+      if (fit.answer.status !== "ok" || !tellsFriction(fit.answer)) return void (this.rig = this.model.frictionless(fit, values));
       const rig = this.model.rig(fit, values, this.wave);
       this.rig = rig;
       this.loading = this.model.monotone(fit, rig, this.live);
@@ -122,38 +126,25 @@ export class Studio {
   get tests(): readonly Test[] {
     return this.all.filter((test) => !this.removed.has(test));
   }
-  /** Reads these tests, so that they are seen, and fits those that say all a fit needs; of the others it is said what is missing, once for all. */
+  /** Reads these tests, so that they are seen, and fits them: of what a file does not say the program asks. */
   async open(...tests: Test[]): Promise<void> {
-    const fits: Promise<void>[] = [], short: Test[] = [], refused: string[] = [];
+    const fits: Promise<void>[] = [], refused: string[] = [];
     this.reading += tests.length;
     this.tell("fitting");
     for (const test of tests) {
       await test.open(this.reader);
       --this.reading;
-      if (test.refusal && !test.isCase && !test.canBeTold) {
+      if (!test.hasData || (test.refusal && !test.isCase && !test.canBeTold)) {
         refused.push(inPageWords(test.refusal, test));
-        this.report(refused.join("; "));
+        this.report(refused.join("\n"));
         continue;
       }
       this.all.push(test);
       this.select(test);
-      if (!test.isCase && (test.refusal || missingOf(test).length)) short.push(test);
-      else fits.push(this.runFit(test));
+      fits.push(this.runFit(test));
     }
-    if (short.length) this.ask(short);
     this.tell("fitting");
     await Promise.all(fits);
-  }
-  private asked: { of: readonly Test[]; words: string } = { of: [], words: "" };
-  /** Says what these files must still be told; where that is nothing, the line goes. */
-  private ask(tests: readonly Test[]): void {
-    const of = tests.filter((test) => !test.fit && !this.removed.has(test) && (test.refusal !== "" || missingOf(test).length > 0));
-    this.asked = { of, words: of.length ? askedOf(of) : "" };
-    this.report(this.asked.words);
-  }
-  /** Whether the line says what files must be told. */
-  private get isAsking(): boolean {
-    return this.asked.of.length > 0 && this.error === this.asked.words;
   }
   select(test: Test | null): void {
     this.test = test;
@@ -204,7 +195,7 @@ export class Studio {
     }
     Object.assign(this, { test: state.test, values: state.values && { ...state.values }, wave: state.wave, programme: state.programme && [...state.programme] });
     this.tell("tests", "card", "answer", "moment", "model", "parameters", "rows", "programme", "fitting");
-    void this.reread();
+    void this.answer();
   }
   /** Call before a change; a drag calls it once. */
   remember(): void {
@@ -279,7 +270,6 @@ export class Studio {
       test.taken.delete(unit);
       this.pass(test, unit, read![unit], (other) => (sameColumns(test, other) ? other.settings.read : null));
     }
-    if (this.isAsking) this.ask(this.asked.of);
     if (this.programme?.[1] === greatestStage) this.setProgramme(this.programme.map((stage, i) => (i === 1 ? this.greatestStage : stage)));
     this.tell("tests", "card", "rows", "programme", "fitting", "parameters");
   }
@@ -290,20 +280,26 @@ export class Studio {
       if (!settings || (settings[key] !== undefined && other.taken.get(key) !== from)) continue;
       put(settings, key, value);
       other.taken.set(key, from);
+      if (other.read) other.refusal = "";  // what it was asked may be answered now
     }
   }
   /** The other files that are open and not fitted yet, which are asked the same as this one. */
   alike(test: Test): Test[] {
     return test.isCase ? [] : this.tests.filter((other) => other !== test && !other.isCase && !other.fit);
   }
-  /** Reads again what was decided to be read otherwise; a fit is asked for by hand. */
+  /** Reads again what was decided to be read otherwise. */
   async reread(): Promise<void> {
     const tests = this.tests.filter((test) => test.isReadOtherwise);
     for (const test of tests) await test.open(this.reader);
-    if (!tests.length) return;
-    if (this.isAsking) this.ask(this.asked.of);
-    else this.report(this.test?.refusal ? inPageWords(this.test.refusal, this.test) : "");
-    this.tell("tests", "card", "answer", "rows", "view", "model");
+    if (tests.length) this.tell("tests", "card", "answer", "rows", "view", "model");
+  }
+  /** The program is asked again what it still must be told of a file; where that is nothing, it fits. A later fit is asked for by hand. */
+  async answer(): Promise<void> {
+    const { test } = this;
+    await this.reread();
+    if (!test || test.fit) return;
+    this.cancelFit(test);
+    await this.runFit(test);
   }
   /** Settings were changed since the last fit. */
   get stale(): boolean {
@@ -317,7 +313,7 @@ export class Studio {
 
   // ---- the fits, in the Worker, one after the other
   runFit(test: Test | null = this.test): Promise<void> {
-    if (!test || this.isBusy(test)) return Promise.resolve();
+    if (!test || this.isBusy(test) || (test.refusal && !test.read && !test.isCase)) return Promise.resolve();
     this.waiting = [...this.waiting, test];
     if (this.test === test) this.report("");
     this.tell("fitting");
@@ -325,10 +321,7 @@ export class Studio {
   }
   /** All that were not fitted, or not as they are told now. */
   async fitAll(): Promise<void> {
-    const tests = this.tests.filter((test) => isStale(test)), short = tests.filter((test) => !test.isCase && (test.refusal ? !test.read : missingOf(test).length > 0));
-    const fits = tests.filter((test) => !short.includes(test)).map((test) => this.runFit(test));
-    if (short.length) this.ask(short);
-    await Promise.all(fits);
+    await Promise.all(this.tests.filter((test) => isStale(test)).map((test) => this.runFit(test)));
   }
   isBusy(test: Test | null): boolean {
     return !!test && (this.fitting?.test === test || this.waiting.includes(test));
@@ -342,8 +335,9 @@ export class Studio {
     const before = this.state;
     if (!this.fit) void this.ready.then(() => setTimeout(() => this.fitting === fitting && this.prepare(test), SOON), () => undefined);
     try {
-      const fit = await test.analyse(this.program, (line) => {
+      const fit = await test.analyse(this.program, this.printer, (line) => {
         fitting.said = line;
+        if (!test.fit && test.refusal) (test.refusal = ""), this.tell("card", "answer");  // the program asks no more
         this.tell("progress");
       });
       await this.ready;
@@ -362,9 +356,8 @@ export class Studio {
       if (this.fitting !== fitting) return;
       this.fitting = null;
       test.refusal = messageOf(cause);
-      this.report(inPageWords(test.refusal, test));
     } finally {
-      this.tell("tests", "answer", "fitting");
+      this.tell("tests", "card", "answer", "fitting");
     }
   }
   /** While the first fit runs there is nothing to see, nor to point at. */
@@ -390,6 +383,7 @@ export class Studio {
     if (this.fitting && this.fitting.test === test) {
       this.fitting = null;
       this.program.cancel();
+      this.printer.cancel();
     }
     this.tell("fitting");
   }
@@ -496,13 +490,12 @@ export class Studio {
   }
 }
 
-/** What the file holds at a row, with the sign and from the zero with which the rows used are counted. */
+/** What the file holds at a row, in the unit and from the zero in which the rows used are counted: by the first of these and the one farthest from it. */
 function asUsed(raw: Float64Array, fit: Fit, name: string, row: number): number {
   const used = fit.curves.column(name), { rows } = fit;
-  if (!used?.length) return raw[row - 1] ?? NaN;
+  if (!used?.length) return NaN;
   const far = used.reduce((best, value, i) => (Math.abs(value - used[0]!) > Math.abs(used[best]! - used[0]!) ? i : best), 0), of = (i: number): number => raw[rows[i]! - 1] ?? NaN;
-  const sign = (used[far]! - used[0]!) * (of(far) - of(0)) < 0 ? -1 : 1;
-  return sign * ((raw[row - 1] ?? NaN) - of(0)) + used[0]!;
+  return used[0]! + ((used[far]! - used[0]!) * ((raw[row - 1] ?? NaN) - of(0))) / (of(far) - of(0));
 }
 
 function put(settings: object, key: string, value: unknown): void {
@@ -516,28 +509,3 @@ export const messageOf = (cause: unknown): string => (cause instanceof Error ? c
 export const list = (words: string[]): string => (words.length < 2 ? words.join("") : `${words.slice(0, -1).join(", ")} and ${words[words.length - 1]}`);
 
 export const isStale = (test: Test): boolean => test.fit === null || JSON.stringify(test.settings) !== test.fit.settings;
-
-/** What a data file must be told before it can be fitted. */
-export function missingOf(test: Test): string[] {
-  const { settings, read } = test;
-  if (!read) return [];
-  const columns = read.columns.map((c) => c.role), missing: string[] = [];
-  const unitless = (roles: string[]): boolean => read.columns.some((c) => roles.includes(c.role) && c.unit === null);
-  if (!columns.includes("force")) missing.push("which column is the force");
-  if (!settings.displacement && !columns.some((r) => r === "crosshead" || r === "deflection")) missing.push("whether its displacement is that of the crosshead or the deflection");
-  if (columns.filter((r) => r === "crosshead").length > 1 && !settings.read.crosshead) missing.push("which column is the crosshead");
-  if (unitless(["crosshead", "deflection", "displacement"]) && !settings.read["displacement-unit"]) missing.push("the unit of its displacement");
-  if (unitless(["force"]) && !settings.read["force-unit"] && !settings.calibration) missing.push("the unit of its force");
-  if (settings.span === undefined && !read.test.span) missing.push("the support span");
-  if (settings.stiffness === undefined) missing.push("the stiffness of the load train");
-  return missing;
-}
-
-/** What these files must be told, in one sentence. */
-function askedOf(tests: readonly Test[]): string {
-  const [first] = tests as [Test], unread = tests.find((test) => test.refusal);
-  if (unread) return inPageWords(unread.refusal, unread);
-  const missing = [...new Set(tests.flatMap(missingOf))], it = missing.length === 1 ? "it" : "them";
-  return tests.length === 1 ? `${first.data} does not say ${list(missing)}. Enter ${it} under “How ${first.data} was read”, then press Fit.`
-    : `${tests.length} files do not say ${list(missing)}. Enter ${it} in the boxes of one of them, once for all, then press Fit all.`;
-}

@@ -1,12 +1,12 @@
 // One test: its files, what the program read in them, what was decided, and its last fit.
 
+import { screenOf, type Screen } from "./answer";
 import { sentence, type FitAnswer, type ReadAnswer } from "./answers";
 import { CaseText } from "./case-text";
 import type { Program } from "./engine";
 import { FittedFriction } from "./friction";
 import { frictionOf, parametersOf, valuesOf, type Parameter, type Values } from "./parameters";
 import { passesOf, type DrawnPass } from "./passes";
-import { unitFactor } from "./quantity";
 import { changesOfCase, flagsOfData, shellWord, type Settings } from "./settings";
 import { Table } from "./table";
 
@@ -14,15 +14,15 @@ export type Files = Record<string, Uint8Array>;
 
 /** A fit, with all that the program wrote: what is shown and what is exported are the same bytes. */
 export interface Fit {
-  json: string; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
+  json: string; screen: Screen; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
   given: Files;  // what it was made of beside the test's files: the plain table, where the file was read otherwise than found
   curves: Table; rows: Float64Array; text: CaseText;
   friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
   passes: readonly DrawnPass[];  // of a record that was unloaded
 }
 
-/** All rows of the file, also those before contact and after failure: in SI, but a column whose unit nobody has said as it stands in the file. */
-export interface Rows { stage: Float64Array; force: Float64Array; unitless: { stage: boolean; force: boolean } }
+/** All rows of the file, also those before contact and after failure, as they stand in it, under their titles. */
+export interface Rows { stage: Float64Array; force: Float64Array; titles: { stage: string; force: string } }
 
 export const OUTPUTS = { profile: "profile.csv", curves: "curves.csv", draws: "draws.csv" } as const;
 
@@ -92,25 +92,32 @@ export class Test {
     return this.commands().map((args) => ["flexslip", ...args].map(shellWord).join(" ")).join(" && ");
   }
 
+  get hasData(): boolean {
+    return this.data in this.files;
+  }
   /** Reads the rows of the data file; `refusal` is why it cannot. */
   async open(program: Program): Promise<void> {
     const given = { [this.data]: this.files[this.data]! };
-    this.read = this.rows = null;
     this.readAs = JSON.stringify(this.readFlags());
+    const fail = (refusal: string): void => {
+      this.read = this.rows = null;
+      this.refusal = refusal;
+    };
     try {
+      if (!this.hasData) return fail(`${sentence((await program.run(["fit", this.main], this.files)).err)}${this.data ? ` Drop ${this.main} and ${this.data} together.` : ""}`);
       const told = await program.run(["read", this.data, ...this.readFlags(), "--json"], given);
-      this.refusal = told.code === 0 ? "" : sentence(told.err);
-      if (told.code !== 0) return;
-      this.read = JSON.parse(told.out) as ReadAnswer;
-      const plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
-      this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), this.read) : null;
+      if (told.code !== 0) return fail(sentence(told.err));
+      const read = JSON.parse(told.out) as ReadAnswer, plain = await program.run(["read", this.data, ...this.readFlags(), "--output", "-", "--quiet"], given);
+      if (!this.read) this.refusal = "";
+      this.read = read;
+      this.rows = plain.code === 0 ? rowsOf(new Table(plain.out), read) : null;
     } catch (cause) {
-      this.refusal = cause instanceof Error ? cause.message : String(cause);
+      fail(`${this.data}: ${cause instanceof Error ? cause.message : String(cause)}`);
     }
   }
 
-  /** Fits, by the command of `commands`. Throws the program's sentence; the last fit stays. */
-  async analyse(program: Program, progress?: (line: string) => void): Promise<Fit> {
+  /** Fits, by the command of `commands`; beside it another Worker prints the screen of the same command. Throws the program's sentence; the last fit stays. */
+  async analyse(program: Program, printer: Program, progress?: (line: string) => void): Promise<Fit> {
     let files = this.files, given: Files = {};
     const settings = JSON.stringify(this.settings);
     const commands = this.commands();
@@ -122,22 +129,24 @@ export class Test {
     }
     const args = commands[commands.length - 1]!;
     const outputs = Object.entries(OUTPUTS).flatMap(([flag, name]) => [`--${flag}`, name]);
+    const printed = printer.run([...args, "--quiet"], files);
+    printed.catch(() => undefined);
     const answer = await program.run([...args, "--json", ...outputs], files, progress);
     if (!answer.out.trimStart().startsWith("{")) throw new Error(sentence(answer.err));
-    return fitOf(answer.out, answer.files, settings, given);
+    return fitOf(answer.out, screenOf((await printed).out), answer.files, settings, given);
   }
 }
 
 const decode = (bytes: Uint8Array | undefined): string => (bytes ? new TextDecoder().decode(bytes) : "");
 
-export function fitOf(json: string, files: Files, settings: string, given: Files = {}): Fit {
+function fitOf(json: string, screen: Screen, files: Files, settings: string, given: Files = {}): Fit {
   const answer = JSON.parse(json) as FitAnswer;
   const text = new CaseText(answer.provenance.case), fitted = valuesOf(answer, text);
   const wave = !!answer.wave?.claimed && answer.model === "roughness";
   const curves = new Table(decode(files[OUTPUTS.curves]));
   const stage = curves.column("w_s") ?? new Float64Array(0);
   return {
-    json, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
+    json, screen, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
     friction: new FittedFriction(answer, new Table(decode(files[OUTPUTS.draws])), frictionOf(fitted, wave)),
     passes: passesOf(answer, fitted.kc),
     parameters: parametersOf(answer, fitted, text.words("specimen.height") === null), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
@@ -145,17 +154,13 @@ export function fitOf(json: string, files: Files, settings: string, given: Files
 }
 
 function rowsOf(table: Table, read: ReadAnswer): Rows | null {
-  const column = (roles: string[]): { values: Float64Array; unitless: boolean } | null => {
+  const column = (roles: string[]): { title: string; values: Float64Array } | null => {
     for (const role of roles) {
-      const at = read.columns.findIndex((c) => c.role === role);
-      const title = at < 0 ? "" : read.columns[at]!.name;
-      const index = table.titles.findIndex((t) => t.replace(/ \[[^\]]*\]$/, "") === title);
-      if (index < 0) continue;
-      const factor = unitFactor(table.unitOf(index));
-      return { values: table.at(index).map((value) => value * (factor ?? 1)), unitless: factor === null };
+      const name = read.columns.find((c) => c.role === role)?.name, at = name === undefined ? -1 : table.titles.findIndex((title) => title.replace(/ \[[^\]]*\]$/, "") === name);
+      if (at >= 0) return { title: table.titles[at]!, values: table.at(at) };
     }
     return null;
   };
   const stage = column(["crosshead", "displacement", "deflection"]), force = column(["force"]);
-  return stage && force ? { stage: stage.values, force: force.values, unitless: { stage: stage.unitless, force: force.unitless } } : null;
+  return stage && force ? { stage: stage.values, force: force.values, titles: { stage: stage.title, force: force.title } } : null;
 }

@@ -1,15 +1,13 @@
 // The list of tests with their verdicts, and the pinned curves.
 
-import { answerOf, estimate, slipOf, tellsFriction } from "./answer";
-import { remarksOf, sentence } from "./answers";
-import { byId, el, fill, rich, svg } from "./dom";
+import { remarksOf, sentence, type FitAnswer } from "./answers";
+import { byId, el, fill, svg } from "./dom";
 import { openDialog } from "./keys";
 import { download } from "./outputs";
 import { greatest } from "./plot";
-import { fixed, plainUnit, written } from "./quantity";
 import { isStale, messageOf, type Studio } from "./studio";
 import type { Files, Fit, Test } from "./test";
-import { inPageWords } from "./words";
+import { inPageWords, questionOf, withBoxes } from "./words";
 
 /** The curve from 60 to 100 % of its greatest force, in 84 by 24. */
 function spark(test: Test): SVGElement {
@@ -27,54 +25,45 @@ function spark(test: Test): SVGElement {
   return drawing;
 }
 
-const VERDICTS: Readonly<Record<string, [string, string]>> = { slip: ["", "ok"], undecided: ["", "warn"], crack: ["crack", "warn"], no_drops: ["no drops", "none"], check_input: ["check input", "warn"], no_answer: ["no answer", "warn"] };
+const KINDS: Readonly<Record<string, string>> = { slip: "ok", settled: "ok", no_drops: "none" };
 
-/** One word or two: that of the verdict, or of how far it is. */
+/** The word of the verdict, or how far it is. */
 function badgeOf(studio: Studio, test: Test): HTMLElement {
   const fit = test.fit?.answer, badge = (words: string, kind: string): HTMLElement => el("span", { class: `badge ${kind}` }, words);
   if (studio.fitting?.test === test) return badge("fitting", "none");
   if (studio.waiting.includes(test)) return badge("waits", "none");
-  if (!fit) return badge(!test.read && test.refusal ? "not read" : "not fitted", "none");
-  const [words, kind] = VERDICTS[fit.verdict.code] ?? [fit.verdict.code, "warn"];
-  return badge(words || `${kind === "ok" && !fit.suspect ? "" : "! "}${fit.drops.filter((d) => slipOf(d) === "could").length} of ${fit.drops.length}`, fit.suspect && kind === "ok" ? "warn" : kind);
+  if (!fit) return badge(questionOf(test) ? "question" : "not fitted", "none");
+  return badge(wordOf(fit), KINDS[fit.verdict.code] ?? "warn");
 }
+const wordOf = (fit: FitAnswer): string => /^[^.:]*/.exec(fit.verdict.sentence)![0];
+const lineOf = (fit: Fit, ...labels: string[]): string => fit.screen.lines.filter(({ label }) => labels.includes(label)).map(({ words }) => withBoxes(words)).join(" ");
 
 export function drawTests(studio: Studio): void {
   const focus = document.activeElement?.closest("#tests") !== null && document.activeElement?.closest("#tests") !== undefined;
   byId("all").hidden = studio.tests.length < 2;
   byId<HTMLButtonElement>("fit-all").disabled = !studio.tests.some((test) => isStale(test) && !studio.isBusy(test));
   fill(byId("tests"), ...studio.tests.map((test) => {
-    const fit = test.fit?.answer, mu = fit && tellsFriction(fit) ? fit.parameters.mu0 : undefined, selected = test === studio.test;
-    return el("li", {
-      role: "option", "aria-selected": String(selected), tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${fit.verdict.sentence}` : test.refusal ? inPageWords(test.refusal, test) : test.name,
+    const fit = test.fit?.answer, selected = test === studio.test;
+    return el("li", { class: selected ? "selected" : null }, el("button", {
+      class: "test", "aria-current": selected ? "true" : null, tabindex: selected ? 0 : -1, title: fit ? `${test.name}: ${fit.verdict.sentence}` : test.refusal ? inPageWords(test.refusal, test) : test.name,
       click: () => studio.select(test),
       keydown: (event: KeyboardEvent) => {
-        if (event.key === "Enter" || event.key === " ") studio.select(test);
-        else if (event.key === "ArrowDown" || event.key === "ArrowUp") studio.next(event.key === "ArrowDown" ? 1 : -1);
+        if (event.key === "ArrowDown" || event.key === "ArrowUp") studio.next(event.key === "ArrowDown" ? 1 : -1);
         else if (event.key === "Delete") studio.remove(test);
         else return;
         event.preventDefault();
         event.stopPropagation();
       },
-    }, el("div", {}, el("b", {}, test.name), el("span", { class: "note" }, mu && !mu.bound ? rich(`*μ* ${estimate(mu.value, mu.standard_error, plainUnit, 3).join(" ")}`) : mu ? rich(`*μ* ≤ ${fixed(mu.interval95[1], 2)}`) : " ")), spark(test), badgeOf(studio, test),
-      el("button", { class: "away", tabindex: -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: (event: Event) => {
-        event.stopPropagation();
-        studio.remove(test);
-      } }, "×"));
+    }, el("b", {}, test.name), spark(test), badgeOf(studio, test), el("span", { class: "note" }, test.fit ? lineOf(test.fit, "friction") : "")),
+      el("button", { class: "away", tabindex: selected ? 0 : -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: () => studio.remove(test) }, "×"));
   }));
-  if (focus) byId("tests").querySelector<HTMLElement>("[aria-selected=true]")?.focus();
+  if (focus) byId("tests").querySelector<HTMLElement>(".selected .test")?.focus();
 }
 
 /** All tests in a table; its rows as CSV are those of `flexslip campaign`, which evaluates them together. */
 export function openTests(studio: Studio): void {
   const fitted = studio.tests.filter((test) => test.fit);
-  const row = ({ name, fit }: Test): HTMLElement => {
-    const { verdict, parameters: { mu0 }, judgement, slips, findings } = fit!.answer, told = tellsFriction(fit!.answer), work = numbersOf(fit!, "Friction in the work"), spacing = slips?.median_spacing;
-    const mu = !told || !mu0 ? "" : mu0.bound ? `≤ ${fixed(mu0.interval95[1], 2)}` : estimate(mu0.value, mu0.standard_error, plainUnit, 3).join(" ");
-    const doubts = findings.filter((each) => ["refusal", "suspicion", "doubt"].includes(each.severity)).map((each) => each.short_form || each.sentence);
-    const cells = [name, verdict.sentence.split(".")[0]!, judgement?.cracks_alone == null ? "" : `${fixed(100 * judgement.cracks_alone, 0)} %`, mu, told && spacing ? written(spacing, "length") : "", work];
-    return el("tr", {}, ...cells.map((words, i) => el(i ? "td" : "th", i ? {} : { scope: "row" }, words)), el("td", { class: "words" }, doubts.join("; ")));
-  };
+  const row = ({ name, fit }: Test): HTMLElement => el("tr", {}, el("th", { scope: "row" }, name), ...[wordOf(fit!.answer), lineOf(fit!, "friction"), lineOf(fit!, "work"), lineOf(fit!, "doubt")].map((words) => el("td", { class: "words" }, words)));
   const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
     save.disabled = true;
     try {
@@ -90,15 +79,10 @@ export function openTests(studio: Studio): void {
   } }, "Save as CSV");
   const note = el("span", { class: "note", role: "status" }, "every column of a campaign, evaluated once more together; its modulus is that of the slope, not of the fit"), left = studio.tests.length - fitted.length;
   openDialog("Tests", [
-    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "cracks only", "friction", "spacing", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
+    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "friction", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
     ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", note),
   ]);
 }
-const numbersOf = (fit: Fit, label: string): string => {
-  const { value } = answerOf(fit.answer, fit.text).numbers.find((each) => each.label === label) ?? { value: "–" };
-  return value === "–" ? "" : value;
-};
-
 /** The rows that `flexslip campaign` writes of these tests, and what it says of those that it leaves out. */
 async function tableOf(studio: Studio, tests: Test[], progress: (line: string) => void): Promise<{ table: string; remarks: string }> {
   const files: Files = {}, names = new Set<string>();

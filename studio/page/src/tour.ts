@@ -1,29 +1,30 @@
-// The first visit: five short steps, each with one thing to drag. They cover nothing, come once, and return under ?.
+// The first visit: short steps that follow the verdict. They cover nothing, come once, and return under ?.
 
+import { isWithdrawn, slipOf, tellsFriction } from "./answer";
 import { byId, el, fill, rich } from "./dom";
 import type { Studio } from "./studio";
 
 /** The steps of the test that is open; *italic*, and ^what to do^ in bold. */
 function steps(studio: Studio): [string, string][] {
-  const drops = studio.fit?.answer.drops.length ?? 0, times = drops === 1 ? "once" : `${drops} times`;
-  const uneven = studio.fit?.wave ? "amplitude *A*" : "roughness";
+  const fit = studio.fit?.answer;
+  if (!fit || isWithdrawn(fit)) return [];
+  const { drops, verdict, next } = fit, first: [string, string] = ["The answer", `${verdict.sentence} ^Drag along the curve^ and read each row above it.`], last: [string, string] = ["What to do next", next];
+  const impossible = drops.filter((drop) => slipOf(drop) === "no").length;
+  if (!tellsFriction(fit)) return [first, ...(impossible ? [["Drops that cannot be slips", `A triangle marks a drop that no slip explains: here ${impossible} of ${drops.length}.`] as [string, string]] : []), ...(next ? [last] : [])];
+  const uneven = studio.fit?.wave ? "amplitude *A*" : "roughness", cautious = verdict.code === "slip" ? "In this model no crack is needed." : "Uneven friction can make drops; that does not exclude cracks.";
   return [
-    ["Is this toughness?", `The force drops ${times}. A crack could do that; so could a slip over the supports. ^Drag along the curve^ and watch the fibre.`],
-    ["What a drop says", "In a drop the stage stands still, so every drop runs down the load line, whatever caused it. ^Drag load train^: stiffer, and drops get fewer and smaller."],
-    ["Uneven friction is enough", `^Drag ${uneven} to 0.^ The teeth go, the curve stays. No crack was needed.`],
-    ["What a crack would look like", "A crack leaves the fibre softer for good. ^Drag stiffness *EI* down^: the curve sinks. A crack does so from its drop on, and reloading shows it."],
-    ["The test that decides", "^Add unload and reload^, and drag its points. If the slope comes back, no stiffness was lost."],
+    first,
+    ...(drops.length ? [["What a drop shows", "In a drop the stage stands still, so every drop follows the load line, whatever caused it. ^Drag the handle of load train^: on a stiffer one, drops become fewer and smaller."], ["Uneven friction", `^Drag the handle of ${uneven} to 0.^ The drops disappear, the curve stays. ${cautious}`]] as [string, string][] : []),
+    ["Lost stiffness", "A crack leaves the specimen softer. ^Drag the handle of stiffness *EI* down^: the curve sinks. A reload shows it."],
+    ["The test that decides", `${next} ^Add unload and reload^, and drag its points.`],
   ];
 }
 
 export function drawTour(studio: Studio): void {
   const host = byId("tour"), all = steps(studio), { step } = studio;
-  const narrow = matchMedia("(max-width: 1100px)").matches, home = byId(narrow ? "left" : "right");
-  if (host.parentElement !== home) home.append(host);
-  host.hidden = step < 0 || !studio.fit;
+  host.hidden = step < 0 || !all[step];
   if (host.hidden) return;
   const [title, words] = all[step]!;
-  if (step === all.length - 1) byId("programme").scrollIntoView({ block: "nearest" });
   const go = (to: number): void => {
     studio.step = to >= all.length ? -1 : to;
     studio.tell("tour");
