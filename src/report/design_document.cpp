@@ -204,7 +204,7 @@ std::string percentages(double low, double high) {
   return least == most ? most : fmt::format("{} to {}", least, most);
 }
 
-// The answer over the ranges of what the case does not state.
+// The answer over the ranges of the quantities that the case does not state.
 std::string open_in_short(const OpenStudy& study) {
   if (study.snapping == 0)
     return "No sawtooth, for any friction in the ranges below: the specimen slides without a snap.";

@@ -255,7 +255,7 @@ Plot wavelength_figure(const FittedTest& test) {
       .title = "Wavelengths in the friction: " + test.name,
       .caption = fmt::format(
           "How much a wave of friction adds to the logarithm of the evidence, by its wavelength, with the roughness "
-          "fitted without a wave. Circle: the most probable, {:.3g} {}. Dotted: {:g}, above which a wave counts as "
+          "fitted without a wave. Circle: the maximum, {:.3g} {}. Dotted: {:g}, above which a wave counts as "
           "detected.{}",
           length(likeliest->wavelength), length.unit, claiming_gain,
           fit.wave_claimed ? " Dashed: the wave of the fit, for which the roughness was fitted anew." : ""),

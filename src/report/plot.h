@@ -1,5 +1,4 @@
-// A figure as plain data. gnuplot draws it for reports (draw.h), matplotlib in Python
-// (python/flexslip/_plots.py).
+// A figure as plain data, drawn by gnuplot (draw.h) or matplotlib (python/flexslip/_plots.py).
 // laid_out decides margins, ticks and keys once for both. Text is in a small markup: *F* is italic,
 // _0 and _{ab} are subscripts, ^{-3} is a superscript; a backslash escapes the next character.
 #pragma once
@@ -111,7 +110,6 @@ struct Tick {
   double at;
   std::string text;  // "" for a minor tick
 };
-
 inline constexpr double as_the_data = std::numeric_limits<double>::quiet_NaN();  // from the data
 
 struct Axis {
@@ -156,19 +154,15 @@ struct Plot {
 // Domain:     tables and columns that exist; std::invalid_argument otherwise.
 Plot laid_out(Plot plot);
 
-// The figure for a width [mm], of a column or a page. Letters keep their size. A figure as wide as
-// two columns takes the width; a narrower one keeps its own if it fits. Panels that would become too
-// narrow move below each other, and the figure grows in height.
-// Domain:     width >= min_figure_width.
+// The figure for a width [mm]: letters keep their size, and panels that would become too narrow move
+// below each other. A narrower figure keeps its width. Domain: width >= min_figure_width.
 inline constexpr double min_figure_width = 60, max_figure_width = 300;  // [mm]
 Plot in_width(Plot plot, double width);
 
 // The members above, without the data, for other programs that draw. Columns are given by title.
 Json json_of(const Plot& laid);
-
 const PlotTable& table_of(const Plot& plot, std::string_view name);  // throws std::invalid_argument
-
-// ---- Markup: its pieces, and text without markup
+// Markup: its pieces, and text without markup.
 struct TextPiece {
   enum Style { plain, italic, below, above } style;
   std::string text;
@@ -180,7 +174,6 @@ std::string as_it_is(const std::string& text);  // as markup
 struct PlotUnit {
   std::string unit;  // "µm"; in reduced variables "L"
   double factor;
-
   double operator()(double value) const { return factor * value; }
   std::string column(std::string_view name) const;  // "force [mN]"
   // The label is markup; the ends are in the unit of the answer.

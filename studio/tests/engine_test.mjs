@@ -124,7 +124,7 @@ test("faults are the program's own sentences and codes; what a page cannot do, i
   await same(t, ["flt"], {});
   const sweep = await inPage(["sweep", "sweep.toml"], { "sweep.toml": new Uint8Array(readFileSync(join(root, "examples/sweep.toml"))) });
   assert.equal(sweep.code, 2);
-  assert.match(sweep.err, /run the same command with the program flexslip, outside the studio/);
+  assert.match(sweep.err, /Run the same command with the program flexslip, outside the studio/);
   const report = await inPage(["fit", "case.toml", "--report", "report", "--quiet"], filesOf(join(root, "examples/simulated")));
   assert.equal(report.code, 0, report.err);
   assert.ok("report/report.html" in report.files);
