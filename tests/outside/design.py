@@ -4,7 +4,7 @@ import re
 import sys
 import unittest
 
-from program import PROGRAM, SOURCE, InFolder
+from program import PROGRAM, SOURCE, InFolder, run
 
 sys.path.insert(0, str(SOURCE / "bench" / "causes"))
 import decide  # noqa: E402
@@ -29,6 +29,28 @@ FIG_8 = SOURCE / "docs" / "figures" / "paper-fig8.toml"
 
 
 class Design(InFolder):
+    def test_all_that_is_missing_is_asked_for_at_once(self):
+        case = self.file("case.toml", '[specimen]\ndiameter = "0.5 mm"\n')
+        result = run("design", case)
+        self.assertEqual((result.returncode, result.stdout), (2, ""))
+        lines = result.stderr.splitlines()
+        self.assertEqual(len(lines), 8, result.stderr)
+        for key, words in ("[specimen] modulus", "GPa"), ("[rig] span", '"8 mm"'), ("[rig] stiffness", "N/m"), ("[stage] program", '"5 mm"'), \
+                ("[friction] wavelength", 'from "5 um" to "50 um"'):
+            self.assertTrue(any(key in line and words in line for line in lines), (key, lines))
+
+    def test_friction_that_is_not_stated_is_a_range(self):
+        stated = re.sub(r"\[friction\].*?(?=\[stage\])", "", CASE, flags=re.DOTALL).replace("[rig]\n", 'material = "glass"\n[rig]\nsupport_material = "steel"\n')
+        case = self.file("case.toml", stated)
+        found = self.json("design", case)["open"]
+        self.assertEqual([each["parameter"] for each in found["ranges"]], ["mu0", "amplitude", "wavelength"])
+        self.assertEqual((found["ranges"][0]["from"], found["ranges"][0]["to"]), (0.5, 0.721))
+        self.assertLessEqual(found["snapping"], found["designs"])
+        text = self.succeeds("design", case, "--figure", self.folder / "design.svg")
+        self.assertIn("the ranges below", " ".join(text.split()))
+        self.assertGreater(len((self.folder / "design-unknown.csv").read_text().splitlines()), 100)
+        self.assertIsNone(self.json("design", self.file("stated.toml", CASE))["open"])
+
     def test_oracle_simulate(self):
         # 1e-5 of the work is what the header of bending_test/design.h promises
         case = self.file("case.toml", CASE)

@@ -17,6 +17,7 @@ import termios
 import time
 import tomllib
 import unittest
+import xml.dom.minidom
 import unittest.mock
 
 from program import PROGRAM, SOURCE, InFolder, numbers, run, table, words_of
@@ -485,6 +486,36 @@ class Report(InFolder):
         self.assertTrue({pathlib.Path("figures") / f"{name}.{ending}" for name in FIGURES for ending in ("svg", "pdf", "png", "gp")} <= set(written))
         for path in written:
             self.assertEqual((first / path).read_bytes(), (second / path).read_bytes(), path)
+
+    def test_the_report_of_a_cracked_specimen_draws_no_friction(self):
+        self.succeeds("fit", SOURCE / "examples/cracked/case.toml", "--report", self.folder / "report")
+        drawn = {path.stem for path in (self.folder / "report/figures").glob("*.gp")}
+        self.assertEqual(drawn, {"record"})
+        self.assertNotIn("Friction along the specimen", (self.folder / "report/report.html").read_text(encoding="utf-8"))
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+    def test_figures_for_a_column_are_narrower_with_the_same_letters(self):
+        page, column = self.folder / "page", self.folder / "column"
+        self.succeeds("fit", CASE, "--report", page)
+        self.succeeds("fit", CASE, "--report", column, "--figure-width", "8.5")
+        for name, millimetres in ("force", 170), ("wavelengths", 85):
+            wide, narrow = ((folder / f"figures/{name}.svg").read_text(encoding="utf-8") for folder in (page, column))
+            for text, width in (wide, millimetres), (narrow, 85):
+                self.assertAlmostEqual(int(re.search(r'<svg[^>]* width="(\d+)"', text, re.DOTALL)[1]), width / 25.4 * 96, delta=1)
+            self.assertEqual(*(max(map(float, re.findall(r'font-size="([\d.]+)"', text))) for text in (wide, narrow)))
+        self.refused("fit", CASE, "--report", column, "--figure-width", "2", says=["--figure-width"])
+
+    @unittest.skipUnless(shutil.which("gnuplot"), "no gnuplot")
+    def test_a_control_character_in_a_name_is_escaped(self):
+        record = self.folder / "we\x1bird.csv"
+        shutil.copy(CASE.parent / "test.csv", record)
+        text = self.succeeds("fit", record, "--diameter", "34.8 um", "--modulus", "29.6 GPa", "--span", "1278 um", "--stiffness", "90.65 N/m",
+                             "--report", self.folder / "report")
+        self.assertNotIn("\x1b", text)
+        for path in (self.folder / "report/report.html", *(self.folder / "report/figures").glob("*.svg")):
+            self.assertNotIn(b"\x1b", path.read_bytes(), path)
+        for path in (self.folder / "report/figures").glob("*.svg"):
+            xml.dom.minidom.parse(str(path))
 
     def test_report_into_a_file_is_refused(self):
         self.file("taken", "")
