@@ -247,8 +247,8 @@ class Words(unittest.TestCase):
         self.assertTrue(repr(campaign).startswith("4 tests: 3 SLIP, 1 CRACK."), repr(campaign))
         self.assertTrue(campaign.summary().startswith(repr(campaign)))
         self.assertEqual(Parser(campaign._repr_html_()).open, [])
-        for ax in campaign.plot():
-            self.assertEqual([text.get_text() for text in ax.get_xticklabels()], ["cracked", "cyclic", "simulated", "surface"])
+        labels = [text.get_text() for text in campaign.plot()[-1].get_xticklabels()]  # which the panel above shares
+        self.assertEqual(sorted(labels), ["cracked", "cyclic", "simulated", "surface"])
         told = [text.get_text() for legend in campaign.plot()[0].figure.legends for text in legend.get_texts()]
         self.assertNotIn("Suspect", told)  # whose friction cannot be told
 
