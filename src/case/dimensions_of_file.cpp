@@ -189,8 +189,10 @@ std::vector<std::string> contradictions(const Test& asked, const Test& completed
   };
   const auto as_stated = [&](const DerivedColumn& column) { return agrees(column, completed); };
   if (unlike.empty()) {
-    const DerivedColumn* column =
-        column_that([&](const DerivedColumn& each) { return each.by_test(completed) && !agrees(each, completed); });
+    // A strain may be measured by another instrument than the displacement, so it raises no doubt.
+    const DerivedColumn* column = column_that([&](const DerivedColumn& each) {
+      return each.by_test == stress_per_force && each.by_test(completed) && !agrees(each, completed);
+    });
     if (column != nullptr && column_that(as_stated) == nullptr)
       sentences.push_back(fmt::format("The file's column {} is {:.3g} times what span and section give.",
                                       in_quotes(column->name), column->in_file / *column->by_test(completed)));

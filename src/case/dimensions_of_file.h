@@ -18,8 +18,8 @@ namespace flexslip {
 void complete_from_file(Test& test, const ExportedTest& found, std::vector<PreparationStep>& steps);
 
 // Sentences on contradictions between the user and the file: a dimension that differs by more than
-// 1 %, and a column of flexural stress (3FL/2bh², 8FL/πd³) or strain (6wh/L²) that does not follow
-// from the stated span and section. Such a column also shows who is right.
+// 1 %, and a column of flexural stress (3FL/2bh², 8FL/πd³) that does not follow from the stated span
+// and section. Such a column, or one of strain (6wh/L²), also shows who is right.
 // Domain:     `asked` is the test as the user states it; `completed`, the same with the file's span
 //             and section; force and displacement are columns of the specimen.
 std::vector<std::string> contradictions(const Test& asked, const Test& completed, const Export& file,
