@@ -29,21 +29,18 @@ class Loading {
   }
 
   Failure failure() const {
-    const std::size_t last = last_fall(), all = force_.size();
-    if (last == falls_.size()) return {FailureStatus::none, all, all};
-    std::size_t first = last;
-    for (std::size_t k = last; k-- > 0;) {
-      if (stage_[falls_[first].peak] - stage_[falls_[k].trough] > reach * travel_) break;
-      if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * max_force_ || stands_out(k, a_twentieth))) first = k;
-    }
+    const std::size_t all = force_.size();
+    std::size_t first = first_of_steps();
+    if (first == falls_.size()) first = first_of_break();
+    if (first == falls_.size()) return {FailureStatus::none, all, all};
     const std::size_t points = begin_of(falls_[first]);
     if (points == all) return {FailureStatus::none, all, all};
     return {FailureStatus::found, points, falls_[first].trough};
   }
 
  private:
-  static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6;  // [maximum force]
-  static constexpr double window = 0.015, reach = 0.07;                       // [travel]
+  static constexpr double a_twentieth = 0.05, a_tenth = 0.1, much = 1.0 / 6, half = 0.5;  // [maximum force]
+  static constexpr double window = 0.015, reach = 0.07, rest = 0.006;                     // [travel]
 
   double highest_from(std::size_t point) const {
     return *std::max_element(force_.begin() + static_cast<std::ptrdiff_t>(point),
@@ -74,7 +71,13 @@ class Loading {
         falls = false;
         peak = i;
       } else if (falls) {
-        if (force_[i] < force_[trough]) trough = i;
+        if (force_[i] < force_[trough]) {
+          trough = i;
+        } else if (stage_[i] - stage_[trough] > rest * travel_) {  // what falls later is another fall
+          add();
+          falls = false;
+          peak = i;
+        }
       } else if (force_[i] >= force_[peak]) {
         peak = i;
       } else if (force_[peak] - force_[i] > min_fall) {
@@ -101,6 +104,13 @@ class Loading {
     return largest;
   }
 
+  // [N] The loss in a fall that as a whole falls as steeply as a step of a break; 0 in a decline.
+  double lost_steeply(const Fall& fall) const {
+    const double lost = force_[fall.peak] - force_[fall.trough];
+    const double steps = std::max(1.0, (stage_[fall.trough] - stage_[fall.peak]) / (window * travel_));
+    return lost >= a_twentieth * max_force_ * steps ? lost : 0;
+  }
+
   bool is_for_good(const Fall& fall) const { return highest_from(fall.trough) < force_[fall.peak]; }
 
   bool stands_out(std::size_t fall, double min_share) const {
@@ -109,10 +119,33 @@ class Loading {
     return falls_[fall].at_once >= std::max(min_share * max_force_, 4 * before);
   }
 
+  // The first of the steps in which a laminate loses its plies one after another; falls_.size() if
+  // the specimen does not break so. No step takes half the maximum, all steps together do, the force
+  // ends below half, and the first step is four times the largest earlier loss.
+  std::size_t first_of_steps() const {
+    double largest = 0, together = 0;
+    for (const Fall& fall : falls_) largest = std::max(largest, fall.at_once);
+    if (largest >= half * max_force_ || force_[points_ - 1] >= half * max_force_) return falls_.size();
+    std::size_t first = 0;
+    while (first < falls_.size() && !(is_for_good(falls_[first]) && stands_out(first, a_twentieth))) ++first;
+    for (std::size_t k = first; k < falls_.size(); ++k) together += lost_steeply(falls_[k]);
+    return together >= half * max_force_ ? first : falls_.size();
+  }
+
+  // The first fall of a break: the last fall, or one shortly before it; falls_.size() if there is none.
+  std::size_t first_of_break() const {
+    std::size_t first = last_fall();
+    for (std::size_t k = first; first < falls_.size() && k-- > 0;) {
+      if (stage_[falls_[first].peak] - stage_[falls_[k].trough] > reach * travel_) break;
+      if (is_for_good(falls_[k]) && (falls_[k].at_once >= much * max_force_ || stands_out(k, a_twentieth))) first = k;
+    }
+    return first;
+  }
+
   // True if the record ends here, or less than half the maximum follows at once.
   bool carries_less_than_half() const {
     for (std::size_t i = points_; i < force_.size() && stage_[points_ - 1] - stage_[i] <= window * travel_; ++i)
-      if (force_[i] < 0.5 * max_force_) return true;
+      if (force_[i] < half * max_force_) return true;
     return points_ == force_.size();
   }
 
@@ -120,7 +153,7 @@ class Loading {
   // falls_.size() if there is none.
   std::size_t last_fall() const {
     std::size_t low = points_;
-    while (low > 0 && force_[low - 1] < 0.5 * max_force_) --low;
+    while (low > 0 && force_[low - 1] < half * max_force_) --low;
     if (low < points_) {
       const auto through = std::find_if(falls_.begin(), falls_.end(),
                                         [low](const Fall& fall) { return fall.peak < low && low <= fall.trough; });
@@ -160,16 +193,8 @@ class Loading {
   // The last point before the main fall, extended over points that have lost almost no force.
   std::size_t begin_of(const Fall& fall) const {
     const double loses = std::min(a_twentieth * max_force_, fall.at_once);
-    const auto first_that_loses = [&](std::size_t from) {
-      while (from < fall.trough && lost_from(from, fall.trough) < loses) ++from;
-      return from;
-    };
-    std::size_t late = fall.peak;
-    while (stage_[fall.trough] - stage_[late] > reach * travel_ && lost_from(late, fall.trough) < much * max_force_)
-      ++late;
-    std::size_t begin = first_that_loses(late);
-    // the loss came earlier, then a creep
-    if (begin == fall.trough) begin = first_that_loses(fall.peak);
+    std::size_t begin = fall.peak;
+    while (begin < fall.trough && lost_from(begin, fall.trough) < loses) ++begin;
     const double level = force_[begin] - std::max(0.003 * max_force_, 4 * noise_);
     std::size_t last = begin;
     while (last < fall.trough && force_[last + 1] > level) ++last;

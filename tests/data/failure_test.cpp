@@ -135,6 +135,52 @@ TEST_CASE("failure: of a break in steps it is the first that is not made good (t
       }
 }
 
+// A laminate: each ply that breaks takes its share of the stiffness, and the rest is loaded further.
+Record plies_break(int plies, double between, double noise, unsigned seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<double> normal(0, noise);
+  const auto broken_at = [&](int i) {
+    return i <= 250 ? 0 : std::min(plies - 1, 1 + static_cast<int>((i / 250.0 - 1) / between));
+  };
+  Record record;
+  double force = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double lost_now = broken_at(i) - broken_at(i - 1);
+    force += (1 - static_cast<double>(broken_at(i)) / plies) / 250 - lost_now / plies;
+    record.stage.push_back(i / 250.0);
+    record.deflection.push_back(i / 250.0);
+    record.force.push_back(std::max(force, 0.0) + normal(engine));
+  }
+  return record;
+}
+
+TEST_CASE("failure: plies that break one after another are a failure at the first (truth known)") {
+  for (const int plies : {5, 8, 12})
+    for (const double noise : {5e-4, 5e-3}) {
+      CAPTURE(plies);
+      CAPTURE(noise);
+      const Record record = plies_break(plies, 0.5 / plies, noise, 1);
+      CHECK(record.force.back() < 0.5);
+      const Failure failure = find_failure(record);
+      REQUIRE(failure.status == FailureStatus::found);
+      CHECK(std::abs(static_cast<int>(failure.points) - 251) <= 2);
+    }
+}
+
+TEST_CASE("failure: a break that takes a fifth of the travel, with teeth, begins at its first fall (truth known)") {
+  for (const int tooth : {4, 7, 12}) {
+    Record record = straight_test(400, 0, 3e-6, 1);
+    const double highest = record.force[299];
+    for (std::size_t i = 300; i < 400; ++i) {
+      const double fallen = std::min(1.0, static_cast<double>(i - 299) / 60);
+      const double rises = fallen < 1 ? 0.02 * static_cast<double>((static_cast<int>(i) - 299) % tooth) / tooth : 0;
+      record.force[i] = highest * (1 - 0.97 * fallen + rises);
+    }
+    CAPTURE(tooth);
+    CHECK(std::abs(static_cast<int>(find_failure(record).points) - 300) <= 4);
+  }
+}
+
 TEST_CASE("failure: a record that stops at the break ends with it; a record that continues survived (limit)") {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     CHECK(std::abs(found_behind(broken({.after = 0.006, .left = 0.6}, seed))) < 0.01);
