@@ -132,13 +132,20 @@ std::string dimensions_in_words(const Test& test, const std::vector<ComparedLeng
 
 }  // namespace
 
-void complete_from_file(Test& test, const ExportedTest& found, std::vector<PreparationStep>& steps) {
-  const auto note = [&](std::string words, double value, KeyChange otherwise) {
+void complete_from_file(Test& test, const ExportedTest& found, const std::optional<double>& load_train,
+                        std::vector<PreparationStep>& steps) {
+  const auto note = [&](std::string words, double value, KeyChange otherwise, const Kind& kind = kind::length) {
     steps.push_back({.name = "metadata",
                      .done = std::move(words),
-                     .value = PreparedValue{value, {}, kind::length},
+                     .value = PreparedValue{value, {}, kind},
                      .otherwise = std::move(otherwise)});
   };
+  if (load_train && !(test.rig && test.rig->stiffness)) {
+    if (!test.rig) test.rig.emplace();
+    test.rig->stiffness = *load_train;
+    note("the load train is as stiff as the stage's displacement, the deflection and the force in the file say",
+         *load_train, KeyChange{"rig", "stiffness", "\"…\""}, kind::stiffness);
+  }
   if (found.span && !(test.rig && test.rig->span)) {
     if (!test.rig) test.rig.emplace();
     test.rig->span = *found.span;

@@ -1,6 +1,7 @@
 // Span and section as an export states them, beside those that the user states.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,12 +11,13 @@
 
 namespace flexslip {
 
-// Adds to a test the span and the dimensions of the section that its file states and the user does
-// not, with a step for each. A stated width is completed by the thickness of the file, and a stated
+// Adds to a test the span, the dimensions of the section and the stiffness of the load train [N/m]
+// that its file states and the user does not, with a step for each. A stated width is completed by the thickness of the file, and a stated
 // height by its width. No section is taken from a file that states a diameter beside width or
 // thickness, as forms of a machine do that list them all.
 // Fails:      InputError for a width without a height, or a height without a width, of either.
-void complete_from_file(Test& test, const ExportedTest& found, std::vector<PreparationStep>& steps);
+void complete_from_file(Test& test, const ExportedTest& found, const std::optional<double>& load_train,
+                        std::vector<PreparationStep>& steps);
 
 // Sentences on contradictions between the user and the file: a dimension that differs by more than
 // 1 %, and a column of flexural stress (3FL/2bh², 8FL/πd³) that does not follow from the stated span

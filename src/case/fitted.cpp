@@ -247,7 +247,8 @@ std::optional<PassesFit> fit_passes_of(const Measurement& measurement) {
 FittedTest fit_test(const Test& asked, const AnalysisOptions& options) {
   Stages stages;
   stages.enter("reading", 0.02);
-  const Measurement measurement = read_measurement(asked, {.points = min_fitted_points, .span = true});
+  const Measurement measurement =
+      read_measurement(asked, {.points = min_fitted_points, .span = true, .load_train = true});
   const std::optional<double> radius = standard_roller_radius(geometry_of(measurement.test));
   stages.enter("", radius ? 0.49 : 0.98);
   FittedTest test = fit_measured(measurement, options);

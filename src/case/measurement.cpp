@@ -50,7 +50,9 @@ double stiffness_for(const Readings& readings) {
   if (!readings.has(Reading::stage)) return infinity;
   if (!readings.has(Reading::deflection))
     throw wrong_value(input, "rig.stiffness",
-                      "The displacement was measured at the stage, so the stiffness of the load train is needed",
+                      fmt::format("The displacement '{}' was measured at the stage, so the stiffness of the load "
+                                  "train is needed",
+                                  readings.table.columns.front().name),
                       instruction_to_set(input, KeyChange{"rig", "stiffness", "\"… N/m\""}) +
                           "; \"inf\" if it was measured at the specimen's midpoint or is already corrected");
   throw missing(input, input.rig ? "rig.stiffness" : "rig");

@@ -223,10 +223,11 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
   const auto has = [&](ColumnRole role) {
     return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
   };
-  const std::string_view stiffness = has(ColumnRole::deflection) ? ""
-                                     : has(ColumnRole::crosshead)
-                                         ? "how stiff is the load train?"
-                                         : "how stiff is the load train, if the displacement is the crosshead's?";
+  const std::string_view stiffness =
+      file.specimens[chosen - 1].load_train || (has(ColumnRole::deflection) && !needs.load_train) ? ""
+      : needs.load_train || has(ColumnRole::crosshead)
+          ? "how stiff is the load train?"
+          : "how stiff is the load train, if the displacement is the crosshead's?";
   for (std::string& each : questions_about_rig(input, needs, stiffness, file.test.span))
     questions.push_back(std::move(each));
   require_one_at_most(questions, {.file = file.origin.source, .remedy = file.unplaced},
@@ -419,7 +420,7 @@ Readings readings_of_export(const Test& input, const Needs& needs, const Export&
   columns.changed = asked.calibration.has_value();
   columns.done = std::move(words);
   columns.otherwise = switch_to("displacement", is_crosshead ? "deflection" : "crosshead");
-  complete_from_file(readings.test, file.test, readings.found_by);
+  complete_from_file(readings.test, file.test, specimen.load_train, readings.found_by);
   convert_stress(readings, file, force);
   readings.contradictions = contradictions(input, readings.test, file, specimen, force, column);
   return readings;

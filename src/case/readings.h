@@ -16,7 +16,9 @@ namespace flexslip {
 // The requirements of an evaluation.
 struct Needs {
   std::size_t points;  // minimum number
-  bool span = false;   // from the case or the file; asked for with all other open questions
+  // From the case or the file; asked for with all other open questions. A load train is always needed
+  // for a displacement of the crosshead.
+  bool span = false, load_train = false;
 };
 
 enum class Reading { stage, deflection, force, length };

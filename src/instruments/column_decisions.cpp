@@ -101,26 +101,37 @@ ColumnTitle asked_of(const ExportedSpecimen& specimen, std::string_view wanted) 
   return {std::string(trimmed(wanted.substr(0, open))), std::string(without_brackets(wanted.substr(open)))};
 }
 
-// A column without a valid unit in the file, such as a force in grams, with the unit that the user
-// states.
-ExportColumn said_in(const Export& file, ExportColumn column, const std::string& unit, const RoleWords& words) {
-  const std::optional<Unit> said = machine_unit(unit), stated = machine_unit(column.unit);
+// Refuses another unit than the file's. Grams state a force, too: their weight.
+void require_unit_of_file(const Export& file, const ExportColumn& column, const Unit& said, std::string_view text,
+                          std::string_view flag) {
+  const std::optional<Unit> stated = machine_unit(column.unit);
+  const std::vector<std::string_view> meant = meant_units(column.unit, *words_for(column.role).kind);
+  const bool is_meant =
+      std::any_of(meant.begin(), meant.end(), [&](std::string_view each) { return machine_unit(each) == said; });
+  const bool differs = meant.empty() ? stated && *stated != said : !is_meant;
+  if (!volts_in(column.unit) && !differs) return;
+  throw InputError({.file = file.origin.source,
+                    .field = std::string(flag),
+                    .problem = fmt::format("The unit of {} is {} in the file, not {}", in_quotes(column.name),
+                                           in_quotes(column.unit), in_quotes(text)),
+                    .remedy = volts_in(column.unit) ? fmt::format("give the calibration, as in {}", calibration_hint)
+                              : meant.empty()
+                                  ? "leave the unit out, or correct the title in the file if it is wrong"
+                                  : fmt::format("if {} is meant, write {}", fmt::join(meant, " or "), meant.front())});
+}
+
+// The unit that the user states for a column without a valid unit in the file, such as a force in
+// grams.
+std::string said_unit(const Export& file, ExportColumn column, ColumnRole role, const std::string& unit) {
+  const RoleWords& words = words_for(role);
+  const std::optional<Unit> said = machine_unit(unit);
   if (!is_of_kind(said, words))
     throw InputError({.field = std::string(words.flag),
                       .problem = fmt::format("The unit {} in brackets behind the name is not a unit such as {}",
-                                             in_quotes(unit), words.usual_unit)});
-  // A unit that may only be meant by another, as grams by a force, is no statement.
-  const bool is_stated = stated && *stated != *said && meant_units(column.unit, *words.kind).empty();
-  if (volts_in(column.unit) || (is_of_kind(stated, words) && *stated != *said) || is_stated)
-    throw InputError({.file = file.origin.source,
-                      .field = std::string(words.flag),
-                      .problem = fmt::format("The unit of {} is {} in the file, not {}", in_quotes(column.name),
-                                             in_quotes(column.unit), in_quotes(unit)),
-                      .remedy = volts_in(column.unit)
-                                    ? fmt::format("give the calibration, as in {}", calibration_hint)
-                                    : "leave the unit out, or correct the title in the file if it is wrong"});
-  column.unit = unit;
-  return column;
+                                             in_quotes(unit), meant_or_usual(column.unit, words))});
+  column.role = role;
+  require_unit_of_file(file, column, *said, unit, words.flag);
+  return unit;
 }
 
 Export with_columns(Export file, const std::map<ColumnRole, std::string>& columns) {
@@ -130,7 +141,7 @@ Export with_columns(Export file, const std::map<ColumnRole, std::string>& column
       const ColumnTitle asked = asked_of(specimen, trimmed(name));
       const std::size_t index = column_named(file, specimen, of_this(file, specimen, asked.name), words.flag);
       ExportColumn& chosen = specimen.columns[index];
-      if (!asked.unit.empty()) chosen = said_in(file, std::move(chosen), asked.unit, words);
+      if (!asked.unit.empty()) chosen.unit = said_unit(file, chosen, role, asked.unit);
       require_kind(file, chosen, role);
       // A displacement without an explicit choice keeps the role of its title.
       const bool keeps_role = role == ColumnRole::displacement && is_displacement(chosen.role);
@@ -196,11 +207,141 @@ Export with_displacement(Export file, ColumnRole role) {
   return file;
 }
 
-// ---- one displacement in two columns
+// ---- several columns of one quantity
 
 std::vector<double> numbers_of(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
   return values;
+}
+
+double correlation(std::span<const double> x, std::span<const double> y) {
+  double n = 0, mean_x = 0, mean_y = 0, sxx = 0, syy = 0, sxy = 0;  // Welford's sums, without cancellation
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (std::isnan(x[i]) || std::isnan(y[i])) continue;
+    ++n;
+    const double dx = x[i] - mean_x;
+    const double dy = y[i] - mean_y;
+    mean_x += dx / n;
+    mean_y += dy / n;
+    sxx += dx * (x[i] - mean_x);
+    syy += dy * (y[i] - mean_y);
+    sxy += dx * (y[i] - mean_y);
+  }
+  return sxx > 0 && syy > 0 ? sxy / std::sqrt(sxx * syy) : 0;
+}
+
+void add_note(Export& file, std::string note) {
+  if (std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end()) file.notes.push_back(std::move(note));
+}
+
+// True for the signal in volts of a sensor whose readings another column has in their unit.
+bool is_raw_signal(const std::vector<ExportColumn>& columns, const ExportColumn& column) {
+  return volts_in(column.unit) && std::any_of(columns.begin(), columns.end(), [&](const ExportColumn& each) {
+           return each.name == column.name && machine_unit(each.unit);
+         });
+}
+
+bool is_constant(const ExportColumn& column) {
+  const auto reading =
+      std::find_if(column.values.begin(), column.values.end(), [](double x) { return !std::isnan(x); });
+  return std::all_of(reading, column.values.end(), [&](double x) { return std::isnan(x) || x == *reading; });
+}
+
+// Of several columns with one role, raw signals and constant columns lose it, unless all are such.
+Export without_silent_columns(Export file) {
+  for (ExportedSpecimen& specimen : file.specimens)
+    for (const ColumnRole role :
+         {ColumnRole::displacement, ColumnRole::crosshead, ColumnRole::deflection, ColumnRole::force}) {
+      const auto is_silent = [&](const ExportColumn& each) {
+        return is_raw_signal(specimen.columns, each) || is_constant(each);
+      };
+      const Columns all = with_role(specimen.columns, role);
+      if (std::all_of(all.begin(), all.end(), [&](const ExportColumn* each) { return is_silent(*each); })) continue;
+      for (ExportColumn& column : specimen.columns) {
+        if (column.role != role || !is_silent(column)) continue;
+        column.role = ColumnRole::other;
+        add_note(file, fmt::format("column {} is not used: it {}", in_quotes(column.name),
+                                   is_constant(column) ? "holds one value only" : "is the signal in volts"));
+      }
+    }
+  return file;
+}
+
+// [SI] The readings of a column; empty if its unit is unknown.
+std::vector<double> readings_in_si(const ExportColumn& column) {
+  const std::optional<Unit> unit = machine_unit(column.unit);
+  if (!unit) return {};
+  std::vector<double> values = column.values;
+  for (double& value : values) value = to_si(value, *unit);
+  return values;
+}
+
+double range_of(const std::vector<double>& values) {
+  const auto numbers = numbers_of(values);
+  if (numbers.empty()) return 0;
+  const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
+  return *most - *least;
+}
+
+double deviation_of(const std::vector<double>& values) {
+  double n = 0, mean = 0, sum = 0;
+  for (const double value : numbers_of(values)) {
+    const double d = value - mean;
+    mean += d / ++n;
+    sum += d * (value - mean);
+  }
+  return std::sqrt(sum / n);
+}
+
+// The load train between two columns of a displacement.
+struct Compliance {
+  bool is_first_stage;  // the stage moves farther by the deflection of the load train
+  double stiffness;     // [N/m]
+};
+
+// The load train by which two displacements differ; nullopt if their difference is not proportional
+// to the force.
+std::optional<Compliance> compliance_between(const ExportColumn& first, const ExportColumn& second,
+                                             const ExportColumn& force) {
+  constexpr double proportional = 0.95, min_share = 0.01;  // |correlation|; of the travel
+  const std::vector<double> a = readings_in_si(first), b = readings_in_si(second), forces = readings_in_si(force);
+  if (a.empty() || b.empty() || forces.empty()) return std::nullopt;
+  const double sign_of_a = correlation(a, forces) < 0 ? -1 : 1, sign_of_b = correlation(b, forces) < 0 ? -1 : 1;
+  std::vector<double> difference(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) difference[i] = sign_of_a * a[i] - sign_of_b * b[i];
+  const double r = correlation(difference, forces);
+  if (!(std::abs(r) >= proportional) || range_of(difference) < min_share * range_of(a)) return std::nullopt;
+  return Compliance{r > 0, deviation_of(forces) / (std::abs(r) * deviation_of(difference))};
+}
+
+// Of two displacements whose difference grows with the force, the smaller is the deflection at the
+// specimen. Both with the force give the stiffness of the load train.
+Export with_load_train(Export file, bool asks_displacement) {
+  for (ExportedSpecimen& specimen : file.specimens) {
+    std::vector<ExportColumn*> places;
+    for (ExportColumn& column : specimen.columns)
+      if (is_displacement(column.role)) places.push_back(&column);
+    const Columns forces = with_role(specimen.columns, ColumnRole::force);
+    if (places.size() != 2 || forces.size() != 1) continue;
+    const std::optional<Compliance> between = compliance_between(*places[0], *places[1], *forces[0]);
+    if (!between) continue;
+    ExportColumn& stage = *places[between->is_first_stage ? 0 : 1];
+    ExportColumn& deflected = *places[between->is_first_stage ? 1 : 0];
+    if (stage.role == ColumnRole::deflection || deflected.role == ColumnRole::crosshead) continue;
+    const bool is_decided = stage.role == ColumnRole::crosshead && deflected.role == ColumnRole::deflection;
+    if (!is_decided && asks_displacement) continue;
+    specimen.load_train = between->stiffness;
+    if (is_decided) continue;
+    stage.role = ColumnRole::crosshead;
+    deflected.role = ColumnRole::deflection;
+    std::string note = fmt::format(
+        "column {1} is the deflection, and {0} the crosshead's: their difference grows with the force as the "
+        "deflection of a load train of about {2} does",
+        in_quotes(stage.name), in_quotes(deflected.name), readable(between->stiffness, kind::stiffness));
+    file.row_notes.push_back(note);
+    add_note(file, std::move(note));
+  }
+  return file;
 }
 
 double step_of(const ExportColumn& column) {
@@ -246,8 +387,7 @@ Export with_finest(Export file) {
         fine.role = ColumnRole::crosshead;
         std::string note = fmt::format("column {0} is {1} rounded to {2:.3g} {3}: {1} is used", in_quotes(coarse.name),
                                        in_quotes(fine.name), step, fine.unit);
-        if (std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
-          file.notes.push_back(std::move(note));
+        add_note(file, std::move(note));
         break;
       }
     }
@@ -266,8 +406,7 @@ Export with_one_time(Export file) {
       column.role = ColumnRole::other;
       std::string note =
           fmt::format("column {} is a time, too: {} is used", in_quotes(column.name), in_quotes(used->name));
-      if (std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
-        file.notes.push_back(std::move(note));
+      add_note(file, std::move(note));
     }
   }
   return file;
@@ -277,22 +416,6 @@ Export with_one_time(Export file) {
 
 constexpr double follows = 0.9;  // |correlation|: two load cells in one load train; empirical, a real pair gave 0.999
 constexpr double noise = 1;      // of the ratio below: 2 for white noise, almost 0 for a finely sampled curve
-
-double correlation(std::span<const double> x, std::span<const double> y) {
-  double n = 0, mean_x = 0, mean_y = 0, sxx = 0, syy = 0, sxy = 0;  // Welford's sums, without cancellation
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (std::isnan(x[i]) || std::isnan(y[i])) continue;
-    ++n;
-    const double dx = x[i] - mean_x;
-    const double dy = y[i] - mean_y;
-    mean_x += dx / n;
-    mean_y += dy / n;
-    sxx += dx * (x[i] - mean_x);
-    syy += dy * (y[i] - mean_y);
-    sxy += dx * (y[i] - mean_y);
-  }
-  return sxx > 0 && syy > 0 ? sxy / std::sqrt(sxx * syy) : 0;
-}
 
 // Von Neumann's ratio: mean square of the steps over the variance.
 double step_ratio(std::span<const double> values) {
@@ -355,7 +478,8 @@ void require_no_voltage_for_force(const Export& file, const ExportOptions& optio
   for (const ExportColumn& column : file.specimens.front().columns) {
     const bool is_force = column.role == ColumnRole::force;
     if (is_force && volts_in(column.unit) && column.words.empty() && has_calibration) return;
-    const bool may_be = column.role == ColumnRole::other && !names_other_quantity(column.name);
+    const bool may_be = column.role == ColumnRole::other && !names_other_quantity(column.name) &&
+                        !is_raw_signal(file.specimens.front().columns, column);
     if ((is_force || may_be) && column.words.empty()) columns.push_back(&column);
   }
   const std::optional<VoltageFinding> finding = voltage_for_force(columns);
@@ -414,14 +538,10 @@ Restated in_unit(const Export& file, ExportColumn column, std::string_view text)
   const RoleWords& words = words_for(column.role);
   const std::optional<Unit> unit = machine_unit(text);
   if (!unit || unit->dimension != words.kind->dimension)
-    throw InputError({.field = std::string(words.unit_flag),
-                      .problem = fmt::format("{} is not a unit such as {}", in_quotes(text), words.usual_unit)});
-  if (volts_in(column.unit))
-    throw InputError({.file = file.origin.source,
-                      .field = "column " + in_quotes(column.name),
-                      .problem = fmt::format("The column is in {}, which needs a calibration, not the unit {}",
-                                             column.unit, in_quotes(text)),
-                      .remedy = fmt::format("give it as in {}", calibration_hint)});
+    throw InputError(
+        {.field = std::string(words.unit_flag),
+         .problem = fmt::format("{} is not a unit such as {}", in_quotes(text), meant_or_usual(column.unit, words))});
+  require_unit_of_file(file, column, *unit, text, words.unit_flag);
   std::string note;
   if (!column.unit.empty() && machine_unit(column.unit) != unit)
     note = fmt::format("column {}: the file says {}; taken as {}, as you ask", in_quotes(column.name),
@@ -439,8 +559,7 @@ Export with_units(Export file, const std::map<ColumnRole, std::string>& units) {
       const std::string_view text = trimmed(given->second);
       auto [restated, note] = text.ends_with("/V") ? calibrated(file, column, text) : in_unit(file, column, text);
       column = std::move(restated);
-      if (!note.empty() && std::find(file.notes.begin(), file.notes.end(), note) == file.notes.end())
-        file.notes.push_back(std::move(note));
+      if (!note.empty()) add_note(file, std::move(note));
     }
   return file;
 }
@@ -605,11 +724,13 @@ Export decided(Export file, const ExportOptions& options, std::size_t header_lin
   file = with_columns(std::move(file), options.columns);
   file = with_roles_by_units(std::move(file));
   file = with_one_time(std::move(file));
+  file = without_silent_columns(std::move(file));
   if (!asks_displacement) file = with_finest(std::move(file));
   require_no_voltage_for_force(file, options, header_line);
   if (options.displacement) file = with_displacement(std::move(file), *options.displacement);
   file = with_units(std::move(file), options.units);
   require_force_in_newtons(file, header_line);
+  file = with_load_train(std::move(file), asks_displacement);
   if (std::string said = beside_stated_maximum(file, options); !said.empty()) file.notes.push_back(std::move(said));
   for (ExportedSpecimen& specimen : file.specimens) {
     specimen.asks = questions_of(specimen.columns);

@@ -45,11 +45,11 @@ const std::vector<Meaning>& meanings() {
        {"kraft", "荷重", "試験力", "力", "载荷", "하중"}},
       // either
       {ColumnRole::displacement,
-       {"extension",    "position",     "travel",   "lvdt",        "disp",           "displ",           "déplacement",
-        "deplacement",  "dépl",         "depl",     "allongement", "desplazamiento", "desplaz",         "despl",
-        "alargamiento", "deslocamento", "desloc",   "spostamento", "spost",          "uzama",           "deformation",
-        "elongation",   "depth",        "distance", "corsa",       "recorrido",      "przemieszczenie", "verplaatsing",
-        "förskjutning"},
+       {"extension",    "position",     "travel", "lvdt",        "disp",           "displ",     "déplacement",
+        "deplacement",  "dépl",         "depl",   "allongement", "desplazamiento", "desplaz",   "despl",
+        "alargamiento", "deslocamento", "desloc", "spostamento", "spost",          "uzama",     "deformation",
+        "elongation",   "extensometer", "depth",  "distance",    "corsa",          "recorrido", "przemieszczenie",
+        "verplaatsing", "förskjutning"},
        {"displacement", "weg", "verformung", "verschiebung", "変位", "伸び", "位移", "变形", "변위"}},
       // "Flexure" alone; before other words it only says what kind of test it is
       {ColumnRole::deflection, {"flexure"}, {}},
@@ -103,8 +103,10 @@ std::optional<ColumnTitle> suffixed(std::string_view title, std::string_view mar
   const ColumnRole role = role_of(name);
   if (suffix == "S" && role == ColumnRole::time) suffix = "s";
   const std::optional<Unit> unit = machine_unit(suffix);
-  if (name.empty() || !unit) return std::nullopt;
   const Kind* wanted = words_for(role).kind;
+  const bool is_meant = mark == "_" && wanted != nullptr && !meant_units(suffix, *wanted).empty();
+  if (!name.empty() && is_meant) return ColumnTitle{std::string(name), std::string(suffix)};
+  if (name.empty() || !unit) return std::nullopt;
   const bool measurable = unit->dimension == kind::length.dimension || unit->dimension == kind::force.dimension ||
                           unit->dimension == kind::pressure.dimension;
   if (wanted != nullptr ? unit->dimension != wanted->dimension : mark != "_" || !measurable) return std::nullopt;
@@ -136,11 +138,15 @@ std::vector<std::string> joined(const std::vector<std::string_view>& tokens, con
   return titles;
 }
 
-// Groups of `size` columns with titles, after the first `shared` columns with titles.
+// Groups of `size` columns with titles, after the first `shared` columns with titles. Other columns
+// can follow after a gap, such as a table of results.
 std::vector<ColumnGroup> groups_of(std::span<const std::string> titles, std::span<const std::size_t> titled,
                                    std::size_t shared, std::size_t size) {
-  for (std::size_t i = shared + size; i < titled.size(); ++i)
-    if (titles[titled[i]] != titles[titled[i - size]]) return {};
+  std::size_t alike = shared + size;
+  while (alike < titled.size() && titles[titled[alike]] == titles[titled[alike - size]]) ++alike;
+  const bool is_whole = (alike - shared) % size == 0 && alike >= shared + 2 * size;
+  if (!is_whole || (alike < titled.size() && titled[alike] == titled[alike - 1] + 1)) return {};
+  titled = titled.first(alike);
   std::vector<ColumnGroup> groups;
   for (std::size_t begin = shared; begin < titled.size(); begin += size) {
     groups.push_back({titled[begin], {titled.begin(), titled.begin() + static_cast<std::ptrdiff_t>(shared)}});
@@ -238,7 +244,6 @@ std::vector<ColumnGroup> side_by_side(std::span<const std::string> titles) {
     if (!titles[i].empty()) titled.push_back(i);
   for (const std::size_t shared : {std::size_t{0}, std::size_t{1}})
     for (std::size_t size = 2; shared + 2 * size <= titled.size(); ++size) {
-      if ((titled.size() - shared) % size != 0) continue;
       const auto own = std::span(titled).subspan(shared, size);
       const bool has_force = std::any_of(own.begin(), own.end(), [&](std::size_t column) {
         return role_of(title_parts(titles[column]).name) == ColumnRole::force;

@@ -63,8 +63,8 @@ struct ColumnGroup {
 };
 
 // The specimens on a line of titles: at least two with the same titles in the same order, including
-// a force. Columns without a title may lie in between, and one shared column before the first.
-// Otherwise empty.
+// a force. Columns without a title may lie in between, one shared column before the first, and other
+// columns after a gap behind the last. Otherwise empty.
 std::vector<ColumnGroup> side_by_side(std::span<const std::string> titles);
 
 }  // namespace flexslip

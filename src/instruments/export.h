@@ -68,8 +68,10 @@ struct ExportedSpecimen {
   std::vector<ExportColumn> columns{};  // of one length
   std::vector<std::size_t> lines{};     // line of each row in the file, counted from 1
   std::vector<Metadatum> metadata{};    // of this specimen only
-  std::vector<OpenQuestion> asks{};     // open questions
-  std::string repeat_with{};            // flags of `read` that repeat the decisions
+  // [N/m] of the load train, of a file that holds the stage's displacement and the deflection
+  std::optional<double> load_train{};
+  std::vector<OpenQuestion> asks{};  // open questions
+  std::string repeat_with{};         // flags of `read` that repeat the decisions
 };
 
 struct Export {

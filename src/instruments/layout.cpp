@@ -534,18 +534,23 @@ bool goes_on(const Sheet& sheet, const TableBlock& block, std::size_t row, const
   if (block.rows.size() < least_rows) return false;
   const auto lines = std::span(block.rows).last(std::min(block.rows.size(), looked_at));
   constexpr double near = 0.1, midway = 0.3;  // [1] of the range
+  const auto role = [&](std::size_t column) { return role_of(title_parts(block.titles[column]).name); };
+  bool have_roles = false;
+  for (std::size_t column = 0; column < block.titles.size(); ++column)
+    have_roles = have_roles || role(column) != ColumnRole::other;
   bool rises_on = false, is_midway = false;
   for (std::size_t column = 0; column < usual.pattern.size(); ++column) {
     const double next = roughly(sheet, row, column);
     if (usual.pattern[column] != '1' || !std::isfinite(next)) continue;
+    const bool is_count = !block.titles.empty() && names_a_count(block.titles[column]);
+    if (have_roles && !is_count && role(column) == ColumnRole::other) continue;  // such as the number of a segment
     std::vector<double> numbers;
     for (const std::size_t line : lines)
       if (const double number = roughly(sheet, line, column); std::isfinite(number)) numbers.push_back(number);
     if (numbers.empty()) continue;
     const auto [least, most] = std::minmax_element(numbers.begin(), numbers.end());
     const double range = *most - *least;
-    const bool is_time = !block.titles.empty() && (names_a_count(block.titles[column]) ||
-                                                   role_of(title_parts(block.titles[column]).name) == ColumnRole::time);
+    const bool is_time = is_count || (have_roles && role(column) == ColumnRole::time);
     const bool never_fell = std::is_sorted(numbers.begin(), numbers.end()) && next > numbers.back();
     rises_on = rises_on || never_fell;
     if (!(never_fell && is_time) && !(std::abs(next - numbers.back()) <= near * range)) return false;

@@ -28,8 +28,9 @@ using namespace std::string_view_literals;
 
 constexpr std::string_view zip_mark = "PK\x03\x04"sv, empty_zip_mark = "PK\x05\x06"sv;
 constexpr std::string_view office_mark = "\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"sv;
-constexpr std::size_t fewest_readings =
-    3;  // rows: a calibration or a sheet of settings has one or two with numbers alone
+// rows: a calibration or a sheet of settings has one or two with numbers alone, a sheet of results a
+// few
+constexpr std::size_t fewest_readings = 3, usual_readings = 11;
 
 // [bytes] The limit of an unpacked part: ten times the largest sheet of a measurement. An archive
 // made to fill the memory is refused within seconds.
@@ -670,15 +671,19 @@ class Workbook {
       const std::size_t index = numbered(*wanted);
       return {index, read(index), false};
     }
-    std::optional<Chosen> with_number;
+    std::optional<Chosen> with_number, with_few;
     for (const bool hidden : {false, true}) {
       for (std::size_t i = 0; i < sheets_.size(); ++i) {
         if (sheets_[i].is_hidden != hidden) continue;
         Worksheet sheet = read(i);
-        if (purpose != SheetFor::words && sheet.rows_of_readings >= fewest_readings) return {i, std::move(sheet), true};
-        if (!with_number && sheet.numbers + sheet.numeric_words > 0) with_number = {i, std::move(sheet), false};
+        if (purpose != SheetFor::words && sheet.rows_of_readings >= usual_readings) return {i, std::move(sheet), true};
+        if (purpose != SheetFor::words && !with_few && sheet.rows_of_readings >= fewest_readings)
+          with_few = {i, std::move(sheet), true};
+        else if (!with_number && sheet.numbers + sheet.numeric_words > 0)
+          with_number = {i, std::move(sheet), false};
         if (with_number && purpose == SheetFor::words) break;
       }
+      if (with_few) return std::move(*with_few);
       if (with_number) return std::move(*with_number);
     }
     throw InputError({.problem = fmt::format("There are no rows of numbers on the sheet{} {}",
