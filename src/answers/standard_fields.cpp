@@ -10,11 +10,6 @@
 namespace flexslip {
 namespace {
 
-std::optional<Estimate> with_error_of_slope(const std::optional<double>& value, const Estimate& slope) {
-  if (!value) return std::nullopt;
-  return normal_estimate(*value, *value * (slope.standard_error / slope.value));
-}
-
 Fields<Chord> chord_fields() {
   return Fields<Chord>()
       .own_numbers("strain", kind::number, "flexural strains at the ends of the chord",
@@ -26,8 +21,7 @@ Fields<Chord> chord_fields() {
                      return std::vector{chord.deflection_from, chord.deflection_to};
                    })
       .own_estimate("stiffness", kind::stiffness, "slope ΔF/Δw between the ends of the chord", &Chord::stiffness)
-      .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as defined by ISO 178",
-                    [](const Chord& chord) { return with_error_of_slope(chord.modulus, chord.stiffness); });
+      .own_estimate("modulus", kind::pressure, "flexural modulus of the chord, as defined by ISO 178", &Chord::modulus);
 }
 
 Fields<StandardTest> window_fields() {
@@ -119,7 +113,7 @@ std::optional<Estimate> modulus_less_supports(const StandardTest& test) {
 std::optional<StiffnessComparison> compare_stiffness(const FittedTest& test) {
   const SmallDeflection& numbers = test.small_deflection;
   if (test.analysis.status != AnalysisStatus::ok || !numbers.bending_stiffness) return std::nullopt;
-  const Estimate straight = *with_error_of_slope(numbers.bending_stiffness, numbers.stiffness);
+  const Estimate& straight = *numbers.bending_stiffness;
   const Estimate& fitted = test.analysis.fit.bending_stiffness;
   const double unit = test.analysis.scales.bending_stiffness();
   return StiffnessComparison{straight.value / (unit * fitted.value),
@@ -140,11 +134,10 @@ Fields<StandardTest> modulus_fields() {
       .only_where(ok)
       .own_estimate("stiffness", kind::stiffness, "slope dF/dw of the linear region",
                     [](const StandardTest& t) { return t.numbers.stiffness; })
-      .own_estimate(
-          "bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
-          [](const StandardTest& t) { return with_error_of_slope(t.numbers.bending_stiffness, t.numbers.stiffness); })
+      .own_estimate("bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
+                    [](const StandardTest& t) { return t.numbers.bending_stiffness; })
       .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
-                    [](const StandardTest& t) { return with_error_of_slope(t.numbers.modulus, t.numbers.stiffness); })
+                    [](const StandardTest& t) { return t.numbers.modulus; })
       .group("chord", "chord of ISO 178; null if the record does not cover both strains", chord_fields(),
              [](const StandardTest& t) { return t.numbers.chord; })
       .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so the linear region gives the modulus to report",

@@ -155,11 +155,12 @@ void complete_from_file(Test& test, const ExportedTest& found, const std::option
   const bool is_half = specimen.width.has_value() != specimen.height.has_value();
   if (section_of(test)) return;
   if (found.diameter && (found.width || found.thickness) && !is_half) {
-    note(fmt::format("no section is taken from the file, which states both a diameter and a {}",
-                     found.width && found.thickness ? "width and a thickness"
-                     : found.width                  ? "width"
-                                                    : "thickness"),
-         *found.diameter, KeyChange{"specimen", "diameter", "\"…\""});
+    steps.push_back({.name = "metadata",
+                     .done = fmt::format("no section is taken from the file, which states both a diameter and a {}",
+                                         found.width && found.thickness ? "width and a thickness"
+                                         : found.width                  ? "width"
+                                                                        : "thickness"),
+                     .otherwise = KeyChange{"specimen", "diameter", "\"…\""}});
     return;
   }
   if (found.diameter && !is_half) {

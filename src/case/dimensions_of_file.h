@@ -1,4 +1,4 @@
-// Span and section as an export states them, beside those that the user states.
+// Span and section as an export states them, compared with what the user states.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,10 @@
 
 namespace flexslip {
 
-// Adds to a test the span, the dimensions of the section and the stiffness of the load train [N/m]
-// that its file states and the user does not, with a step for each. A stated width is completed by the thickness of the file, and a stated
-// height by its width. No section is taken from a file that states a diameter beside width or
-// thickness, as forms of a machine do that list them all.
+// Adds to a test what its file states and the user does not, with a step for each: the span, the
+// dimensions of the section, and the stiffness of the load train [N/m]. A stated width is completed
+// by the thickness of the file, and a stated height by its width. No section is taken from a file
+// that states a diameter and also width or thickness, as forms of a machine do that list them all.
 // Fails:      InputError for a width without a height, or a height without a width, of either.
 void complete_from_file(Test& test, const ExportedTest& found, const std::optional<double>& load_train,
                         std::vector<PreparationStep>& steps);

@@ -81,8 +81,8 @@ struct Reader {
     toml::table of_text;
     const std::string_view whole = node().value_exact<std::string_view>().value_or("");
     if (const auto stated = value_and_uncertainty(whole)) {
-      of_text.insert_or_assign("value", std::string(stated->first));
-      of_text.insert_or_assign("uncertainty", std::string(stated->second));
+      of_text.insert_or_assign("value", stated->first);
+      of_text.insert_or_assign("uncertainty", stated->second);
     }
     const toml::table* parts = of_text.empty() ? node().as_table() : &of_text;
     if (!parts) {

@@ -521,6 +521,8 @@ BeamGeometry geometry_of(const Test& test) {
   BeamGeometry geometry{test.rig ? test.rig->span : std::nullopt, section_of(test)};
   const bool states_supports = test.reduced || (test.rig && test.rig->states_supports());
   if (states_supports) geometry.support_radius = test.rig->roller_radius.value_or(0);
+  if (test.rig && test.rig->span) geometry.span_error = test.rig->span->relative_uncertainty().value_or(0);
+  if (geometry.section && states_section_error(*test.specimen)) geometry.moment_error = section_error_of(test);
   return geometry;
 }
 

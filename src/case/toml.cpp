@@ -146,10 +146,19 @@ toml::table parse_toml(std::string_view text, const std::string& source) {
   }
 }
 
-std::optional<std::pair<std::string_view, std::string_view>> value_and_uncertainty(std::string_view text) {
-  for (const std::string_view between : {"±", "+-", "+/-"})
-    if (const std::size_t at = text.find(between); at != std::string_view::npos)
-      return std::pair{trimmed(text.substr(0, at)), trimmed(text.substr(at + between.size()))};
+std::optional<std::pair<std::string, std::string>> value_and_uncertainty(std::string_view text) {
+  for (const std::string_view between : {"±", "+-", "+/-"}) {
+    const std::size_t at = text.find(between);
+    if (at == std::string_view::npos) continue;
+    std::pair both{std::string(trimmed(text.substr(0, at))), std::string(trimmed(text.substr(at + between.size())))};
+    const auto unit = [](const std::string& of) {
+      return std::string(trimmed(of.substr(std::min(of.find_last_of("0123456789.") + 1, of.size()))));
+    };
+    const std::string of_value = unit(both.first), of_uncertainty = unit(both.second);
+    if (of_value.empty() && of_uncertainty != "%" && !of_uncertainty.empty()) both.first += " " + of_uncertainty;
+    if (of_uncertainty.empty() && !of_value.empty()) both.second += " " + of_value;
+    return both;
+  }
   return std::nullopt;
 }
 
@@ -159,7 +168,7 @@ toml::table& table_at(toml::table& parent, std::string_view name) {
     if (const toml::node* value = parent.get(name)) {
       const auto both = value_and_uncertainty(value->value<std::string_view>().value_or(""));
       if (both)
-        table.insert_or_assign("value", std::string(both->first));  // replaces the uncertainty in the text
+        table.insert_or_assign("value", both->first);  // replaces the uncertainty in the text
       else
         table.insert_or_assign("value", *value);
     }

@@ -14,8 +14,9 @@ namespace flexslip {
 // Fails:      InputError with file and line for other content.
 toml::table parse_toml(std::string_view text, const std::string& source);
 
-// "90.65 N/m" and "0.3 %" of "90.65 N/m ± 0.3 %"; empty for a text without an uncertainty.
-std::optional<std::pair<std::string_view, std::string_view>> value_and_uncertainty(std::string_view text);
+// "90.65 N/m" and "0.3 %" of "90.65 N/m ± 0.3 %"; empty for a text without an uncertainty. A unit that
+// one number has also counts for the other: "1 ± 0.05 mm".
+std::optional<std::pair<std::string, std::string>> value_and_uncertainty(std::string_view text);
 
 // The subtable with a name. Another value there becomes its "value", as for a quantity that gets an
 // uncertainty.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -114,6 +115,11 @@ int run(int argc, char** argv) {
     command->group("Commands");
     add_short_help(*command);
   }
+
+  for (const char* const word : std::span(argv, static_cast<std::size_t>(argc)))
+    if (printable(word).find("\uFFFD") != std::string::npos)
+      return complain(fmt::format("{}: This name is not in UTF-8. Rename the file.", in_quotes(printable(word))),
+                      exit_wrong_input);
 
   // A shell can write it to a file.
   std::error_code elsewhere;

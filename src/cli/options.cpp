@@ -187,7 +187,12 @@ CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::s
                              const std::string& meaning) {
   CLI::Option* option = add_option(command, names + " FILE", path, meaning);
   return option->each([option](const std::string& file) {
-    if (file != "-") files_of_this_call().writes(file, option->get_name());
+    if (file == "-") return;
+    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
+    std::error_code error;
+    if (!folder.empty() && !std::filesystem::is_directory(folder, error))
+      throw unwritable(file, fmt::format("There is no folder {}. Make it first", in_quotes(folder.string())));
+    files_of_this_call().writes(file, option->get_name());
   });
 }
 

@@ -343,12 +343,14 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   const double travel = options.min_travel * (*greatest - *least);
   if (!(travel > 0)) return {};
 
-  constexpr double of_travel = 0.25, of_noise = 5, of_way = 0.5;
+  constexpr double of_travel = 0.25, of_noise = 8, of_resolution = 1.5, of_way = 0.5;
   const double min_travel_at_first = of_travel * travel;
   std::optional<double> noise;
   const auto is_beyond_noise = [&](double way) {
-    if (!noise) noise = stage_noise(stage);
-    return way > of_noise * *noise;
+    if (!noise)
+      noise = std::max(of_noise * noise_of_second_differences(second_differences(stage)),
+                       of_resolution * resolution_of({stage.begin(), stage.end()}));
+    return way > *noise;
   };
 
   std::vector<Leg> legs;
@@ -368,7 +370,7 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
     low = std::min(low, stage[i]);
     high = std::max(high, stage[i]);
     const double first_travel = std::max(min_travel_at_first, of_way * (high - low));
-    const auto has_turned = [&](double way) { return way > travel || (way > first_travel && is_beyond_noise(way)); };
+    const auto has_turned = [&](double way) { return way > std::min(travel, first_travel) && is_beyond_noise(way); };
     const bool rose = has_turned(stage[i] - stage[lowest]);
     const bool fell = has_turned(stage[highest] - stage[i]);
     if (!started) {

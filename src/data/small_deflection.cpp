@@ -194,9 +194,25 @@ std::optional<double> force_at(const Record& record, std::size_t points, double 
   return std::nullopt;
 }
 
+// An estimate times an exact factor, with another relative error.
+Estimate scaled(const Estimate& estimate, double factor, double relative_error) {
+  const double own = estimate.standard_error / estimate.value;
+  const double value = factor * estimate.value;
+  return normal_estimate(value, value * elementary::length(own, relative_error));
+}
+
+Estimate bending_stiffness_from(const Estimate& slope, const BeamGeometry& geometry) {
+  return scaled(slope, beam_bending_stiffness(1, *geometry.span), 3 * geometry.span_error);
+}
+
+Estimate modulus_from(const Estimate& slope, const BeamGeometry& geometry) {
+  return scaled(bending_stiffness_from(slope, geometry), 1 / second_moment(*geometry.section), geometry.moment_error);
+}
+
+// Domain:     a geometry with span and section.
 std::optional<Chord> chord_of(const Record& record, std::size_t points, double origin, double load_train_share,
-                              double load_train_error, double noise, double span, const Section& section) {
-  const double deflection_per_strain = span * span / (6 * depth(section));
+                              double load_train_error, double noise, const BeamGeometry& geometry) {
+  const double deflection_per_strain = *geometry.span * *geometry.span / (6 * depth(*geometry.section));
   const double from = strain_from * deflection_per_strain;
   const double to = strain_to * deflection_per_strain;
   const auto low = force_at(record, points, origin + from);
@@ -205,7 +221,8 @@ std::optional<Chord> chord_of(const Record& record, std::size_t points, double o
   const double slope = (*high - *low) / (to - from);
   const double error = elementary::length(std::numbers::sqrt2 * noise / (to - from) / (1 - load_train_share),
                                           slope * load_train_share / (1 - load_train_share) * load_train_error);
-  return Chord{normal_estimate(slope, error), from, to, beam_bending_stiffness(slope, span) / second_moment(section)};
+  const Estimate estimate = normal_estimate(slope, error);
+  return Chord{estimate, from, to, modulus_from(estimate, geometry)};
 }
 
 // [1] How much steeper than the chord supports and friction can make the linear region.
@@ -332,8 +349,8 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   const auto& section = geometry.section;
   const double L = geometry.span.value_or(0);
   const double stiffness = linear->slope.value;
-  if (geometry.span && section) result.modulus = beam_bending_stiffness(stiffness, L) / second_moment(*section);
-  if (result.modulus && *result.modulus > options.greatest_modulus) {
+  if (geometry.span && section) result.modulus = modulus_from(linear->slope, geometry);
+  if (result.modulus && result.modulus->value > options.greatest_modulus) {
     result.status = SmallDeflectionStatus::too_stiff;
     return result;
   }
@@ -364,7 +381,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   if (!geometry.span) return result;
   result.end_share = result.end.deflection / L;
   result.deflection_large = result.greatest.deflection > max_deflection * L;
-  result.bending_stiffness = beam_bending_stiffness(stiffness, L);
+  result.bending_stiffness = bending_stiffness_from(linear->slope, geometry);
   if (!section) return result;
   result.shear_share = shear_share(*section, L);
   const double limit = conventional_strain * L * L / (6 * depth(*section));
@@ -373,7 +390,7 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
   // A record that begins beyond the lower strain of the chord does not cover it.
   if (result.origin_before_record < strain_from * L * L / (6 * depth(*section)))
     result.chord =
-        chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), L, *section);
+        chord_of(record, greatest + 1, result.origin, share, options.load_train_error, noise_of(record), geometry);
   if (!result.chord) return result;
   const Estimate &of_chord = result.chord->stiffness, &of_part = result.stiffness;
   const double error = elementary::length(of_chord.standard_error, of_part.standard_error);
@@ -393,11 +410,8 @@ SmallDeflection small_deflection(const Record& record, const std::optional<Linea
 bool reports_chord(const SmallDeflection& numbers) { return numbers.chord && !numbers.chord_in_toe; }
 
 std::optional<Estimate> standard_modulus(const SmallDeflection& numbers) {
-  if (numbers.status != SmallDeflectionStatus::ok || !numbers.modulus) return std::nullopt;
-  const auto& [stiffness, modulus] = reports_chord(numbers)
-                                         ? std::pair(numbers.chord->stiffness, numbers.chord->modulus)
-                                         : std::pair(numbers.stiffness, *numbers.modulus);
-  return normal_estimate(modulus, modulus * (stiffness.standard_error / stiffness.value));
+  if (numbers.status != SmallDeflectionStatus::ok) return std::nullopt;
+  return reports_chord(numbers) ? numbers.chord->modulus : numbers.modulus;
 }
 
 }  // namespace flexslip

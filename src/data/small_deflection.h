@@ -55,6 +55,8 @@ struct BeamGeometry {
   std::optional<double> span;  // [m]
   std::optional<Section> section;
   std::optional<double> support_radius{};  // [m] 0 for knife edges
+  // [1] standard deviations of the span and of the second moment, 0 if not stated
+  double span_error = 0, moment_error = 0;
 };
 
 // [m] The assumed support radius if the supports are not stated: the radius of ISO 178 for a bar
@@ -105,7 +107,7 @@ std::optional<LinearRegion> find_linear_region(const Record& record, const BeamG
 struct Chord {
   Estimate stiffness;                     // [N/m]
   double deflection_from, deflection_to;  // [m] from the origin of the linear region
-  double modulus;                         // [Pa]
+  Estimate modulus;                       // [Pa]
 };
 
 enum class SmallDeflectionStatus {
@@ -128,11 +130,11 @@ struct SmallDeflection {
   SmallDeflectionStatus status;
   // [1] of the stage travel over the linear region; without one, up to the maximum force
   double load_train_share;
-  std::optional<double> modulus;  // [Pa] E_f = slope L^3/(48 I)
-  ForceWindow window;             // of the linear region
-  double window_force;            // [N] unit of `window`
-  std::size_t first, last;        // points [first, last) of the linear region
-  Estimate stiffness;             // [N/m] dF/dw0
+  std::optional<Estimate> modulus;  // [Pa] E_f = slope L^3/(48 I)
+  ForceWindow window;               // of the linear region
+  double window_force;              // [N] unit of `window`
+  std::size_t first, last;          // points [first, last) of the linear region
+  Estimate stiffness;               // [N/m] dF/dw0
   // [m] zero of strain: the end of the toe (LinearRegion), or the stated contact point
   double origin;
   double origin_error;          // [m] standard deviation
@@ -143,8 +145,8 @@ struct SmallDeflection {
   std::optional<LoadPoint> at_conventional_strain;
   // [1] slope over the last tenth of the deflection, relative to `stiffness`
   double end_slope;
-  double end_share;                         // [1] of the span, deflection at the end; 0 without a span
-  std::optional<double> bending_stiffness;  // [N m^2] EI = slope L^3/48
+  double end_share;                           // [1] of the span, deflection at the end; 0 without a span
+  std::optional<Estimate> bending_stiffness;  // [N m^2] EI = slope L^3/48
   // Empty if span or section is unknown, or the record does not cover both strains.
   std::optional<Chord> chord;
   // the curve stiffens between the two strains by more than the specimen explains
@@ -159,7 +161,8 @@ struct SmallDeflection {
 };
 
 // Domain:     a record as for find_linear_region, and its linear region.
-// Max error:  as find_linear_region. Errors of the dimensions are not included.
+// Max error:  as find_linear_region. The errors of modulus and bending
+//             stiffness include the errors of span and section that the geometry states.
 // Method:     the chord connects the points, interpolated linearly, at which the record first
 //             reaches the two strains. Its error is the error of two readings. The chord lies in
 //             the toe under two conditions. Its lower end is above the line of the linear region by

@@ -340,7 +340,13 @@ std::string assumed_in_words(T test) {
   const Measurement& measurement = test.measurement;
   const Print print(test);
   const bool is_at_zero = measurement.contact == ContactSource::first_point || measurement.contact_offset == 0;
-  std::vector<std::string> clauses, errors;
+  std::vector<std::string> clauses, errors, from_file;
+  for (const PreparationStep& step : measurement.preparation)
+    if (step.name == "metadata" && step.value && step.otherwise)
+      from_file.push_back(fmt::format("{} {}",
+                                      step.otherwise->name == "stiffness" ? "load train" : step.otherwise->name,
+                                      print.own(step.value->value, step.value->kind)));
+  if (!from_file.empty()) clauses.push_back(fmt::format("{} as in the file", fmt::join(from_file, ", ")));
   if (!measurement.test.rig->states_supports()) clauses.emplace_back("knife edges");
   if (supports.half_depth == 0) clauses.emplace_back("no thickness");
   std::string contact = is_at_zero
@@ -469,15 +475,15 @@ std::string steepest_part_in_words(T test) {
   if (test.stiffness != StiffnessSource::initial_slope || test.measurement.straight_is_initial ||
       !numbers.bending_stiffness)
     return "";
-  const double error = *numbers.bending_stiffness * numbers.stiffness.standard_error / numbers.stiffness.value;
+  const double error = numbers.bending_stiffness->standard_error;
   const double EI = test.analysis.scales.bending_stiffness();
   constexpr double clearly = 2;
-  if (std::abs(*numbers.bending_stiffness - EI) <
+  if (std::abs(numbers.bending_stiffness->value - EI) <
       clearly * elementary::length(error, EI * test.analysis.bending_stiffness_error))
     return "";
   return fmt::format("rows {} to {}: EI {}; friction may have steepened it", file_row(test, numbers.first),
                      last_file_row(test.measurement, numbers.last - 1),
-                     readable(*numbers.bending_stiffness, error, Print(test).as(kind::bending_stiffness)));
+                     readable(numbers.bending_stiffness->value, error, Print(test).as(kind::bending_stiffness)));
 }
 
 double surface_strain(T test) {

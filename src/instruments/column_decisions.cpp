@@ -154,7 +154,8 @@ Export with_columns(Export file, const std::map<ColumnRole, std::string>& column
   return file;
 }
 
-// A unit decides a role that no title has: the only column in a unit of force is the force, unless its title names another quantity.
+// A unit decides a role that no title has: the only column in a unit of force is the force, unless
+// its title names another quantity.
 Export with_roles_by_units(Export file) {
   for (ExportedSpecimen& specimen : file.specimens)
     for (const ColumnRole role : {ColumnRole::time, ColumnRole::displacement, ColumnRole::force}) {
@@ -442,8 +443,8 @@ struct VoltageFinding {
 };
 
 // The column in volts that may be the force, if no title excludes it. A decision of the user is
-// needed if the only voltage has no force column beside it, if the voltage follows the force (a second load cell), or if
-// the force is noise and the voltage is not. Otherwise nullopt.
+// needed if the file has no force and only one voltage, if the voltage follows the force (a second
+// load cell), or if the force is noise and the voltage is not. Otherwise nullopt.
 std::optional<VoltageFinding> voltage_for_force(const Columns& columns) {
   const ExportColumn* force = nullptr;
   for (const ExportColumn* column : columns)

@@ -152,7 +152,8 @@ Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& 
   for (const std::size_t line : block.rows) {
     const NumberCell parts = number_cell(laid.sheet.at(line, column));
     const bool counts = parts.unit.empty() || parts.unit == unit;
-    out.value.push_back(counts ? laid.sheet.number(line, column, laid.format) : not_a_number);
+    const double value = counts ? laid.sheet.number(line, column, laid.format) : not_a_number;
+    out.value.push_back(std::abs(value) < least_overload ? value : not_a_number);
   }
   std::vector<std::size_t> lines;
   for (std::size_t row = 0; row < out.value.size(); ++row)
@@ -343,9 +344,7 @@ std::vector<SummaryNumber> summaries_in(const Laid& laid, const TableBlock& bloc
 
 std::vector<Metadatum> metadata_on(const Sheet& sheet, const std::vector<std::size_t>& lines) {
   std::vector<Metadatum> metadata;
-  for (const std::size_t line : lines)
-    if (Metadatum datum = metadatum_on(sheet, line); !datum.name.empty() || !datum.value.empty())
-      metadata.push_back(std::move(datum));
+  for (const std::size_t line : lines) append(metadata, metadata_on_line(sheet, line));
   return metadata;
 }
 

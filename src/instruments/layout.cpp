@@ -299,7 +299,8 @@ Placed placed(const Sheet& sheet, std::size_t line, CellWords cells, const Usual
       out.shift = -1;
     } else if (count == filled + 1 && !names_a_count(cells.front()) &&
                (names_a_remark(cells[count - 1]) || (!says_nothing(cells.front()) && says_nothing(cells[count - 1])))) {
-      out.note = fmt::format("the last title of line {}, {}, has no cells", line + 1, in_quotes(cells[count - 1]));
+      out.note = fmt::format("the last title of line {}, {}, has cells in few rows or none and is not read", line + 1,
+                             in_quotes(cells[count - 1]));
       cells.resize(count - 1);
     } else {
       return {};
@@ -433,6 +434,25 @@ CellWords units_above(CellWords cells, int shift, const UsualRow& usual) {
   return cells;
 }
 
+// The titles that a preamble lists, a line each, as of TA Instruments: "Sig1  Time (min)", "Sig2
+// Temperature (°C)". Empty without one for each column.
+CellWords listed_titles(const Sheet& sheet, const std::vector<std::size_t>& lines, const UsualRow& usual) {
+  CellWords titles;
+  std::string_view prefix;
+  for (const std::size_t line : lines) {
+    const std::string_view label = sheet.at(line, 0), title = sheet.at(line, 1);
+    const std::string number = std::to_string(titles.size() + 1);
+    const bool goes_on = label.ends_with(number) && !title.empty() && !has_number(label) &&
+                         (titles.empty() || label.substr(0, label.size() - number.size()) == prefix);
+    if (!goes_on) titles.clear();
+    if (!goes_on) continue;
+    prefix = label.substr(0, label.size() - number.size());
+    titles.emplace_back(title);
+    if (titles.size() == usual.cells) return titles;
+  }
+  return {};
+}
+
 // The table that begins with a row. Its names and units are the last free lines above it.
 TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t> above, const UsualRow& usual) {
   TableBlock block{.header_line = row};
@@ -469,6 +489,7 @@ TableBlock begun_at(const Sheet& sheet, std::size_t row, std::vector<std::size_t
       block.notes.push_back(fmt::format("line {} has {} units above rows of {} cells: they are not used", row,
                                         units.size(), usual.cells));
   }
+  if (block.titles.empty()) block.titles = listed_titles(sheet, above, usual);
   block.remarks = std::move(above);
   return block;
 }

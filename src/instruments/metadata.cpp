@@ -57,27 +57,45 @@ std::optional<double> agreed(std::span<const Metadatum> metadata, const NumberFo
   return value;
 }
 
+std::string without_colon(std::string_view name) {
+  return std::string(name.substr(0, name.find_last_not_of(": \t") + 1));
+}
+
+// Several data on one line, "Width (mm),25,Thickness (mm),15": a number after each name. Otherwise
+// empty.
+std::vector<Metadatum> pairs_in(const std::vector<std::string>& cells, std::size_t line) {
+  if (cells.size() < 4 || cells.size() % 2 != 0) return {};
+  std::vector<Metadatum> pairs;
+  for (std::size_t i = 0; i < cells.size(); i += 2) {
+    if (!number_cell(cells[i]).number.empty() || number_cell(cells[i + 1]).number.empty()) return {};
+    pairs.push_back({without_colon(cells[i]), cells[i + 1], line + 1});
+  }
+  return pairs;
+}
+
 }  // namespace
 
-Metadatum metadatum_on(const Sheet& sheet, std::size_t line) {
+std::vector<Metadatum> metadata_on_line(const Sheet& sheet, std::size_t line) {
   std::string text(trimmed(sheet.text(line)));
   std::vector<std::string> cells;  // not empty
   for (std::size_t column = 0; column < sheet.cells(line).size(); ++column)
     if (!sheet.at(line, column).empty()) cells.push_back(sheet.shown(line, column));
-  const auto datum = [line](std::string_view name, std::string_view value) {
-    return Metadatum{std::string(name.substr(0, name.find_last_not_of(": \t") + 1)), std::string(value), line + 1};
+  const auto only = [line](std::string_view name, std::string_view value) {
+    if (name.empty() && value.empty()) return std::vector<Metadatum>{};
+    return std::vector{Metadatum{without_colon(name), std::string(value), line + 1}};
   };
   const bool comment = sheet.is_comment(line);
   if (comment) text = trimmed(text.substr(std::min(text.find_first_not_of('#'), text.size())));
   if (!comment && cells.size() > 1 && text.find_first_of(",;\t") != std::string::npos) {
+    if (std::vector<Metadatum> pairs = pairs_in(cells, line); !pairs.empty()) return pairs;
     const auto values = std::span(cells).subspan(sheet.at(line, 0).empty() ? 0 : 1);
-    return datum(sheet.at(line, 0), fmt::format("{}", fmt::join(values, " ")));
+    return only(sheet.at(line, 0), fmt::format("{}", fmt::join(values, " ")));
   }
   if (!comment && cells.size() == 1) text = cells.front();
   std::size_t colon = text.find(": ");  // "General : Start date: today" is cut after the date
   while (colon != std::string::npos && colon > 0 && text[colon - 1] == ' ') colon = text.find(": ", colon + 1);
-  if (colon == std::string::npos) return datum(text, "");
-  return datum(std::string_view(text).substr(0, colon), trimmed(std::string_view(text).substr(colon + 2)));
+  if (colon == std::string::npos) return only(text, "");
+  return only(std::string_view(text).substr(0, colon), trimmed(std::string_view(text).substr(colon + 2)));
 }
 
 ExportedTest test_in(std::span<const Metadatum> metadata, const NumberFormat& format) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "io/number_format.h"
 #include "io/sheet.h"
@@ -23,9 +24,10 @@ struct ExportedTest {
   bool operator==(const ExportedTest&) const = default;
 };
 
-// A line of a preamble: "Name: value", or cells with the name first. The # of a comment is skipped.
+// The data on a line of a preamble: "Name: value", cells with the name first, or names and numbers
+// alternately. The # of a comment is skipped.
 // Lines count from 0; the line of the datum counts from 1.
-Metadatum metadatum_on(const Sheet& sheet, std::size_t line);
+std::vector<Metadatum> metadata_on_line(const Sheet& sheet, std::size_t line);
 
 // The values with the words and units of a test. A value that is stated twice differently is
 // unknown.

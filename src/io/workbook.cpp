@@ -793,6 +793,10 @@ WorkbookSheet read_sheet(std::string_view bytes, const std::optional<SheetChoice
   std::vector<std::string> alike;
   if (!wanted && purpose != SheetFor::words) alike = workbook.alike(chosen);
   auto& [index, sheet, has_readings] = chosen;
+  if (purpose != SheetFor::words && sheet.without_value >= usual_readings)
+    throw InputError({.field = "sheet " + in_quotes(workbook.names()[index]),
+                      .problem = fmt::format("{} formulas have no stored value", sheet.without_value),
+                      .remedy = "open the workbook in a spreadsheet program and save it"});
   WorkbookSheet out{.name = workbook.names()[index],
                     .sheets = workbook.names(),
                     .alike = std::move(alike),

@@ -113,6 +113,7 @@ Drawing write_campaign_report(const std::string& folder, const Campaign& campaig
 
 void announce_campaign_report(CallFiles& files, const std::string& folder, const std::string& option) {
   const std::filesystem::path report(folder);
+  require_own_report(folder);
   files.writes(report / "report.html", option);
   for (const TableFile& file : table_files) files.writes(report / file.name, option);
   for (const char* name : {"figures", "tests"}) files.writes_below(report / name, option);

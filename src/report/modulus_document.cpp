@@ -63,7 +63,8 @@ void add_reached(Rows& rows, const Test& test, const LoadPoint& at, std::string_
 
 // "29.5 ± 1.2 GPa": three significant digits, as ISO 178 requires. "17.6 GPa ± 0.02 %" if the error
 // is smaller than the last digit.
-std::string modulus_in_words(double value, double relative_error, const Kind& kind) {
+std::string modulus_in_words(const Estimate& modulus, const Kind& kind) {
+  const double value = modulus.value, relative_error = modulus.standard_error / value;
   const std::string_view unit = best_unit(value, kind);
   const double shown = unit.empty() ? value : from_si(value, parse_unit(unit));
   const double error = relative_error * shown;
@@ -86,20 +87,18 @@ Rows number_rows(const StandardTest& test) {
   const auto& measurement = test.measurement;
   if (numbers.status != SmallDeflectionStatus::ok) return {};
   const auto as = [&](const Kind& kind) { return kind_in(measurement.test, kind); };
-  const auto& [slope, error, low, high] = numbers.stiffness;
-  const double relative = error / slope;
-  Rows rows{{"stiffness F/δ", readable(slope, error, as(kind::stiffness))}};
+  Rows rows{
+      {"stiffness F/δ", readable(numbers.stiffness.value, numbers.stiffness.standard_error, as(kind::stiffness))}};
   if (numbers.bending_stiffness)
-    rows.push_back(
-        {"bending stiffness E I = F L³/(48 δ)",
-         readable(*numbers.bending_stiffness, relative * *numbers.bending_stiffness, as(kind::bending_stiffness))});
+    rows.push_back({"bending stiffness E I = F L³/(48 δ)",
+                    readable(numbers.bending_stiffness->value, numbers.bending_stiffness->standard_error,
+                             as(kind::bending_stiffness))});
   if (numbers.chord)
     rows.push_back(
-        {"flexural modulus E_f, chord of ISO 178",
-         modulus_in_words(numbers.chord->modulus, relative_error(numbers.chord->stiffness), as(kind::pressure))});
+        {"flexural modulus E_f, chord of ISO 178", modulus_in_words(numbers.chord->modulus, as(kind::pressure))});
   if (numbers.modulus)
     rows.push_back({numbers.chord ? "flexural modulus E_f, linear region" : "flexural modulus E_f = F L³/(48 I δ)",
-                    modulus_in_words(*numbers.modulus, relative, as(kind::pressure))});
+                    modulus_in_words(*numbers.modulus, as(kind::pressure))});
   if (const auto modulus = modulus_less_supports(test); modulus && supports_count(test))
     rows.push_back({fmt::format("E_f of the {} without the effect of the supports",
                                 reports_chord(numbers) ? "chord" : "linear region"),
@@ -135,7 +134,7 @@ std::string why_no_numbers(const StandardTest& test) {
            "be determined. Pass another region as the window (modulus --window).";
   if (numbers.status == SmallDeflectionStatus::too_stiff)
     return fmt::format("The modulus would be {}; no material exceeds {}.{} {}, span and section{}.",
-                       three_digits(*numbers.modulus, kind_in(test.measurement.test, kind::pressure)),
+                       three_digits(numbers.modulus->value, kind_in(test.measurement.test, kind::pressure)),
                        three_digits(max_material_modulus, kind_in(test.measurement.test, kind::pressure)),
                        load_train ? fmt::format(" {}.", taken) : "", check,
                        load_train ? ", and the stiffness of the load train" : "");
@@ -209,7 +208,7 @@ std::optional<double> difference_from_chord(const SmallDeflection& numbers) {
   constexpr double clearly = 2;  // [standard errors]
   if (!numbers.chord || !numbers.modulus || numbers.chord_in_toe) return std::nullopt;
   const double error = std::hypot(relative_error(numbers.chord->stiffness), relative_error(numbers.stiffness));
-  const double difference = *numbers.modulus / numbers.chord->modulus - 1;
+  const double difference = numbers.modulus->value / numbers.chord->modulus.value - 1;
   return std::abs(difference) > clearly * error ? std::optional(difference) : std::nullopt;
 }
 
@@ -267,7 +266,7 @@ std::vector<Remark> remarks_on_inputs(const StandardTest& test) {
     list.push_back({"The section is not stated: state it to get modulus, stress and strain."});
   if (load_train_counts(test) && numbers.load_train_share > train_share_worth_a_word)
     list.push_back(load_train_remark(numbers.load_train_share));
-  if (numbers.modulus && *numbers.modulus > high_material_modulus && !test.measurement.test.reduced) {
+  if (numbers.modulus && numbers.modulus->value > high_material_modulus && !test.measurement.test.reduced) {
     const std::string words =
         fmt::format("Almost no material is stiffer than {}: check the units of force, displacement, span and section.",
                     three_digits(high_material_modulus, kind_in(test.measurement.test, kind::pressure)));
@@ -350,7 +349,6 @@ Headline headline_of(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   const auto as = [&](const Kind& kind) { return kind_in(test.measurement.test, kind); };
   if (numbers.status != SmallDeflectionStatus::ok) return {"no modulus.", why_no_numbers(test)};
-  const double relative = relative_error(numbers.stiffness);
   const std::string rows = fmt::format("rows {} to {}", file_row(test.measurement, numbers.first),
                                        last_file_row(test.measurement, numbers.last - 1));
   if (!numbers.bending_stiffness)
@@ -359,15 +357,14 @@ Headline headline_of(const StandardTest& test) {
             "State the span and the section to get a modulus."};
   if (!numbers.modulus)
     return {fmt::format("bending stiffness EI {} (steepest linear part, {}).",
-                        readable(*numbers.bending_stiffness, relative * *numbers.bending_stiffness,
+                        readable(numbers.bending_stiffness->value, numbers.bending_stiffness->standard_error,
                                  as(kind::bending_stiffness)),
                         rows),
             "State the section to get modulus, stress and strain."};
-  const std::string linear = modulus_in_words(*numbers.modulus, relative, as(kind::pressure));
+  const std::string linear = modulus_in_words(*numbers.modulus, as(kind::pressure));
   const std::string of_linear = fmt::format("flexural modulus {} (steepest linear part, {}).", linear, rows);
   if (!numbers.chord) return {of_linear, why_no_chord(test)};
-  const std::string chord =
-      modulus_in_words(numbers.chord->modulus, relative_error(numbers.chord->stiffness), as(kind::pressure));
+  const std::string chord = modulus_in_words(numbers.chord->modulus, as(kind::pressure));
   if (numbers.chord_in_toe)
     return {of_linear,
             fmt::format("{} from the chord of ISO 178 (0.05 to 0.25 % strain), which lies in a toe.", chord)};
@@ -384,6 +381,10 @@ std::string point_in_words(const StandardTest& test, const LoadPoint& at) {
   if (at.stress) words += fmt::format(": {}", three_digits(*at.stress, as(kind::pressure)));
   if (at.strain) words += fmt::format(", strain {}", percent_to_two_digits(*at.strain));
   return words;
+}
+
+bool states_dimension_errors(const StandardTest& test) {
+  return test.geometry.span_error > 0 || test.geometry.moment_error > 0;
 }
 
 // "−0.03 to −0.16 %", "+7.8 to +35 %"
@@ -417,8 +418,7 @@ Rows screen_rows(const StandardTest& test) {
   std::string stiffness =
       fmt::format("F/δ {}", readable(numbers.stiffness.value, numbers.stiffness.standard_error, as(kind::stiffness)));
   if (const auto& EI = numbers.bending_stiffness)
-    stiffness +=
-        fmt::format("; EI {}", readable(*EI, relative_error(numbers.stiffness) * *EI, as(kind::bending_stiffness)));
+    stiffness += fmt::format("; EI {}", readable(EI->value, EI->standard_error, as(kind::bending_stiffness)));
   const bool has_stress = numbers.greatest.stress.has_value();
   const auto without_supports = supports_count(test) ? modulus_less_supports(test) : std::nullopt;
   return {
@@ -459,7 +459,9 @@ std::string modulus_screen(const std::string& name, const StandardTest& test, co
              .doubts = style.is_full ? Rows{} : shown,
              .footer = fmt::format(
                  "{}{}{}", more > 0 && !style.is_full ? format_count(more, "more warning. ", "more warnings. ") : "",
-                 has_numbers ? "± is one standard error, without errors of the dimensions. " : "",
+                 !has_numbers                    ? ""
+                 : states_dimension_errors(test) ? "± is one standard error, with the stated errors of the dimensions. "
+                                                 : "± is one standard error, without errors of the dimensions. ",
                  style.is_full ? "" : "More: --full")},
       style);
 }

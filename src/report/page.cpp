@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 
@@ -223,13 +224,27 @@ Drawing write_page(const std::string& folder, const std::string& title, const st
   });
   write_text(
       (fs::path(folder) / "report.html").string(),
-      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-                  "content=\"width=device-width, initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
+      fmt::format("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"generator\" "
+                  "content=\"FlexSlip\">\n<meta name=\"viewport\" content=\"width=device-width, "
+                  "initial-scale=1\">\n<title>{0}</title>\n<style>{1}</style>\n"
                   "</head>\n<body>\n<main>\n<h1>{0}</h1>\n{2}{3}</main>\n</body>\n</html>\n",
                   html_escaped(title), page_style, answer, body));
   const auto missing =
       std::find_if(drawings.begin(), drawings.end(), [](const Drawing& each) { return !each.is_done(); });
   return missing == drawings.end() ? Drawing{} : *missing;
+}
+
+void require_own_report(const std::string& folder) {
+  const fs::path report = fs::path(folder) / "report.html";
+  std::error_code error;
+  if (!fs::exists(report, error)) return;
+  std::ifstream file(report);
+  std::string begin(1000, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  if (begin.find("FlexSlip") == std::string::npos && begin.find("in a bending test") == std::string::npos)
+    throw InputError({.file = report.string(),
+                      .problem = "This file is not a report of FlexSlip, and would be overwritten",
+                      .remedy = "pass another folder with --report"});
 }
 
 void make_folder(const std::string& folder) {

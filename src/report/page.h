@@ -27,4 +27,7 @@ std::string answer_in_html(const std::string& words, const Verdict* verdict = nu
 // Fails:      throws InputError.
 void make_folder(const std::string& folder);
 
+// Fails:      InputError for a folder with another program's report.html.
+void require_own_report(const std::string& folder);
+
 }  // namespace flexslip

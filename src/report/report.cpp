@@ -83,6 +83,7 @@ Drawing write_report(const std::string& folder, const FittedTest& test, double f
 }
 
 void announce_report(CallFiles& files, const std::string& folder, const std::string& option) {
+  require_own_report(folder);
   files.writes(fs::path(folder) / "report.html", option);
   files.writes_below(fs::path(folder) / "figures", option);
   if (built_studio_page()) files.writes(fs::path(folder) / studio_name, option);

@@ -10,8 +10,10 @@ using namespace flexslip;
 namespace {
 
 std::string read_line(std::string_view line, char separator) {
-  const Metadatum datum = metadatum_on(Sheet(std::string(line), separator), 0);
-  return datum.name + "|" + datum.value;
+  std::string all;
+  for (const Metadatum& datum : metadata_on_line(Sheet(std::string(line), separator), 0))
+    all += (all.empty() ? "" : " & ") + datum.name + "|" + datum.value;
+  return all;
 }
 
 }  // namespace
@@ -23,6 +25,7 @@ TEST_CASE("metadata: lines of real preambles") {
   CHECK(read_line("Station Name: FORTH-1.cfg", ' ') == "Station Name|FORTH-1.cfg");
   CHECK(read_line("# General : Start date: 2020-09-02", ',') == "General : Start date|2020-09-02");
   CHECK(read_line("Raw Data", ',') == "Raw Data|");
+  CHECK(read_line("Largeur (mm),25,Épaisseur (mm),15", ',') == "Largeur (mm)|25 & Épaisseur (mm)|15");
 }
 
 TEST_CASE("metadata: quantities of the test in SI, those that contradict each other left out") {
