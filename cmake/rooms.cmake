@@ -1,7 +1,12 @@
 # What the two libraries are made of, wherever they are built: src/CMakeLists.txt for a computer, studio/CMakeLists.txt for a page.
 
 set(FLEXSLIP_CORE_ROOMS numerics fibre contact bending_test data inference)
-set(FLEXSLIP_EDGE_ROOMS io result instruments case finding design campaign answers report)
+if(WIN32)
+  set(FLEXSLIP_SYSTEM platform/windows)
+else()
+  set(FLEXSLIP_SYSTEM platform/posix)
+endif()
+set(FLEXSLIP_EDGE_ROOMS platform ${FLEXSLIP_SYSTEM} io result instruments case finding design campaign answers report)
 
 # Eigen cuts products of matrices to the caches of the processor, and sums of their parts round as they are cut: by its own sizes instead, the
 # same bits come from every processor. Its vectors are as wide as an instruction set has them, and their sums round accordingly: without them

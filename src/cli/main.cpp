@@ -1,4 +1,3 @@
-#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -19,6 +18,7 @@
 #include "io/call_files.h"
 #include "io/input_error.h"
 #include "io/text.h"
+#include "platform/terminal.h"
 
 namespace flexslip {
 namespace {
@@ -156,8 +156,7 @@ int run(int argc, char** argv) {
 }  // namespace flexslip
 
 int main(int argc, char** argv) {
-  // The reader of our output has closed it (head, a pager): no error.
-  std::signal(SIGPIPE, [](int) { std::_Exit(EXIT_SUCCESS); });
+  flexslip::end_with_reader();
   try {
     return flexslip::run(argc, argv);
   } catch (const std::bad_alloc&) {

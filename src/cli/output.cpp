@@ -12,11 +12,10 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include "io/text.h"
 #include "io/text_file.h"
+#include "platform/terminal.h"
 
 namespace flexslip {
 
@@ -33,11 +32,10 @@ void write_words(const Output& output, const std::function<Json()>& all, const s
 }
 
 ScreenStyle screen_style(const Output& output) {
-  if (output.path != "-" || isatty(STDOUT_FILENO) != 1) return {};
+  if (output.path != "-" || !is_terminal(Stream::output)) return {};
   constexpr std::size_t narrowest = 40, widest = 160;
   ScreenStyle style{.width = line_length, .colour = std::getenv("NO_COLOR") == nullptr};
-  if (winsize size{}; ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
-    style.width = std::clamp<std::size_t>(size.ws_col, narrowest, widest);
+  if (const auto width = terminal_width()) style.width = std::clamp(*width, narrowest, widest);
   return style;
 }
 
@@ -137,19 +135,16 @@ class Counted {
   std::uint64_t most_ = 0;
 };
 
-bool is_terminal() { return isatty(STDERR_FILENO) == 1; }
-
 }  // namespace
 
 ProgressFunction progress_of(const std::string& what, const Output& output) {
   if (output.quiet) return {};
-  return [counted = std::make_shared<Counted>(what, is_terminal())](std::uint64_t done, std::uint64_t all) {
-    counted->say(done, all);
-  };
+  return [counted = std::make_shared<Counted>(what, is_terminal(Stream::errors))](
+             std::uint64_t done, std::uint64_t all) { counted->say(done, all); };
 }
 
 std::unique_ptr<Watch> shown_stages(const std::string& what, const Output& output) {
-  if (output.quiet || !is_terminal()) return nullptr;
+  if (output.quiet || !is_terminal(Stream::errors)) return nullptr;
   return std::make_unique<Watch>([what, shown = std::make_shared<ShownProgress>(true)](const Reached& reached) {
     shown->say([&] { return fmt::format("{}, {:.0f} %: {}", what, std::floor(100 * reached.share), reached.stage); });
   });

@@ -8,8 +8,8 @@
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "io/call_files.h"
-#include "io/child_process.h"
 #include "io/input_error.h"
+#include "platform/child_process.h"
 #include "report/studio_page.h"
 
 namespace flexslip {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include "io/durable_file.h"
 #include "io/input_error.h"
@@ -15,14 +14,6 @@ namespace flexslip {
 namespace {
 
 namespace fs = std::filesystem;
-
-// The identity of a file under any name. Empty for a device, pipe or folder, which cannot be
-// overwritten by mistake.
-std::optional<std::pair<dev_t, ino_t>> identity_of(const fs::path& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return std::pair(status.st_dev, status.st_ino);
-}
 
 // A folder without links and dots; it need not exist.
 fs::path real(const fs::path& folder) {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include <sys/types.h>
+#include "platform/files.h"
 
 namespace flexslip {
 
@@ -49,7 +49,7 @@ class CallFiles {
     std::filesystem::path given;   // file or folder, as the user named it
     std::filesystem::path folder;  // the folder of the files, links resolved
     std::string begin{}, end{};    // of the names of the files; for one file, begin is its name
-    std::map<std::pair<dev_t, ino_t>, std::filesystem::path> there{};
+    std::map<FileIdentity, std::filesystem::path> there{};
   };
 
   static bool covers(const Claim& claim, const std::filesystem::path& file);

@@ -1,7 +1,8 @@
 #include "io/durable_file.h"
 
-#include <array>
 #include <cerrno>
+#include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -9,12 +10,10 @@
 #include <system_error>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "io/input_error.h"
+#include "platform/files.h"
 
 namespace flexslip {
 namespace {
@@ -29,43 +28,31 @@ constexpr std::string_view suffix = ".unfinished";
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Makes the system write a file or folder to the disk. Errors for a folder are ignored: some file
-// systems write it without being asked, others do not allow it.
-std::error_code sync(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) return last_error();
-  const std::error_code error = fsync(descriptor) == 0 ? std::error_code() : last_error();
-  close(descriptor);
-  return error;
-}
-
 fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.parent_path() : "."; }
 
 // Writes a file to the disk, then gives it its final name.
 void rename_synced(const fs::path& unfinished, const fs::path& file) {
-  std::error_code error = sync(unfinished);
+  std::error_code error = write_to_disk(unfinished);
   if (error) refuse(file.string(), error);
   fs::rename(unfinished, file, error);  // atomic: a reader sees the old file or the new one
   if (error) refuse(file.string(), error);
-  error = sync(folder_of(file));
-  if (error && error != std::errc::invalid_argument && error != std::errc::permission_denied)
-    refuse(file.string(), error);
+  if ((error = write_to_disk(folder_of(file)))) refuse(file.string(), error);
 }
 
 // An empty file in the folder of another file. Its name is unique, also if several computers share
-// the folder. Fails:      an empty path, and errno.
-fs::path new_file_beside(const fs::path& file, mode_t mode) {
+// the folder.
+// Fails:      an empty path, and errno.
+fs::path new_file_beside(const fs::path& file) {
   constexpr std::size_t longest = 150;  // [bytes] file systems allow 255
-  std::array<char, 64> computer{};
-  gethostname(computer.data(), computer.size() - 1);
-  const std::string begin = file.filename().string().substr(0, longest);
+  const std::string begin = file.filename().string().substr(0, longest), process = name_of_process();
   for (int i = 0;; ++i) {
-    fs::path name = folder_of(file) / fmt::format("{}.{}-{}-{}{}", begin, computer.data(), getpid(), i, suffix);
-    const int descriptor = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor < 0 && errno == EEXIST) continue;  // left by a program that was killed
-    if (descriptor < 0) return {};
-    close(descriptor);
-    return name;
+    fs::path name = folder_of(file) / fmt::format("{}.{}-{}{}", begin, process, i, suffix);
+    errno = 0;
+    if (std::FILE* made = std::fopen(name.string().c_str(), "wx")) {
+      std::fclose(made);
+      return name;
+    }
+    if (errno != EEXIST) return {};  // otherwise left by a program that was killed
   }
 }
 
@@ -73,7 +60,7 @@ fs::path new_file_beside(const fs::path& file, mode_t mode) {
 
 bool is_unfinished(const fs::path& file) { return file.extension() == suffix; }
 
-bool is_descriptor(const fs::path& target) { return target.native().starts_with("/proc/"); }
+bool is_descriptor(const fs::path& target) { return target.string().starts_with("/proc/"); }
 
 fs::path target_of(fs::path path) {
   constexpr int most_links = 40;  // the limit of Linux
@@ -92,21 +79,22 @@ fs::path target_of(fs::path path) {
 OutputFile::OutputFile(std::string path) : path_(std::move(path)) {
   if (path_ == "-") return;
   file_ = target_of(path_);
-  struct stat old {};
-  const bool exists = stat(file_.c_str(), &old) == 0;
-  if (exists && S_ISDIR(old.st_mode)) refuse(path_, std::make_error_code(std::errc::is_a_directory));
   std::error_code absent;
-  if (!exists && fs::is_symlink(file_, absent))
+  const fs::file_status old = fs::status(file_, absent);
+  if (fs::is_directory(old)) refuse(path_, std::make_error_code(std::errc::is_a_directory));
+  if (!fs::exists(old) && fs::is_symlink(file_, absent))
     refuse(path_, std::make_error_code(std::errc::too_many_symbolic_link_levels));
-  is_replaced_ = !is_descriptor(file_) && (!exists || S_ISREG(old.st_mode));
+  is_replaced_ = !is_descriptor(file_) && (!fs::exists(old) || fs::is_regular_file(old));
   name_ = file_;
   if (is_replaced_) {
-    if (exists && faccessat(AT_FDCWD, file_.c_str(), W_OK, AT_EACCESS) != 0) refuse(path_, last_error());
-    const mode_t mode = exists ? (old.st_mode & 0777) | S_IRUSR | S_IWUSR : 0666;
-    name_ = new_file_beside(file_, mode);
+    if (fs::exists(old) && !is_writable(file_)) refuse(path_, std::make_error_code(std::errc::permission_denied));
+    name_ = new_file_beside(file_);
     if (name_.empty()) refuse(path_, last_error());
-    if (exists) permissions_ = static_cast<fs::perms>(old.st_mode & 0777);
-    if (exists && chown(name_.c_str(), old.st_uid, old.st_gid) != 0) errno = 0;  // only a superuser always can
+    if (fs::exists(old)) {
+      permissions_ = old.permissions() & fs::perms::all;
+      fs::permissions(name_, *permissions_ | fs::perms::owner_read | fs::perms::owner_write, absent);
+      copy_owner(file_, name_);
+    }
   }
   errno = 0;
   stream_.open(name_, std::ios::binary);
@@ -141,9 +129,20 @@ std::time_t date_of_source(std::time_t otherwise) {
 }
 
 std::tm calendar_date(std::time_t seconds) {
-  std::tm date{};
-  gmtime_r(&seconds, &date);
-  return date;
+  using namespace std::chrono;
+  const sys_seconds time{std::chrono::seconds(seconds)};
+  const auto day = floor<days>(time);
+  const year_month_day date(day);
+  const hh_mm_ss clock(time - day);
+  std::tm parts{};
+  parts.tm_year = static_cast<int>(date.year()) - 1900;
+  parts.tm_mon = static_cast<int>(static_cast<unsigned>(date.month())) - 1;
+  parts.tm_mday = static_cast<int>(static_cast<unsigned>(date.day()));
+  parts.tm_wday = static_cast<int>(weekday(day).c_encoding());
+  parts.tm_hour = static_cast<int>(clock.hours().count());
+  parts.tm_min = static_cast<int>(clock.minutes().count());
+  parts.tm_sec = static_cast<int>(clock.seconds().count());
+  return parts;
 }
 
 }  // namespace flexslip

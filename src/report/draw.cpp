@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -13,11 +13,12 @@
 #include <fmt/format.h>
 
 #include "data/names.h"
-#include "io/child_process.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
 #include "io/text.h"
 #include "io/text_file.h"
+#include "platform/child_process.h"
+#include "platform/files.h"
 
 namespace flexslip {
 namespace {
@@ -362,9 +363,11 @@ class DrawingFolder {
  public:
   // Fails: std::system_error.
   DrawingFolder() {
-    std::string name = fs::absolute(fs::temp_directory_path() / "flexslip-XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::system_error(errno, std::generic_category(), name);
-    path_ = name;
+    const fs::path temporary = fs::absolute(fs::temp_directory_path());
+    static std::atomic<unsigned> made;
+    do path_ = temporary / fmt::format("flexslip-{}-{}", name_of_process(), made++);
+    while (!fs::create_directory(path_));  // otherwise left by a program that was killed
+    fs::permissions(path_, fs::perms::owner_all);
   }
   ~DrawingFolder() {
     std::error_code gone;

@@ -3,8 +3,8 @@
 #include <doctest/doctest.h>
 
 #include "campaign/campaign_plan.h"
-#include "io/child_process.h"
 #include "io/text_file.h"
+#include "platform/child_process.h"
 #include "report/page.h"
 #include "report/report.h"
 #include "tests/report/some_campaign.h"

@@ -5,9 +5,9 @@
 #include <doctest/doctest.h>
 
 #include "answers/campaign_fields.h"
-#include "io/child_process.h"
 #include "io/input_error.h"
 #include "io/text_file.h"
+#include "platform/child_process.h"
 #include "result/table.h"
 #include "tests/report/some_campaign.h"
 #include "tests/temporary_folder.h"

@@ -1,5 +1,5 @@
 // A page cannot start other programs; every program is reported as not found.
-#include "io/child_process.h"
+#include "platform/child_process.h"
 
 namespace flexslip {
 

@@ -1,4 +1,4 @@
-#include "io/child_process.h"
+#include "platform/child_process.h"
 
 #include <atomic>
 #include <chrono>
