@@ -9,7 +9,7 @@ namespace flexslip::v1 {
 
 // What is wrong, where, and what to do. what() holds all of it on one line. Parts that do not apply are empty.
 // Every function of the library throws it for bad input, for a file that cannot be read, and where a number does not
-// exist. Only std::bad_alloc passes besides.
+// exist. It also lets std::bad_alloc pass.
 struct Error : std::runtime_error {
   Error(const std::string& words, std::string what_is_wrong, std::string what_to_do);
   ~Error() override;

@@ -5,7 +5,7 @@
 
 namespace flexslip::v1 {
 
-// Units:      those of the quantity. All not_known where the result does not exist.
+// Units:      as the quantity. All not_known where the result does not exist.
 struct Estimate {
   double value = not_known;           // median
   double standard_error = not_known;  // standard deviation

@@ -1,5 +1,5 @@
 // Measured tests: whether the force drops are slips over the supports or cracks, and the friction. The answers are
-// those of the command `flexslip fit`.
+// the same as from the command `flexslip fit`.
 #pragma once
 
 #include <string>

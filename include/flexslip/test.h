@@ -20,9 +20,9 @@ struct Known {
 };
 
 // The specimen and the rig.
-// Domain:     all positive, the radius also 0. The section is a diameter (with an inner diameter for a tube), or a width and a
-//             height; without a section, a bending stiffness is stated. The thickness is at most a fifth of
-//             the span, except for a modulus.
+// Domain:     all positive, the radius also 0. The section is a diameter (with an inner diameter for a tube),
+//             or a width and a height; without a section, a bending stiffness is stated. The thickness is at
+//             most a fifth of the span, except for a modulus.
 struct Setup {
   Known diameter{}, inner_diameter{};  // [m] of a round specimen, of a tube
   Known width{}, height{};             // [m] of a rectangular specimen; the height lies in the direction of bending
@@ -35,7 +35,7 @@ struct Setup {
 
 // One periodic term of friction.
 struct Wave {
-  double amplitude;   // [1] relative to mu0, 0 to 1; those of all waves add up to 1 at most
+  double amplitude;   // [1] relative to mu0, 0 to 1; all amplitudes add up to 1 at most
   double wavelength;  // [m] along the specimen
   double phase = 0;   // [rad]
 };
