@@ -12,7 +12,6 @@
 
 #include "case/case_file.h"
 #include "contact/friction.h"
-#include "flexslip/error.h"
 #include "flexslip/flexslip.h"
 
 namespace flexslip::library {
@@ -125,13 +124,13 @@ v1::Estimate estimate(const Json& value) {
           is_known ? number(interval[0]) : v1::not_known, is_known ? number(interval[1]) : v1::not_known};
 }
 
-void raise(InputFault fault) {
+v1::Error error_of(InputFault fault) {
   if (fault.file.empty()) fault.line = 0;  // of a text that the user has not seen
   v1::Error error(InputError(fault).what(), fault.problem, fault.remedy);
   error.key = fault.key;
   error.file = fault.file;
   error.line = fault.line;
-  throw error;
+  return error;
 }
 
 }  // namespace flexslip::library

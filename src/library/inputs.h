@@ -5,6 +5,7 @@
 #include <new>
 
 #include "case/test.h"
+#include "flexslip/error.h"
 #include "flexslip/estimate.h"
 #include "flexslip/simulate.h"
 #include "flexslip/test.h"
@@ -28,7 +29,7 @@ Json field(const Json& group, const char* name);
 double number(const Json& value);
 v1::Estimate estimate(const Json& value);
 
-[[noreturn]] void raise(InputFault fault);
+v1::Error error_of(InputFault fault);
 
 // The result of `work`, whose exceptions become the public one.
 template <class Work>
@@ -36,11 +37,11 @@ auto guarded(const Work& work) {
   try {
     return work();
   } catch (const InputError& error) {
-    raise(error.fault);
+    throw error_of(error.fault);
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    raise({.problem = error.what()});
+    throw error_of({.problem = error.what()});
   }
 }
 
