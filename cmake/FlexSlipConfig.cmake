@@ -1,5 +1,1 @@
-include(CMakeFindDependencyMacro)
-find_dependency(Eigen3)
-find_dependency(hwy)
-find_dependency(NLopt)
 include(${CMAKE_CURRENT_LIST_DIR}/FlexSlipTargets.cmake)

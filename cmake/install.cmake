@@ -29,15 +29,15 @@ install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/licences/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program OPTIONAL)
 
-# For others: find_package(FlexSlip) and link FlexSlip::core, which needs the libraries of the distribution.
+# For others: find_package(FlexSlip) and link FlexSlip::FlexSlip. The shared library loads those of the distribution.
 if(NOT FLEXSLIP_SOURCES)
-  install(TARGETS flexslip_core
+  install(TARGETS flexslip_library
     EXPORT FlexSlipTargets
-    ARCHIVE COMPONENT development
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/flexslip COMPONENT development)
+    LIBRARY COMPONENT development
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
   set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/FlexSlip)
   install(EXPORT FlexSlipTargets NAMESPACE FlexSlip:: DESTINATION ${config_dir} COMPONENT development)
   install(FILES ${PROJECT_SOURCE_DIR}/cmake/FlexSlipConfig.cmake DESTINATION ${config_dir} COMPONENT development)
-  write_basic_package_version_file(${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+  write_basic_package_version_file(${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake COMPATIBILITY SameMajorVersion)
   install(FILES ${PROJECT_BINARY_DIR}/FlexSlipConfigVersion.cmake DESTINATION ${config_dir} COMPONENT development)
 endif()

@@ -1,47 +1,39 @@
 // FlexSlip as a library: simulates a bending test, and reads the friction off what it measures.
-#include <cmath>
 #include <cstdio>
-#include <vector>
 
-#include "bending_test/history.h"
-#include "data/scales.h"
-#include "inference/analysis.h"
+#include <flexslip/flexslip.h>
 
-using namespace flexslip;
+using namespace flexslip::v1;
 
-int main() {
-  // 1. A fibre of glass, 34.8 µm thick, on supports 1278 µm apart. The library computes in spans L and in forces EI/L².
-  const double span = 1278e-6, diameter = 34.8e-6, modulus = 29.6e9;
-  const Scales scales(span, modulus * round_section_moment(diameter));
+int main() try {
+  // 1. A fibre of glass, 34.8 µm thick, on supports 1278 µm apart, with a load train of 90.65 N/m. Its modulus is known to 3 %.
+  const Setup setup{.diameter = 34.8e-6, .modulus = {29.6e9, 0.9e9}, .span = 1278e-6, .load_train_stiffness = 90.65};
 
-  // 2. Friction that repeats every 10.9 µm along the fibre, and a load train of 90.65 N/m.
-  const BendingTest test{.friction = Friction::sinusoid(0.5, 0.15, scales.reduced_length(10.9e-6), 0),
-                         .rig = {scales.reduced_stiffness(90.65)}};
+  // 2. The force at a deflection of 300 µm, without friction and with the friction that slides in.
+  std::printf("force: %.2f mN without friction, %.2f mN with a friction of 0.5\n",
+              1e3 * state_at(setup, 300e-6, 0).force, 1e3 * state_at(setup, 300e-6, 0.5).force);
 
-  // 3. The stage moves to 700 µm in steps of 2 µm: the path, with its snaps and energies.
-  std::vector<double> stages;
-  for (int i = 0; i <= 350; ++i) stages.push_back(scales.reduced_length(2e-6 * i));
-  const History history = follow_in_steps(test, stages);
-  std::printf("snaps: %zu\n", history.snaps.size());
+  // 3. Friction that repeats every 10.9 µm along the fibre. The stage moves to 700 µm in steps of 2 µm, and the load cell has a noise of 10 µN.
+  const Friction friction{.mu0 = 0.5, .waves = {{.amplitude = 0.15, .wavelength = 10.9e-6}}};
+  const Simulation test = simulate(setup, friction, {.stages = {0, 700e-6}, .step = 2e-6, .force_noise = 10e-6});
+  std::printf("snaps: %zu\n", test.snaps.size());
   std::printf("friction took %.1f %% of the work on the specimen\n",
-              100 * (history.energy.friction + history.energy.snaps) / work_of_fracture(history.energy));
+              100 * (test.energies.friction + test.energies.snaps) / test.energies.work_of_fracture);
 
-  // 4. What an instrument would record, with noise of 10 µN, in SI.
+  // 4. What the instrument recorded: stage and force.
   Record record;
-  for (std::size_t i = 0; i < history.path.size(); ++i) {
-    const double noise = 10e-6 * std::sin(1e4 * std::sin(static_cast<double>(i)));
-    record.stage.push_back(scales.physical_length(history.path[i].stage));
-    record.force.push_back(scales.physical_force(history.path[i].F) + noise);
-    record.deflection.push_back(record.stage.back() - record.force.back() / 90.65);
+  for (const PathPoint& point : test.path) {
+    record.stage.push_back(point.stage);
+    record.force.push_back(point.force);
   }
 
-  // 5. The friction of that record. A status says which fields are valid.
-  const TestAnalysis analysis = analyse(record, {.span = span,
-                                                 .load_train_stiffness = 90.65,
-                                                 .bending_stiffness = scales.bending_stiffness(),
-                                                 .bending_stiffness_error = 0.03});
-  if (analysis.status != AnalysisStatus::ok) return 1;
-  std::printf("mu0 = %.3f +- %.3f\n", analysis.fit.mu0.value, analysis.fit.mu0.standard_error);
-  for (const WaveEstimate& wave : analysis.fit.waves)
-    std::printf("every %.2f um\n", 1e6 * scales.physical_length(wave.wavelength.value));
+  // 5. The answer to that record.
+  const Fit answer = fit(setup, record);
+  std::printf("%s\n", answer.sentence.c_str());
+  std::printf("mu0 = %.3f +- %.3f\n", answer.mu0.value, answer.mu0.standard_error);
+  for (const FittedWave& wave : answer.waves) std::printf("every %.2f um\n", 1e6 * wave.wavelength.value);
+  return 0;
+} catch (const Error& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 2;
 }

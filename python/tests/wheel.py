@@ -56,7 +56,7 @@ class Wheel(unittest.TestCase):
         with tarfile.open(self.source) as tar:
             tar.extractall(self.folder / "source")
         (root,) = (self.folder / "source").iterdir()
-        for folder in "src", "python", "cmake", "examples", "tests", "tools", "docs":
+        for folder in "src", "include", "python", "cmake", "examples", "tests", "tools", "docs":
             ours = {path.relative_to(SOURCE) for path in (SOURCE / folder).rglob("*") if path.is_file() and not path.suffix == ".pyc" and not any(part.startswith(".") for part in path.parts)}
             theirs = {path.relative_to(root) for path in (root / folder).rglob("*") if path.is_file()}
             self.assertEqual(ours - theirs, set())

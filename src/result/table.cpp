@@ -142,9 +142,11 @@ ResultTable in_best_units(ResultTable table) {
   return table;
 }
 
-void write_json(const std::string& path, const Json& json) {
+std::string json_text(const Json& json) {
   // file names may be invalid UTF-8
-  write_text(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
+
+void write_json(const std::string& path, const Json& json) { write_text(path, json_text(json)); }
 
 }  // namespace flexslip

@@ -81,8 +81,10 @@ TableUnit best_unit_of(std::vector<double> values, const Kind& kind);
 // Domain:     units in SI.
 ResultTable in_best_units(ResultTable table);
 
-// Writes indented JSON to a file; "-" is standard output. Keys keep their order; numbers restore
-// the same bits.
+// Indented JSON with its last line end. Keys keep their order; numbers restore the same bits.
+std::string json_text(const Json& json);
+
+// Writes it to a file; "-" is standard output.
 // Fails:      throws InputError if the file cannot be written completely.
 void write_json(const std::string& path, const Json& json);
 

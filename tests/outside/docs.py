@@ -203,7 +203,20 @@ def check_steps():
                 fault(ROOT / name, f"there is no {path}")
 
 
+def check_promises():
+    """docs/stability.md lists the verdicts and the exit codes that the program states."""
+    page = ROOT / "docs/stability.md"
+    promised = dict(re.findall(r"^\| ([\w ]+) \| (.*?) \|", text_of(page), re.MULTILINE))
+    verdicts = re.search(r"verdict\.code +(.*)", run("results", "fit").stdout).group(1)
+    exits = re.findall(r"^  (\d+)  ", run("--help").stdout.split("Exit status:")[1], re.MULTILINE)
+    if re.findall(r"`(\w+)`", promised["verdicts"]) != re.split(", | or ", verdicts):
+        fault(page, f"the verdicts are {verdicts}")
+    if f"exit codes {', '.join(exits)}" not in promised["commands"]:
+        fault(page, f"the exit codes are {', '.join(exits)}")
+
+
 def main():
+    check_promises()
     check_steps()
     check_names()
     check_equations()
