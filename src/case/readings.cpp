@@ -37,27 +37,31 @@ std::size_t row_or(const std::optional<PlaceInRecord>& place, std::size_t rows, 
 
 namespace {
 
+MissingInput missing_input(const Test& input, const std::vector<KeyChange>& changes, std::string question) {
+  constexpr std::string_view pass = "pass ";
+  std::string instruction = instruction_to_set(input, changes);
+  if (instruction.starts_with(pass)) instruction.erase(0, pass.size());
+  return {std::move(instruction), std::move(question)};
+}
+
 // The open questions on the rig, each with its remedy. `stiffness` is the question for the
 // stiffness, or empty if it is not needed.
-std::vector<std::string> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
-                                             const std::optional<double>& span_of_file) {
-  std::vector<std::string> questions;
+std::vector<MissingInput> questions_about_rig(const Test& input, const Needs& needs, std::string_view stiffness,
+                                              const std::optional<double>& span_of_file) {
+  std::vector<MissingInput> questions;
   if (!stiffness.empty() && !(input.rig && input.rig->stiffness))
-    questions.push_back(
-        fmt::format("{} {}", stiffness, instruction_to_set(input, KeyChange{"rig", "stiffness", "\"… N/m\""})));
+    questions.push_back(missing_input(input, {{"rig", "stiffness", "\"… N/m\""}}, std::string(stiffness)));
   if (needs.span && !span_of_file && !(input.rig && input.rig->span))
-    questions.push_back("how far are the supports apart? " +
-                        instruction_to_set(input, KeyChange{"rig", "span", "\"… mm\""}));
+    questions.push_back(missing_input(input, {{"rig", "span", "\"… mm\""}}, "how far are the supports apart?"));
   return questions;
 }
 
 // Asks several open questions at once. A single question is asked by the code that needs its
 // answer.
-void require_one_at_most(const std::vector<std::string>& questions, InputFault fault, const std::string& where = "") {
+void require_one_at_most(std::vector<MissingInput> questions, InputFault fault, const std::string& where = "") {
   if (questions.size() < 2) return;
-  fault.problem = fmt::format("{} more inputs are needed{}", questions.size(), where);
-  for (std::size_t i = 0; i < questions.size(); ++i)
-    fault.problem += fmt::format("{} ({}) {}", i == 0 ? ":" : "", i + 1, questions[i]);
+  fault.problem = fmt::format("{} more inputs are needed{}:", questions.size(), where);
+  fault.asks = std::move(questions);
   throw InputError(std::move(fault));
 }
 
@@ -204,21 +208,21 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
   const RecordInput& asked = *input.record;
   const std::size_t count = file.specimens.size();
   const std::size_t chosen = asked.specimen && *asked.specimen <= count ? static_cast<std::size_t>(*asked.specimen) : 1;
-  std::vector<std::string> questions;
+  std::vector<MissingInput> questions;
   const std::vector<std::string>& sheets = file.origin.alike;
   if (!sheets.empty())
     questions.push_back(
-        fmt::format("which of the sheets {}, each with a table of readings? {}", listed(sheets),
-                    instruction_to_set(input, KeyChange{"record", "sheet", toml_text(sheets.front())})));
+        missing_input(input, {{"record", "sheet", toml_text(sheets.front())}},
+                      fmt::format("which of the sheets {}, each with a table of readings?", listed(sheets))));
   if (count > 1 && !asked.specimen)
-    questions.push_back(fmt::format("which of the {} specimens? {}", count,
-                                    instruction_to_set(input, KeyChange{"record", "specimen", "1"})));
+    questions.push_back(
+        missing_input(input, {{"record", "specimen", "1"}}, fmt::format("which of the {} specimens?", count)));
   const std::vector<ExportColumn> columns = asked_columns(asked, file.specimens[chosen - 1]);
   for (const OpenQuestion& each : questions_of(columns)) {
     if (each.with_test.empty()) continue;
     std::vector<KeyChange> changes;
     for (const RecordKey& key : each.with_test) changes.push_back({"record", key.name, key.value});
-    questions.push_back(each.words + " " + instruction_to_set(input, changes));
+    questions.push_back(missing_input(input, changes, each.words));
   }
   const auto has = [&](ColumnRole role) {
     return std::any_of(columns.begin(), columns.end(), [=](const ExportColumn& each) { return each.role == role; });
@@ -228,7 +232,7 @@ void require_answers(const Test& input, const Needs& needs, const Export& file) 
       : needs.load_train || has(ColumnRole::crosshead)
           ? "how stiff is the load train?"
           : "how stiff is the load train, if the displacement is the crosshead's?";
-  for (std::string& each : questions_about_rig(input, needs, stiffness, file.test.span))
+  for (MissingInput& each : questions_about_rig(input, needs, stiffness, file.test.span))
     questions.push_back(std::move(each));
   require_one_at_most(questions, {.file = file.origin.source, .remedy = file.unplaced},
                       file.origin.sheet ? fmt::format(" on the sheet {}", in_quotes(*file.origin.sheet)) : "");

@@ -27,7 +27,12 @@ constexpr int exit_not_calculated = 1;
 constexpr int exit_wrong_input = 2;
 
 int complain(std::string_view message, int exit_code) {
-  std::cerr << fmt::format("flexslip: {}\n", printable(message));
+  std::cerr << "flexslip: ";
+  for (std::size_t begin = 0; begin <= message.size();) {
+    const std::size_t end = std::min(message.find('\n', begin), message.size());
+    std::cerr << printable(message.substr(begin, end - begin)) << '\n';
+    begin = end + 1;
+  }
   return exit_code;
 }
 

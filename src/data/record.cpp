@@ -343,13 +343,14 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   const double travel = options.min_travel * (*greatest - *least);
   if (!(travel > 0)) return {};
 
-  constexpr double of_travel = 0.25, of_noise = 8, of_resolution = 1.5, of_way = 0.5;
+  constexpr double of_travel = 0.25, of_noise = 8, of_resolution = 1.5, of_way = 0.5, max_share = 0.25;
   const double min_travel_at_first = of_travel * travel;
   std::optional<double> noise;
   const auto is_beyond_noise = [&](double way) {
     if (!noise)
-      noise = std::max(of_noise * noise_of_second_differences(second_differences(stage)),
-                       of_resolution * resolution_of({stage.begin(), stage.end()}));
+      noise = std::min(max_share * (*greatest - *least),
+                       std::max(of_noise * noise_of_second_differences(second_differences(stage)),
+                                of_resolution * resolution_of({stage.begin(), stage.end()})));
     return way > *noise;
   };
 

@@ -44,6 +44,11 @@ bool ends_with_bare_value(std::string_view text) {
          before == "=";
 }
 
+std::size_t characters_in(std::string_view text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
+}
+
 // The text as a sentence: with a capital letter, and with a full stop unless it ends in another
 // mark or in a value to copy.
 std::string as_sentence(std::string_view text) {
@@ -59,9 +64,16 @@ std::string sentence(const InputFault& fault) {
   if (!text.empty()) text += ": ";
   if (!fault.field.empty()) text += fault.field + ": ";
   if (!fault.problem.empty()) text += as_sentence(fault.problem);
+  text = escaped(text);
+  std::size_t width = 0;
+  for (const MissingInput& each : fault.asks) width = std::max(width, characters_in(each.instruction));
+  for (const MissingInput& each : fault.asks)
+    text += fmt::format("\n  {}{}  {}", escaped(each.instruction),
+                        std::string(width - characters_in(each.instruction), ' '), escaped(capitalised(each.question)));
   if (!fault.remedy.empty())
-    text += " " + (ends_with_bare_value(fault.remedy) ? capitalised(fault.remedy) : as_sentence(fault.remedy));
-  return escaped(text);
+    text += (fault.asks.empty() ? " " : "\n") +
+            escaped(ends_with_bare_value(fault.remedy) ? capitalised(fault.remedy) : as_sentence(fault.remedy));
+  return text;
 }
 
 char lower_case(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }

@@ -23,12 +23,19 @@ enum class FaultKind {
 enum class TablePart { none, title, cell };
 
 // The parts of a message. Parts that do not apply are empty.
+// An input that is missing, and what states it.
+struct MissingInput {
+  std::string instruction;  // "--span \"… mm\"", "write span = \"… mm\" into [rig]"
+  std::string question;     // "how far are the supports apart?"
+};
+
 struct InputFault {
-  std::string file{};     // the name that the user gave
-  std::size_t line{};     // 1-based; 0 without a line
-  std::string field{};    // what the user would search for: "column 'F_N'", "[specimen] diameter"
-  std::string problem{};  // what is wrong, a sentence without its full stop: "'12,5' is not a number"
-  std::string remedy{};   // what to do, another sentence: "write decimal points, or pass --decimal ,"
+  std::string file{};                // the name that the user gave
+  std::size_t line{};                // 1-based; 0 without a line
+  std::string field{};               // what the user would search for: "column 'F_N'", "[specimen] diameter"
+  std::string problem{};             // what is wrong, a sentence without its full stop: "'12,5' is not a number"
+  std::string remedy{};              // what to do, another sentence: "write decimal points, or pass --decimal ,"
+  std::vector<MissingInput> asks{};  // each on its own line
 
   FaultKind kind = FaultKind::wrong;
   std::string key{};                 // the key of a case file: "rig.stiffness"
@@ -36,7 +43,8 @@ struct InputFault {
   TablePart part = TablePart::none;  // title: no column has the requested title; cell: a single cell
 };
 
-// The only exception type for bad input. what() is one line without control characters, composed of the fault.
+// The only exception type for bad input. what() has no control characters and is composed of the fault: one line, and one for each input
+// that is missing.
 // Both sentences begin with a capital letter there and end with a full stop, unless they end with another mark:
 //   ss14.csv:17: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,
 //   case.toml:4: [rig] span: This value is missing. Add span = "1278 um".

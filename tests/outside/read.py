@@ -120,9 +120,9 @@ class Remedies(InFolder):
 
     def test_all_open_questions_come_at_once(self):
         path = self.record("Time,Extension,Load")
-        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["3 more inputs are needed", "(1) was 'Extension' measured at the crosshead", "(2) what is the unit of 'Extension'",
-                                                              "(3) what is the unit of 'Load'"])
-        self.refused("fit", path, says=["5 more inputs are needed", "(4) how stiff is the load train, if", '--stiffness "', "(5) how far are the supports apart?", '--span "'])
+        self.refused("modulus", path, "--span", "64 mm", "--stiffness", "inf", says=["3 more inputs are needed", "Was 'Extension' measured at the crosshead", "What is the unit of 'Extension'",
+                                                              "What is the unit of 'Load'"])
+        self.refused("fit", path, says=["5 more inputs are needed", "How stiff is the load train?", '--stiffness "', "How far are the supports apart?", '--span "'])
         case = self.file("case.toml", f'[record]\nfile = "{path}"\n')
         self.refused("fit", case, says=['write displacement = "crosshead|deflection" into [record]', 'write stiffness = "', 'write span = "'])
         self.assertNotIn("--", run("fit", case).stderr)
