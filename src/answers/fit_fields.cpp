@@ -250,21 +250,28 @@ Fields<FindingNumber> finding_number_fields() {
       .number("value", "value in SI units; in reduced variables if the test is reduced", &FindingNumber::value);
 }
 
-Fields<Finding> finding_fields() {
+// What a finding says.
+Fields<Finding> doubt_fields() {
   return Fields<Finding>()
       .words("code", "a name that never changes", &Finding::code)
       .words("severity", "refusal, suspicion, doubt, condition, note, passed or unjudged",
              [](const Finding& finding) { return name_of(finding.severity); })
       .words("sentence", "the finding, as printed everywhere", &Finding::sentence)
       .words("short_form", "a short phrase for tables and rows; may be empty", &Finding::short_form)
-      .words("remedy", "suggested action; empty if there is none", &Finding::remedy)
-      .list("numbers", "the numbers behind the sentence", finding_number_fields(), &Finding::numbers);
+      .words("remedy", "suggested action; empty if there is none", &Finding::remedy);
+}
+
+Fields<Finding> finding_fields() {
+  return doubt_fields().list("numbers", "the numbers behind the sentence", finding_number_fields(), &Finding::numbers);
 }
 
 Fields<Answer> answer_fields() {
   return Fields<Answer>()
       .group("verdict", "overall verdict on the test", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen, then those of --full", answer_row_fields(), all_rows)
+      .list("doubts", "findings that cast doubt on the answer and that the verdict does not say itself, as printed",
+            doubt_fields(), doubts_of)
+      .words("checks", "number of checks of the fit that passed, in a sentence; empty without checks", checks_in_words)
       .list("findings", "all findings, most serious first", finding_fields(), &Answer::findings)
       .words("next", "the most informative next step; empty if there is none", &Answer::next);
 }

@@ -25,8 +25,8 @@ namespace flexslip {
 // the next step; the checks.
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
-// All rows of an answer, then its doubts, each with its remedy.
-Rows rows_of(const Answer& answer);
+// All doubts of an answer, each with its remedy.
+Rows full_doubts(const Answer& answer);
 
 // The chapters of the full answer, without its rows.
 // Domain:     a test of any status, which must outlive the chapters.

@@ -313,8 +313,8 @@ Chapter folded(Chapter chapter) {
 
 }  // namespace
 
-Rows rows_of(const Answer& answer) {
-  Rows rows = all_rows(answer);
+Rows full_doubts(const Answer& answer) {
+  Rows rows;
   for (const Finding& doubt : doubts_of(answer))
     rows.push_back({std::string(name_of(doubt.severity)), with_remedy(doubt)});
   return rows;
@@ -326,8 +326,8 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
   const std::size_t shown_doubts = style.is_full ? doubts.size() : std::min(doubts.size(), max_doubts);
   return in_text(
       Screen{.title = screen_title(name, fmt::format("{}. {}", verdict_word(code, style), meaning), {evidence}, style),
-             .rows = style.is_full ? rows_of(answer) : answer.rows,
-             .doubts = style.is_full ? Rows{} : doubt_rows(doubts, shown_doubts, style.width),
+             .rows = style.is_full ? all_rows(answer) : answer.rows,
+             .doubts = style.is_full ? full_doubts(answer) : doubt_rows(doubts, shown_doubts, style.width),
              .next = answer.next.empty() ? Rows{} : Rows{{"next", answer.next}},
              .footer = footer_of(answer, doubts.size() - shown_doubts, style.is_full)},
       style);

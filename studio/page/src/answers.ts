@@ -2,7 +2,8 @@
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "drift" | "reference" | "roughness" | "correlation_length" | "bending_stiffness" | "contact_offset";
-export interface Finding { sentence: string; remedy: string }
+export interface Line { label: string; words: string }
+export interface Finding { code: string; severity: string; sentence: string; remedy: string }
 export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: number | null; mu_before: number | null; mu_after: number | null;
 }
@@ -18,8 +19,8 @@ export interface FitAnswer {
   status: string; name: string; model: string;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   residual_rms: number | null; wave: Wave | null;
-  answer: { label: string; words: string }[]; passes: { passes: Pass[] } | null;
-  verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
+  answer: Line[]; passes: { passes: Pass[] } | null;
+  verdict: { code: string; sentence: string }; doubts: Finding[]; checks: string; findings: Finding[]; next: string;
   drops: Drop[]; slips: { slips: { length_before: number; length_after: number }[] } | null;
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;
