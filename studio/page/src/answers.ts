@@ -9,8 +9,9 @@ export interface Drop {
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null }
 export interface ProfilePoint { row: number; length: number; mu: number; mu_error: number; mu_error_force: number }
-/** Deflection and force are those of its points, from the turn before it on. */
-export interface Pass { direction: "in" | "out"; rows: [number, number]; sliding_rows: number; friction: Estimate | null; deflection: number[]; force: number[] }
+/** Deflection and force are those of its points, from the turn before it on; length, mobilised friction and whether it slides those of the rows that the fit takes. */
+export interface Pass { direction: "in" | "out"; rows: [number, number]; friction: Estimate | null; deflection: number[]; force: number[]; drawn_in: number[]; q: number[]; slides: number[] }
+export interface Causes { slips: number | null; cracks: number | null; both: number | null }
 export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate }
 
 export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; friction: number; friction_moves: number; work_moves: number | null }
@@ -19,7 +20,7 @@ export interface FitAnswer {
   status: string; name: string; model: string;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   residual_rms: number | null; wave: Wave | null;
-  answer: Line[]; passes: { passes: Pass[] } | null;
+  answer: Line[]; passes: { status: string; settled: Estimate | null; passes: Pass[] } | null; judgement: { causes: Causes | null } | null;
   verdict: { code: string; sentence: string }; doubts: Finding[]; checks: string; findings: Finding[]; next: string;
   drops: Drop[]; slips: { slips: { length_before: number; length_after: number }[] } | null;
   sensitivities: Sensitivity[];

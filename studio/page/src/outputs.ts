@@ -65,7 +65,7 @@ async function pngOf(figure: Drawn): Promise<Blob> {
 }
 
 const YTITLES: Readonly<Record<string, string>> = { force: "*F*", friction: "friction *μ*" };
-const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the specimen"], ["specimen", "fibre-plot", "The specimen"]] as const;
+const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the specimen"], ["specimen", "fibre-plot", "The specimen"], ["boxes", "boxes-plot", "Friction of each pass"]] as const;
 
 async function copyCommand(command: string): Promise<void> {
   const copied = await navigator.clipboard?.writeText(command).then(() => true, () => false);
@@ -117,6 +117,7 @@ export function withFigures(html: string, figures: Record<string, string>): stri
 const CAPTIONS: Readonly<Record<string, string>> = {
   force: "Force as measured, and as the model has it. Dashed: Euler–Bernoulli; dotted: without friction. Marks: the drops, with their load lines.",
   friction: "Friction along the specimen: points inverted from the force, with the errors of its noise. Line and band: the fit, with its 95 % interval. Bars: the slips.",
+  boxes: "Mobilised friction of each pass against the length slid over one support, at the bending stiffness of the fit. The specimen slides in along +μ, sticks while the stage turns back, and slides out along −μ. Grey: it sticks there, or only one pass came this far.",
 };
 
 async function report(studio: Studio, test: Test, figures: Record<string, string>): Promise<void> {
