@@ -20,7 +20,7 @@ const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", su
 const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
 /** What is said of one file and holds for others of the same rig; a specimen is that of its file. */
-export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration"]);
+export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration", "speed"]);
 const OF_ITS_COLUMNS = ["displacement-unit", "force-unit"] as const;  // likewise, for files with the same columns
 export const ERROR_LINE = "The line of errors";  // which cannot say that it was not drawn
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
