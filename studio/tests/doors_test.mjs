@@ -48,6 +48,7 @@ for (const record of records)
     assert.equal(told.verdict.code, record.verdict, told.verdict.sentence);
     await drop(tab, file);
     await tab.waitForFunction((name) => document.querySelector("#tests .selected b")?.textContent === name, record.name);
+    await tab.locator("#force-plot path[stroke='var(--data)']").first().waitFor({ state: "attached" });  // before it is fitted, too
     await state(tab, record.stated);
     assert.equal(await tab.locator("#verdict h1").innerText(), told.verdict.sentence);
     const word = told.verdict.sentence.split(". ")[0], friction = told.answer.find(({ label }) => label === "friction")?.words ?? "";

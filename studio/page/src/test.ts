@@ -158,6 +158,6 @@ function rowsOf(table: Table, read: ReadAnswer): Rows | null {
     }
     return null;
   };
-  const stage = column(["crosshead", "displacement", "deflection"]), force = column(["force"]);
+  const stage = column(["crosshead", "displacement", "deflection", "time"]), force = column(["force"]);
   return stage && force ? { stage: stage.values, force: force.values, titles: { stage: stage.title, force: force.title } } : null;
 }
