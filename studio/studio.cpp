@@ -23,10 +23,15 @@ struct Box {
   const Kind* kind;
   Range range;
 };
-constexpr std::array boxes{Box{&kind::length, Range::positive},   Box{&kind::stiffness, Range::positive_or_infinite},
-                           Box{&kind::pressure, Range::positive}, Box{&kind::bending_stiffness, Range::positive},
-                           Box{&kind::force, Range::any},         Box{&kind::time, Range::positive},
-                           Box{&kind::angle, Range::any},         Box{&kind::number, Range::any}};
+constexpr std::array boxes{Box{&kind::length, Range::positive},
+                           Box{&kind::speed, Range::positive},
+                           Box{&kind::stiffness, Range::positive_or_infinite},
+                           Box{&kind::pressure, Range::positive},
+                           Box{&kind::bending_stiffness, Range::positive},
+                           Box{&kind::force, Range::any},
+                           Box{&kind::time, Range::positive},
+                           Box{&kind::angle, Range::any},
+                           Box{&kind::number, Range::any}};
 
 const Box& box_of(std::string_view name) {
   const auto* const box =

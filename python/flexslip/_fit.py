@@ -146,9 +146,7 @@ class Fit(FitFields):
 
     def summary(self, full: bool = False) -> str:
         """The answer in words, as the program prints it; `full`: every slip and table."""
-        if full or not self.success:
-            return str(self._part("text"))
-        return str(self._part("screen"))
+        return str(self._part("text" if full else "screen"))
 
     def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each parameter."""
@@ -187,9 +185,8 @@ class Fit(FitFields):
         return _plots.plot(figures, figure, ax)
 
     def _found(self) -> list[str]:
-        """The findings that did not pass, each with its remedy; of what the verdict says itself the remedy alone."""
-        told = [each for each in self.findings if each.severity not in ("passed", "unjudged")]
-        return [advice(words) for each in told if (words := f"{'' if each.sentence in self.verdict.sentence else each.sentence} {each.remedy}".strip())]
+        """The doubts, each with its remedy, and the next step, in words of Python."""
+        return [*(advice(f"{doubt.sentence} {doubt.remedy}".strip()) for doubt in self.doubts), *([self.next] if self.next else [])]
 
     def _parameters_hold(self) -> bool:
         return self.success and self.verdict.code in ("slip", "undecided", "no_drops")
@@ -212,7 +209,7 @@ class Fit(FitFields):
 
 def _concluded(data: Data) -> dict[str, object]:
     """What is measured and concluded, without where and how the record was read, and without remedies, which are in words of the door."""
-    left = {name: value for name, value in data.items() if name not in ("name", "provenance", "preparation", "next")}
+    left = {name: value for name, value in data.items() if name not in ("name", "provenance", "preparation", "next", "doubts")}
     findings = cast("Columns", left["findings"])
     concluded = {name: values for name, values in findings["columns"].items() if name != "remedy"}
     left["findings"] = {"rows": findings["rows"], "absent": findings["absent"], "columns": concluded}
@@ -220,8 +217,8 @@ def _concluded(data: Data) -> dict[str, object]:
 
 
 _WIDTH = 100  # of what is printed
-_ALWAYS_KEPT = ("curves", "text", "figures")
-_KEPT = (*_ALWAYS_KEPT, "draws", "screen")
+_ALWAYS_KEPT = ("curves", "text", "figures", "screen")
+_KEPT = (*_ALWAYS_KEPT, "draws")
 
 
 def _fit_again(data: Data, case: Case, kept: Mapping[str, object]) -> Fit:

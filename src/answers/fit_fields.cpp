@@ -162,11 +162,13 @@ Fields<FittedTest> band_fields() {
 struct RecordOfPass {
   const PassFriction& pass;
   Record record;
+  std::vector<PassPoint> points;  // of the joint fit
 };
 
 std::vector<RecordOfPass> records_of_passes(T test) {
   std::vector<RecordOfPass> all;
-  for (const PassFriction& pass : test.passes->passes) all.push_back({pass, record_of(test, pass)});
+  for (const PassFriction& pass : test.passes->passes) all.push_back({pass, record_of(test, pass), {}});
+  for (const PassPoint& point : test.passes->points) all[point.pass].points.push_back(point);
   return all;
 }
 
@@ -187,6 +189,24 @@ Fields<PassFriction> pass_fields() {
       .count("sliding_rows", "fitted rows in which the specimen slides", &PassFriction::sliding)
       .only_where([](const PassFriction& pass) { return std::isfinite(pass.friction.value); })
       .estimate("friction", kind::number, "mean friction over the sliding length of the pass", &PassFriction::friction);
+}
+
+// The points of the joint fit in a pass.
+Fields<RecordOfPass> fitted_pass_fields() {
+  const auto each = [](auto value) {
+    return [value](const RecordOfPass& of) {
+      std::vector<double> values;
+      for (const PassPoint& point : of.points) values.push_back(value(point));
+      return values;
+    };
+  };
+  return Fields<RecordOfPass>()
+      .numbers("drawn_in", kind::length, "length that has slid in over both supports, at the rows that the fit takes",
+               each([](const PassPoint& point) { return point.S - 1; }))
+      .own_numbers("q", kind::number, "mobilised friction at these rows",
+                   each([](const PassPoint& point) { return point.q; }))
+      .own_numbers("slides", kind::number, "1 where the specimen slides there, 0 where it sticks or only one pass came",
+                   each([](const PassPoint& point) { return point.slides ? 1.0 : 0.0; }));
 }
 
 Fields<FittedTest> passes_fields() {
@@ -222,7 +242,8 @@ Fields<FittedTest> passes_fields() {
                              "deflection of the points of the pass, from the reversal before it",
                              [](const RecordOfPass& of) { return of.record.deflection; })
                 .own_numbers("force", kind::force, "force at these points",
-                             [](const RecordOfPass& of) { return of.record.force; }),
+                             [](const RecordOfPass& of) { return of.record.force; })
+                .all_of(fitted_pass_fields()),
             records_of_passes);
 }
 
@@ -250,21 +271,28 @@ Fields<FindingNumber> finding_number_fields() {
       .number("value", "value in SI units; in reduced variables if the test is reduced", &FindingNumber::value);
 }
 
-Fields<Finding> finding_fields() {
+// What a finding says.
+Fields<Finding> doubt_fields() {
   return Fields<Finding>()
       .words("code", "a name that never changes", &Finding::code)
       .words("severity", "refusal, suspicion, doubt, condition, note, passed or unjudged",
              [](const Finding& finding) { return name_of(finding.severity); })
       .words("sentence", "the finding, as printed everywhere", &Finding::sentence)
       .words("short_form", "a short phrase for tables and rows; may be empty", &Finding::short_form)
-      .words("remedy", "suggested action; empty if there is none", &Finding::remedy)
-      .list("numbers", "the numbers behind the sentence", finding_number_fields(), &Finding::numbers);
+      .words("remedy", "suggested action; empty if there is none", &Finding::remedy);
+}
+
+Fields<Finding> finding_fields() {
+  return doubt_fields().list("numbers", "the numbers behind the sentence", finding_number_fields(), &Finding::numbers);
 }
 
 Fields<Answer> answer_fields() {
   return Fields<Answer>()
       .group("verdict", "overall verdict on the test", verdict_of_fit_fields(), &Answer::verdict)
       .list("answer", "the rows of the screen, then those of --full", answer_row_fields(), all_rows)
+      .list("doubts", "findings that cast doubt on the answer and that the verdict does not say itself, as printed",
+            doubt_fields(), doubts_of)
+      .words("checks", "number of checks of the fit that passed, in a sentence; empty without checks", checks_in_words)
       .list("findings", "all findings, most serious first", finding_fields(), &Answer::findings)
       .words("next", "the most informative next step; empty if there is none", &Answer::next);
 }

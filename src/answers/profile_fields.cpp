@@ -150,16 +150,20 @@ Fields<CurvePoint> curve_fields() {
       .number("mu_error", "standard error of mu", read(standard_error));
 }
 
-void write_curves(const std::string& path, const FittedTest& test) {
+ResultTable curve_table(const FittedTest& test) {
   const auto& read = profile_of(test).points;
   std::vector<CurvePoint> points;
   for (std::size_t i = 0; i < test.analysis.record.force.size(); ++i) points.push_back({test, i, nullptr});
   for (const ProfilePoint& point : read) points[point.index].read = &point;
-  write_csv(path, curve_fields(), points, frame_of(test));
+  return tabulated("curves", curve_fields(), points, frame_of(test));
 }
 
-void write_profile(const std::string& path, const FittedTest& test) {
-  write_csv(path, profile_fields(), points_of(test.analysis.record, profile_of(test)), frame_of(test));
+void write_curves(const std::string& path, const FittedTest& test, const CsvMarks& marks) {
+  write_csv(path, curve_table(test), marks);
+}
+
+void write_profile(const std::string& path, const FittedTest& test, const CsvMarks& marks) {
+  write_csv(path, profile_fields(), points_of(test.analysis.record, profile_of(test)), frame_of(test), marks);
 }
 
 ResultTable draw_table(const FittedTest& test) {
@@ -179,6 +183,8 @@ ResultTable draw_table(const FittedTest& test) {
   return tabulated("draws", draw_fields(names), places, frame_of(test));
 }
 
-void write_draws(const std::string& path, const FittedTest& test) { write_csv(path, draw_table(test)); }
+void write_draws(const std::string& path, const FittedTest& test, const CsvMarks& marks) {
+  write_csv(path, draw_table(test), marks);
+}
 
 }  // namespace flexslip

@@ -48,15 +48,17 @@ struct BandPlace {
 // The names of the posterior samples must outlive the fields.
 Fields<BandPlace> draw_fields(std::span<const std::string> names);
 
-void write_curves(const std::string& path, const FittedTest& test);
+ResultTable curve_table(const FittedTest& test);
+
+void write_curves(const std::string& path, const FittedTest& test, const CsvMarks& marks = {});
 
 // Writes profile_fields.
-void write_profile(const std::string& path, const FittedTest& test);
+void write_profile(const std::string& path, const FittedTest& test, const CsvMarks& marks = {});
 
 // Writes friction along the specimen in the format of the model "table": length, mu (mean of the
 // fit), deviation, and the posterior samples draw_1, draw_2, ….
 // Domain:     analysis.status is ok; std::invalid_argument otherwise.
-void write_draws(const std::string& path, const FittedTest& test);
+void write_draws(const std::string& path, const FittedTest& test, const CsvMarks& marks = {});
 ResultTable draw_table(const FittedTest& test);
 
 }  // namespace flexslip

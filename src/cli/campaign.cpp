@@ -36,7 +36,8 @@ CampaignOptions campaign_options(const CampaignRequest& request) {
   options.analysis = [&request](const Test& input) { return options_for(input, request.flags); };
   options.threads = request.jobs;
   options.stop = &interrupted();
-  if (!request.report.empty()) keep_tests_in(request.report, request.test_reports, options, 10 * request.figure_width);
+  if (!request.report.empty())
+    keep_tests_in(request.report, request.test_reports, options, 10 * request.figure_width, request.output.csv);
   options.progress = progress_of("tests", request.output);
   return options;
 }
@@ -63,7 +64,8 @@ void run_campaign_command(const CampaignRequest& request) {
   if (!request.report.empty())
     note_pictures(request.output,
                   write_campaign_report(request.report, run.campaign,
-                                        request.figures ? std::optional(10 * request.figure_width) : std::nullopt));
+                                        request.figures ? std::optional(10 * request.figure_width) : std::nullopt,
+                                        request.output.csv));
   const auto without_answer = std::count_if(run.campaign.tests.begin(), run.campaign.tests.end(),
                                             [](const CampaignTest& test) { return !is_answered(test); });
   if (without_answer > 0)
@@ -91,6 +93,7 @@ void add_campaign_command(CLI::App& app) {
   command.add_flag("--full", request.full, "Print all tests and tables, not only what fits on one screen");
   add_threads_option(command, "-j,--jobs NUMBER", request.jobs, "Number of tests computed at the same time");
   add_analysis_options(command, request.flags);
+  add_csv_option(command, request.output);
   add_output_options(command, request.output);
   command.footer(
       "A table has a column for each key of a case file that differs between tests: \"file\", \"diameter [um]\", "

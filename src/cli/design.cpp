@@ -97,6 +97,7 @@ void add_design_command(CLI::App& app) {
   add_threads_option(command, "-j,--threads NUMBER", request.threads, "Number of tests computed at the same time");
   add_figure_option(command, request.figure);
   add_output_options(command, request.output, "text, or of CSV with --over");
+  add_csv_option(command, request.output);
   command.footer(
       "Says whether a specimen on this rig will snap and where first, what the record will show, how stiff the load\n"
       "train would have to be for no snap, and which single changes would reverse the answer. The case is one for\n"

@@ -51,6 +51,7 @@ void add_equilibrium_command(CLI::App& app) {
              "Length between the supports up to which to compute; without it, 1.5 spans");
   add_figure_option(command, request.figure);
   add_output_options(command, request.output, "CSV");
+  add_csv_option(command, request.output);
   command.footer(
       "Writes S,mu,w,F along the curve, or S,q,w,F over the region, in SI, or reduced if the case is. For a thick\n"
       "specimen, or on rollers, it also writes drawn_in, the length pulled in. The surface of a thick specimen slides\n"

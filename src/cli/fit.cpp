@@ -12,6 +12,7 @@
 #include "report/answer_documents.h"
 #include "report/page.h"
 #include "report/report.h"
+#include "report/workbook.h"
 
 namespace flexslip {
 namespace {
@@ -19,7 +20,7 @@ namespace {
 struct FitRequest {
   TestRequest test;
   AnalysisChoice analysis;
-  std::string profile, curves, draws, report;
+  std::string profile, curves, draws, workbook, report;
   double figure_width = 17;  // [cm]
   bool full = false;
   Output output;
@@ -34,11 +35,13 @@ void run_fit(const FitRequest& request) {
   });
   shown.reset();
 
-  if (!request.profile.empty()) write_profile(request.profile, test);
-  if (!request.curves.empty()) write_curves(request.curves, test);
-  if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test);
+  if (!request.profile.empty()) write_profile(request.profile, test, request.output.csv);
+  if (!request.curves.empty()) write_curves(request.curves, test, request.output.csv);
+  if (!request.draws.empty() && is_fitted(test)) write_draws(request.draws, test, request.output.csv);
   if (!request.draws.empty() && !is_fitted(test))
     note(request.output, fmt::format("{} is not written: there is no fit to draw profiles from", request.draws));
+  if (!request.workbook.empty())
+    write_workbook(request.workbook, test.name + ": friction in a bending test", sheets_of(test));
   if (!request.report.empty()) make_folder(request.report);
   write_words(
       request.output, [&] { return fit_json(test); },
@@ -65,6 +68,9 @@ void add_fit_command(CLI::App& app) {
   add_output_file(
       command, "--draws", request.draws,
       "Write the fitted friction and 20 profiles drawn from it to this CSV file, for [friction] model = \"table\"");
+  add_output_file(command, "--xlsx", request.workbook,
+                  "Write the answer, the parameters, and the readings with the fitted curve to this workbook");
+  add_csv_option(command, request.output);
   add_report_option(command, request.report, "Write report.html and figures/ into this folder", announce_report);
   add_figure_width_option(command, request.figure_width);
   command.add_flag("--full", request.full, "Print every table and remark, not only what fits on one screen");

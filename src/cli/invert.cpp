@@ -126,6 +126,7 @@ void add_invert_command(CLI::App& app) {
              "Thickness of the specimen, as friction acts at its surface; with --roller-radius, by default that "
              "of the case");
   add_output_options(command, request.output, "CSV");
+  add_csv_option(command, request.output);
   command.footer(
       "From CSV, in reduced variables (w in spans, F in EI/L^2), it writes w,F,S,q. A point that no friction explains "
       "is\n"

@@ -214,6 +214,13 @@ void add_output_options(CLI::App& command, Output& output, std::string_view othe
   add_output_option(command, output.path);
 }
 
+void add_csv_option(CLI::App& command, Output& output) {
+  add_option(command, "--csv-decimal MARK", output.csv.decimal,
+             "Decimal mark of written CSV: . or , (then ; between cells)")
+      ->check(CLI::IsMember({".", ","}).description(""))
+      ->capture_default_str();
+}
+
 void add_figure_option(CLI::App& command, std::string& path) {
   add_output_file(command, "--figure", path,
                   "Draw the result as FILE.svg, FILE.pdf or FILE.png, and write its gnuplot script and data next to it")

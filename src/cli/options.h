@@ -140,6 +140,8 @@ void add_output_option(CLI::App& command, std::string& path);
 void add_quiet_flag(CLI::App& command, Output& output);
 void add_output_flags(CLI::App& command, Output& output, const std::string& json);
 void add_output_options(CLI::App& command, Output& output, std::string_view otherwise = "text");
+// Adds --csv-decimal, for commands that write CSV.
+void add_csv_option(CLI::App& command, Output& output);
 
 // Add --figure; --figure-width [cm]; --report, and announce its files; --jobs, by default the number
 // of cores.

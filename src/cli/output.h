@@ -20,6 +20,7 @@ struct Output {
   std::string path = "-";  // file of the results; "-" is standard output
   bool json = false;
   bool quiet = false;
+  CsvMarks csv{};  // of every CSV file that the command writes
 };
 
 // Writes an answer in JSON or as text, or a table of rows.
@@ -31,7 +32,7 @@ void write_rows(const Output& output, const Fields<Answer>& all, const Answer& a
   if (output.json)
     write_json(output.path, all(answer, frame));
   else
-    write_csv(output.path, columns, rows, frame);
+    write_csv(output.path, columns, rows, frame, output.csv);
 }
 
 // Draws a figure, after the answer is written. If drawing fails, a remark says why only the script

@@ -199,7 +199,7 @@ void run_read(const ReadRequest& request) {
     write_json(request.output.path.empty() ? "-" : request.output.path, export_fields()({file, chosen}, {}));
     return;
   }
-  if (writes_table(request)) write_canonical(request.output.path, file, file.specimens[chosen]);
+  if (writes_table(request)) write_canonical(request.output.path, file, file.specimens[chosen], request.output.csv);
   if (writes_table(request) && request.output.quiet) return;
   std::ostream& screen = request.output.path == "-" && writes_table(request) ? std::cerr : std::cout;
   screen << summary_of(request, file, chosen) << std::flush;
@@ -223,6 +223,7 @@ void add_read_command(CLI::App& app) {
   command.get_option("--calibration")->excludes("--force-unit");
   command.add_flag("--full", request.full, "Also print the call that reads the file the same way again");
   add_output_flags(command, request.output, "Write JSON instead of the summary");
+  add_csv_option(command, request.output);
   add_output_file(command, "-o,--output", request.output.path,
                   "Write the readings as CSV to this file; - is standard output");
   command.footer(

@@ -89,6 +89,7 @@ void add_simulate_command(CLI::App& app) {
   add_repeated(command, "--equilibria-at LENGTH", request.equilibria_at,
                "Draw all equilibria at this stage position in the figure; may be repeated");
   add_output_options(command, request.output, "CSV");
+  add_csv_option(command, request.output);
   command.footer(
       "Writes w_s,w,F,S,q,motion: stage, deflection, force, length between the supports, mobilised friction and\n"
       "how the specimen moved there, in SI, or reduced if the case is. motion is stick, slip_in, slip_out, snap,\n"

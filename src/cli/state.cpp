@@ -140,6 +140,7 @@ void add_state_command(CLI::App& app) {
              "Thickness of the specimen, in spans; friction acts at its surface");
   command.add_flag("--slopes", request.slopes, "Also write the partial derivatives with respect to S and q");
   add_output_options(command, request.output, "CSV");
+  add_csv_option(command, request.output);
   command.footer(
       "Reads and writes reduced variables: lengths in spans L, forces in EI/L^2, energies in EI/L.\n"
       "Writes S,q,w,F,theta0,Pn,U,curvature: deflection, force, support slope, normal force at one support,\n"

@@ -109,7 +109,8 @@ void run_sweep(const SweepRequest& request) {
   try {
     const WhileInterruptible guard;
     const Stoppable stoppable(&interrupted());
-    write_table(request.output.path, designs.titles(), [&](std::vector<Cell>& cells) { return designs.next(cells); });
+    const auto next = [&](std::vector<Cell>& cells) { return designs.next(cells); };
+    write_table(request.output.path, designs.titles(), next, request.output.csv);
   } catch (const Stopped&) {
     throw Interrupted(request.output.path == "-" ? "interrupted"
                                                  : fmt::format("interrupted; {} is not written", request.output.path));
@@ -127,6 +128,7 @@ void add_sweep_command(CLI::App& app) {
              "Compute only these rows, counted from 1 and both included; LAST may be beyond the last one");
   add_threads_option(command, "-j,--threads NUMBER", request.threads, "Number of designs computed at the same time");
   add_output_option(command, request.output.path);
+  add_csv_option(command, request.output);
   add_quiet_flag(command, request.output);
   command.footer(
       "The section [sweep] names the numbers of the case that vary:\n"

@@ -29,7 +29,9 @@ std::string format_significant(double value, int digits) {
 }
 
 std::string Print::own(double value, const Kind& kind) const {
-  return std::isfinite(value) ? readable(value, as(kind)) : "not known";
+  if (!std::isfinite(value)) return "not known";
+  const std::string text = readable(value, as(kind));
+  return text.front() == '-' ? "\u2212" + text.substr(1) : text;
 }
 
 std::string format_count(std::size_t count, std::string_view one, std::string_view many) {

@@ -38,7 +38,7 @@ class Print {
   std::string length(double value) const { return own(scales_.physical_length(value), kind::length); }
   std::string force(double value) const { return own(scales_.physical_force(value), kind::force); }
   std::string energy(double value) const { return own(scales_.physical_energy(value), kind::energy); }
-  // An argument in the units of the test.
+  // An argument in the units of the test; a negative one has a minus sign, not a hyphen.
   std::string own(double value, const Kind& kind) const;
 
  private:

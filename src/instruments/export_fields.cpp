@@ -142,7 +142,7 @@ Fields<ToldExport> export_fields() {
              [chosen](E told) { return chosen(told).repeat_with; });
 }
 
-void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen) {
+void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen, const CsvMarks& marks) {
   std::vector<Metadatum> all = file.metadata;
   const bool of_several = file.specimens.size() > 1;  // the stated maximum force may belong to another specimen
   if (of_several) std::erase_if(all, states_maximum_force);
@@ -154,19 +154,21 @@ void write_canonical(std::ostream& out, const Export& file, const ExportedSpecim
   for (const ExportColumn& column : specimen.columns)
     titles.push_back(column.unit.empty() ? column.name : fmt::format("{} [{}]", column.name, column.unit));
   std::size_t row = 0;
-  write_table(out, titles, [&](std::vector<Cell>& cells) {
+  const auto next = [&](std::vector<Cell>& cells) {
     if (row == specimen.lines.size()) return false;
     cells.clear();
     for (const ExportColumn& column : specimen.columns)
       cells.push_back(column.words.empty() ? Cell(column.values[row]) : Cell(column.words[row]));
     ++row;
     return true;
-  });
+  };
+  write_table(out, titles, next, marks);
 }
 
-void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen) {
+void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen,
+                     const CsvMarks& marks) {
   std::ostringstream text;
-  write_canonical(text, file, specimen);
+  write_canonical(text, file, specimen, marks);
   write_text(path, text.str());
 }
 

@@ -22,9 +22,11 @@ Fields<ToldExport> export_fields();
 // the fewest digits that read back to the same bits. read_export reproduces columns, units and
 // values, and writing them again gives the same bytes.
 // Fails:      InputError if the output is incomplete.
-void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen);
+void write_canonical(std::ostream& out, const Export& file, const ExportedSpecimen& specimen,
+                     const CsvMarks& marks = {});
 
 // Writes the specimen to a file; "-" is standard output.
-void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen);
+void write_canonical(const std::string& path, const Export& file, const ExportedSpecimen& specimen,
+                     const CsvMarks& marks = {});
 
 }  // namespace flexslip

@@ -57,6 +57,7 @@ inline constexpr std::array<std::string_view, 3> area_moment{"um^4", "mm^4", "m^
 inline constexpr std::array<std::string_view, 5> energy{"pJ", "nJ", "uJ", "mJ", "J"};
 inline constexpr std::array<std::string_view, 1> angle{"rad"};
 inline constexpr std::array<std::string_view, 1> time{"s"};
+inline constexpr std::array<std::string_view, 4> speed{"nm/s", "um/s", "mm/s", "m/s"};
 }  // namespace shown_in
 
 inline constexpr Kind length{"a length", {.metre = 1}, shown_in::length, "1278 um"};
@@ -70,7 +71,7 @@ inline constexpr Kind area_moment{"an area moment", {.metre = 4}, shown_in::area
 inline constexpr Kind energy{"an energy", {2, 1, -2, 0}, shown_in::energy, "3.4 uJ"};
 inline constexpr Kind angle{"an angle", {.radian = 1}, shown_in::angle, "90 deg"};
 inline constexpr Kind time{"a time", {.second = 1}, shown_in::time, "0.5 s"};
-inline constexpr Kind speed{"a speed", {.metre = 1, .second = -1}, {}, "0.5 mm/s"};
+inline constexpr Kind speed{"a speed", {.metre = 1, .second = -1}, shown_in::speed, "0.5 mm/s"};
 inline constexpr Kind number{"a plain number", {}, {}, "0.5"};
 }  // namespace kind
 

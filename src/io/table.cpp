@@ -366,8 +366,9 @@ Table recognise(const SheetFile& file, const std::vector<WantedColumn>& wanted, 
   }
 }
 
-void append_word(fmt::memory_buffer& text, std::string_view word) {
-  if (word.find_first_of(",\"\r\n") == std::string_view::npos) {
+void append_word(fmt::memory_buffer& text, std::string_view word, const CsvMarks& marks) {
+  if (word.find_first_of("\"\r\n") == std::string_view::npos &&
+      word.find(marks.separator()) == std::string_view::npos) {
     text.append(word);
     return;
   }
@@ -379,11 +380,14 @@ void append_word(fmt::memory_buffer& text, std::string_view word) {
   text.push_back('"');
 }
 
-void append_cell(fmt::memory_buffer& text, const Cell& cell) {
-  if (const auto* number = std::get_if<double>(&cell))
+void append_cell(fmt::memory_buffer& text, const Cell& cell, const CsvMarks& marks) {
+  if (const auto* number = std::get_if<double>(&cell)) {
+    const std::size_t begin = text.size();
     fmt::format_to(fmt::appender(text), "{}", *number);
-  else
-    append_word(text, std::get<std::string>(cell));
+    std::replace(text.begin() + begin, text.end(), '.', marks.decimal);
+  } else {
+    append_word(text, std::get<std::string>(cell), marks);
+  }
 }
 
 }  // namespace
@@ -457,20 +461,21 @@ TextTable read_text_table(const std::string& path) {
   return table;
 }
 
-void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next) {
+void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next,
+                 const CsvMarks& marks) {
   constexpr std::size_t block = 1 << 16;  // [bytes] written to the stream at a time
   fmt::memory_buffer text;
   for (std::size_t i = 0; i < titles.size(); ++i) {
-    if (i > 0) text.push_back(',');
-    append_word(text, titles[i]);
+    if (i > 0) text.push_back(marks.separator());
+    append_word(text, titles[i], marks);
   }
   text.push_back('\n');
   for (std::vector<Cell> cells; next(cells);) {
     if (cells.size() != titles.size())
       throw std::invalid_argument(fmt::format("write_table: {} cells under {} titles", cells.size(), titles.size()));
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      if (i > 0) text.push_back(',');
-      append_cell(text, cells[i]);
+      if (i > 0) text.push_back(marks.separator());
+      append_cell(text, cells[i], marks);
     }
     text.push_back('\n');
     if (text.size() < block) continue;
@@ -482,10 +487,11 @@ void write_table(std::ostream& out, const std::vector<std::string>& titles, cons
   if (!out) throw InputError({.problem = "The table could not be written"});
 }
 
-void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next) {
+void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next,
+                 const CsvMarks& marks) {
   OutputFile file(path);
   try {
-    write_table(file.stream(), titles, next);
+    write_table(file.stream(), titles, next, marks);
   } catch (const InputError& error) {
     throw located(error, path == "-" ? "standard output" : path, 0, "");
   }

@@ -95,12 +95,21 @@ using Cell = std::variant<double, std::string>;
 // Supplies the cells of the next row; false after the last row.
 using NextRow = std::function<bool(std::vector<Cell>& cells)>;
 
+// The decimal mark of written CSV. A decimal comma leaves semicolons to separate the cells.
+struct CsvMarks {
+  char decimal = '.';  // or ','
+
+  constexpr char separator() const { return decimal == ',' ? ';' : ','; }
+};
+
 // Writes CSV with a header. Numbers have the fewest digits (at most 17) that read back to the same bits.
 // Domain:     a cell for each title; std::invalid_argument otherwise.
 // Fails:      InputError if the output is incomplete.
-void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next);
+void write_table(std::ostream& out, const std::vector<std::string>& titles, const NextRow& next,
+                 const CsvMarks& marks = {});
 
 // Writes the table to a file, completely or not at all (OutputFile); "-" is standard output.
-void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next);
+void write_table(const std::string& path, const std::vector<std::string>& titles, const NextRow& next,
+                 const CsvMarks& marks = {});
 
 }  // namespace flexslip

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "answers/standard_fields.h"
@@ -15,6 +16,7 @@
 #include "finding/finding.h"
 #include "report/document.h"
 #include "report/screen.h"
+#include "result/table.h"
 
 namespace flexslip {
 
@@ -25,8 +27,8 @@ namespace flexslip {
 // the next step; the checks.
 std::string fit_screen(const std::string& name, const Answer& answer, const ScreenStyle& style = {});
 
-// All rows of an answer, then its doubts, each with its remedy.
-Rows rows_of(const Answer& answer);
+// All doubts of an answer, each with its remedy.
+Rows full_doubts(const Answer& answer);
 
 // The chapters of the full answer, without its rows.
 // Domain:     a test of any status, which must outlive the chapters.
@@ -34,6 +36,10 @@ std::vector<Chapter> document_of(const FittedTest& test);
 
 // The full answer for a terminal: all rows, then the chapters.
 std::string fit_text(const FittedTest& test);
+
+// The sheets of a workbook: the answer in words, its parameters, and the readings with the fitted
+// curve.
+std::vector<std::pair<std::string, ResultTable>> sheets_of(const FittedTest& test);
 
 // The reason why a test has no answer, and what to check; "" if it has an answer.
 std::string why_no_answer(const FittedTest& test);

@@ -51,20 +51,28 @@ std::vector<std::string> links_to_tests(const std::string& folder, const Campaig
 // A file next to report.html.
 struct TableFile {
   const char *name, *holds;
-  void (*write)(const std::string& path, const Campaign& campaign);
+  void (*write)(const std::string& path, const Campaign& campaign, const CsvMarks& marks);
 };
-const std::array table_files{
-    TableFile{"tests.csv", "a row per test, SI",
-              [](const std::string& path, const Campaign& campaign) { write_csv(path, test_table(campaign)); }},
-    TableFile{"categories.csv", "a row per category, SI",
-              [](const std::string& path, const Campaign& campaign) { write_csv(path, category_table(campaign)); }},
-    TableFile{"specimens.csv", "typical specimen and spread of each category, SI",
-              [](const std::string& path, const Campaign& campaign) { write_csv(path, specimen_table(campaign)); }},
-    TableFile{"campaign.json", "all of it, for scripts",
-              [](const std::string& path, const Campaign& campaign) { write_json(path, campaign_json(campaign)); }},
-    TableFile{"campaign.xlsx", "for spreadsheets", [](const std::string& path, const Campaign& campaign) {
-                write_workbook(path, "Friction in bending tests", sheets_of(campaign));
-              }}};
+const std::array table_files{TableFile{"tests.csv", "a row per test, SI",
+                                       [](const std::string& path, const Campaign& campaign, const CsvMarks& marks) {
+                                         write_csv(path, test_table(campaign), marks);
+                                       }},
+                             TableFile{"categories.csv", "a row per category, SI",
+                                       [](const std::string& path, const Campaign& campaign, const CsvMarks& marks) {
+                                         write_csv(path, category_table(campaign), marks);
+                                       }},
+                             TableFile{"specimens.csv", "typical specimen and spread of each category, SI",
+                                       [](const std::string& path, const Campaign& campaign, const CsvMarks& marks) {
+                                         write_csv(path, specimen_table(campaign), marks);
+                                       }},
+                             TableFile{"campaign.json", "all of it, for scripts",
+                                       [](const std::string& path, const Campaign& campaign, const CsvMarks&) {
+                                         write_json(path, campaign_json(campaign));
+                                       }},
+                             TableFile{"campaign.xlsx", "for spreadsheets",
+                                       [](const std::string& path, const Campaign& campaign, const CsvMarks&) {
+                                         write_workbook(path, "Friction in bending tests", sheets_of(campaign));
+                                       }}};
 
 // True for unfinished files of an interrupted run, and for atlas pages, because their number may
 // have decreased.
@@ -83,23 +91,25 @@ void remove_from(const fs::path& folder, bool (*is_old)(const fs::path&)) {
 
 }  // namespace
 
-void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options, double figure_width) {
+void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options, double figure_width,
+                   const CsvMarks& marks) {
   make_folder(folder);
   options.folder = (fs::path(folder) / "tests").string();
-  options.present = [with_reports, figure_width](const FittedTest& test, const std::string& folder_of_test) {
+  options.present = [with_reports, figure_width, marks](const FittedTest& test, const std::string& folder_of_test) {
     const fs::path base(folder_of_test);
     write_json((base / "fit.json").string(), fit_json(test));
-    write_curves((base / "curves.csv").string(), test);
-    write_profile((base / "profile.csv").string(), test);
+    write_curves((base / "curves.csv").string(), test, marks);
+    write_profile((base / "profile.csv").string(), test, marks);
     if (with_reports) write_report(folder_of_test, test, figure_width);
   };
   options.presented = with_reports ? "report" : "";
 }
 
-Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, std::optional<double> figure_width) {
+Drawing write_campaign_report(const std::string& folder, const Campaign& campaign, std::optional<double> figure_width,
+                              const CsvMarks& marks) {
   make_folder(folder);
   remove_from(folder, is_unfinished);
-  for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign);
+  for (const TableFile& file : table_files) file.write((fs::path(folder) / file.name).string(), campaign, marks);
   if (!figure_width) return {};
   remove_from(fs::path(folder) / "figures", is_old_figure);
   std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "answers/fit_fields.h"
+#include "answers/profile_fields.h"
 #include "data/names.h"
 #include "finding/answer.h"
 #include "finding/printed.h"
@@ -52,6 +53,40 @@ std::string footer_of(const Answer& answer, std::size_t more_doubts, bool is_ful
   sentences.emplace_back("± is one standard error.");
   if (!is_full) sentences.emplace_back("More: --full");
   return fmt::format("{}", fmt::join(sentences, " "));
+}
+
+// ---- The workbook
+
+TableColumn column_of_words(const char* name) { return {name, false, kind::number, "", "", ""}; }
+TableColumn column_of_numbers(const char* name) { return {name, true, kind::number, "", "", ""}; }
+
+// Verdict, rows, doubts, checks and next step, as --full prints them.
+ResultTable line_table(const Answer& answer) {
+  ResultTable table{"answer", {column_of_words("line"), column_of_words("words")}, {}};
+  const auto add = [&](const Rows& rows) {
+    for (const AnswerRow& row : rows)
+      if (!row.words.empty()) table.rows.push_back({row.label, row.words});
+  };
+  add({{"verdict", sentence_of(answer.verdict)}});
+  add(all_rows(answer));
+  add(full_doubts(answer));
+  add({{"checks", checks_in_words(answer)}, {"next", answer.next}});
+  return table;
+}
+
+// A row for each parameter of the fit, in SI.
+ResultTable parameter_table(T test) {
+  ResultTable table{"parameters",
+                    {column_of_words("parameter"), column_of_numbers("value"), column_of_numbers("standard_error"),
+                     column_of_numbers("low"), column_of_numbers("high"), column_of_words("unit")},
+                    {}};
+  const auto cell = [](const Json& value) { return Cell(value.is_number() ? value.get<double>() : not_a_number); };
+  const Json all = fit_json(test);
+  for (const auto& [name, parameter] : all.at("parameters").items())
+    table.rows.push_back({name, cell(parameter.at("value")), cell(parameter.at("standard_error")),
+                          cell(parameter.at("interval95").at(0)), cell(parameter.at("interval95").at(1)),
+                          parameter.at("unit").get<std::string>()});
+  return table;
 }
 
 // ---- The chapters: the numbers of a group of the answer, and lists of it as tables
@@ -313,8 +348,8 @@ Chapter folded(Chapter chapter) {
 
 }  // namespace
 
-Rows rows_of(const Answer& answer) {
-  Rows rows = all_rows(answer);
+Rows full_doubts(const Answer& answer) {
+  Rows rows;
   for (const Finding& doubt : doubts_of(answer))
     rows.push_back({std::string(name_of(doubt.severity)), with_remedy(doubt)});
   return rows;
@@ -326,11 +361,17 @@ std::string fit_screen(const std::string& name, const Answer& answer, const Scre
   const std::size_t shown_doubts = style.is_full ? doubts.size() : std::min(doubts.size(), max_doubts);
   return in_text(
       Screen{.title = screen_title(name, fmt::format("{}. {}", verdict_word(code, style), meaning), {evidence}, style),
-             .rows = style.is_full ? rows_of(answer) : answer.rows,
-             .doubts = style.is_full ? Rows{} : doubt_rows(doubts, shown_doubts, style.width),
+             .rows = style.is_full ? all_rows(answer) : answer.rows,
+             .doubts = style.is_full ? full_doubts(answer) : doubt_rows(doubts, shown_doubts, style.width),
              .next = answer.next.empty() ? Rows{} : Rows{{"next", answer.next}},
              .footer = footer_of(answer, doubts.size() - shown_doubts, style.is_full)},
       style);
+}
+
+std::vector<std::pair<std::string, ResultTable>> sheets_of(const FittedTest& test) {
+  return {{"Answer", line_table(answer_of(test))},
+          {"Parameters", parameter_table(test)},
+          {"Curves", in_best_units(curve_table(test))}};
 }
 
 std::vector<Chapter> document_of(const FittedTest& test) {

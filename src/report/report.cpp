@@ -36,11 +36,8 @@ std::string date_of_today() {
 
 // The verdict, the rows, the objections and the next step.
 std::string head_of(const Answer& answer) {
-  Rows rows = rows_of(answer);
-  std::erase_if(rows, [&](const AnswerRow& row) {
-    return std::any_of(answer.details.begin(), answer.details.end(),
-                       [&](const AnswerRow& detail) { return detail.label == row.label && detail.words == row.words; });
-  });
+  Rows rows = answer.rows;
+  for (AnswerRow& doubt : full_doubts(answer)) rows.push_back(std::move(doubt));
   if (std::string checks = checks_in_words(answer); !checks.empty()) rows.push_back({"checks", std::move(checks)});
   if (!answer.next.empty()) rows.push_back({"next", answer.next});
   return answer_in_html(fmt::format("{} {}", answer.verdict.meaning, answer.verdict.evidence), &answer.verdict) +

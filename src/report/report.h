@@ -8,6 +8,7 @@
 #include "campaign/campaign_run.h"
 #include "case/fitted.h"
 #include "io/call_files.h"
+#include "io/table.h"
 #include "report/draw.h"
 
 namespace flexslip {
@@ -41,7 +42,7 @@ void announce_campaign_report(CallFiles& files, const std::string& folder, const
 // Fails:      throws InputError if the folder cannot be created; during the run as draw(), and
 //             InputError if a file cannot be written.
 void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions& options,
-                   double figure_width = two_columns);
+                   double figure_width = two_columns, const CsvMarks& marks = {});
 
 // Writes into the folder, replacing files of the same names:
 //   report.html   self-contained; with links to existing tests/<name>/report.html
@@ -52,6 +53,6 @@ void keep_tests_in(const std::string& folder, bool with_reports, CampaignOptions
 // Fails:      as draw(); throws InputError if a file cannot be written. The report names missing
 //             pictures with the reason.
 Drawing write_campaign_report(const std::string& folder, const Campaign& campaign,
-                              std::optional<double> figure_width = two_columns);
+                              std::optional<double> figure_width = two_columns, const CsvMarks& marks = {});
 
 }  // namespace flexslip

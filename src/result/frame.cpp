@@ -22,6 +22,7 @@ constexpr std::array quantities{
     Quantity{kind::number.dimension, "1", "1", itself},
     Quantity{kind::angle.dimension, "rad", "rad", itself},
     Quantity{kind::length.dimension, "m", "L", [](double x, const Scales& s) { return s.physical_length(x); }},
+    Quantity{kind::speed.dimension, "m/s", "L/s", [](double x, const Scales& s) { return s.physical_length(x); }},
     Quantity{kind::inverse_length.dimension, "1/m", "1/L",
              [](double x, const Scales& s) { return x * (1 / s.span()); }},
     Quantity{kind::force.dimension, "N", "EI/L^2", [](double x, const Scales& s) { return s.physical_force(x); }},

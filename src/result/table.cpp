@@ -103,15 +103,16 @@ std::vector<std::string> titles_of(const std::vector<TableColumn>& columns) {
   return titles;
 }
 
-void write_csv(const std::string& path, const ResultTable& table) {
+void write_csv(const std::string& path, const ResultTable& table, const CsvMarks& marks) {
   auto row = table.rows.begin();
-  write_table(path, titles_of(table.columns), [&](std::vector<Cell>& cells) {
+  const auto next = [&](std::vector<Cell>& cells) {
     if (row == table.rows.end()) return false;
     cells = *row++;
     for (Cell& cell : cells)
       if (auto* words = std::get_if<std::string>(&cell)) *words = without_formula(*words);
     return true;
-  });
+  };
+  write_table(path, titles_of(table.columns), next, marks);
 }
 
 TableUnit best_unit_of(std::vector<double> values, const Kind& kind) {

@@ -54,17 +54,19 @@ std::vector<std::string> titles_of(const std::vector<TableColumn>& columns);
 // Writes CSV with units in the titles. Numbers have the fewest digits that restore the same bits; a
 // missing number is "nan". Words that look like formulas are escaped.
 // Fails:      throws InputError if the file cannot be written.
-void write_csv(const std::string& path, const ResultTable& table);
+void write_csv(const std::string& path, const ResultTable& table, const CsvMarks& marks = {});
 
 // The same row by row, without storing the table.
 template <class Row, class Rows>
-void write_csv(const std::string& path, const Fields<Row>& fields, const Rows& rows, const Frame& frame) {
+void write_csv(const std::string& path, const Fields<Row>& fields, const Rows& rows, const Frame& frame,
+               const CsvMarks& marks = {}) {
   auto at = rows.begin();
-  write_table(path, titles_of(columns_of(fields.descriptions(), frame.reduced)), [&](std::vector<Cell>& cells) {
+  const auto next = [&](std::vector<Cell>& cells) {
     if (at == rows.end()) return false;
     cells = cells_of(fields, *at++, frame);
     return true;
-  });
+  };
+  write_table(path, titles_of(columns_of(fields.descriptions(), frame.reduced)), next, marks);
 }
 
 // The unit in which a column is shown.

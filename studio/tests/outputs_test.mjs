@@ -21,6 +21,9 @@ test("JSON and CSV have the bytes of the command line", { skip }, async () => {
   const shell = native(["fit", "simulated.toml", "--json", "--profile", "profile.csv", "--curves", "curves.csv"], example);
   assert.equal(text(await exported(tab, "All results"), "simulated.json"), shell.out);
   for (const [title, part] of [["Curves", "curves"], ["Friction along the specimen", "profile"]]) assert.equal(text(await exported(tab, title), `simulated-${part}.csv`), shell[`${part}.csv`], title);
+  const { "simulated.xlsx": book } = await exported(tab, "Workbook");
+  assert.equal(String(book.subarray(0, 2)), "PK");
+  assert.ok(book.length > 20_000, "a row for each reading");
   await tab.end();
 });
 

@@ -30,16 +30,6 @@ test("every answer: friction is shown where the program's own line has it, and o
   }
 });
 
-test("the lines of the screen are those that the program prints, none lost and none wrapped", { skip }, async () => {
-  const { screenOf } = await pageWords();
-  for (const name of ["simulated", "cracked", "cyclic"]) {
-    const printed = execFileSync(program, ["fit", join(root, "examples", name, "case.toml"), "--quiet"], { encoding: "utf8" }), { lines, foot } = screenOf(printed), flat = printed.replace(/\s+/g, " ");
-    assert.ok(lines.length >= 4 && lines.some(({ label }) => label === "next"), printed);
-    for (const { label, words } of lines) assert.ok(flat.includes(`${label} ${words}`), `${label}: ${words}`);
-    assert.match(foot, /checks .*passed.* ± is one standard error\.$/);
-  }
-});
-
 test("every drop says what the program reads from it", { skip }, async () => {
   const { dropInWords } = await pageWords();
   for (const name of ["simulated", "cracked", "cyclic"])

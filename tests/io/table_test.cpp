@@ -259,6 +259,9 @@ TEST_CASE("table: the text of a written table") {
   write_table(out, {"F [N]", "motion"}, rows_of({{0.0, "stick"}, {0.1, "slip, in"}, {std::nan(""), "say \"snap\""}}));
   CHECK(out.str() == "F [N],motion\n0,stick\n0.1,\"slip, in\"\nnan,\"say \"\"snap\"\"\"\n");
   CHECK_THROWS_AS(write_table(out, {"a", "b"}, rows_of({{1.0}})), std::invalid_argument);
+  std::ostringstream comma;
+  write_table(comma, {"F [N]", "motion"}, rows_of({{0.1, "slip, in"}, {std::nan(""), "in; out"}}), {.decimal = ','});
+  CHECK(comma.str() == "F [N];motion\n0,1;slip, in\nnan;\"in; out\"\n");
 }
 
 TEST_CASE("table: titles of columns") {

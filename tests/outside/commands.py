@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """outside: the commands' answers against the paper, closed forms and each other."""
+import csv
 import json
 import math
 import re
@@ -623,6 +624,40 @@ class Program(InFolder):
     def test_the_same_input_gives_the_same_bytes(self):
         truth = SOURCE / "examples/simulated/truth.toml"
         self.assertEqual(self.succeeds("simulate", truth, "--json"), self.succeeds("simulate", truth, "--json"))
+
+
+class DecimalComma(InFolder):
+    """Written CSV has the same cells with a decimal comma and semicolons, of every command."""
+
+    def same(self, plain, comma):
+        with_points = [[cell.replace(",", ".") for cell in row] for row in csv.reader(comma.splitlines(), delimiter=";") if not row[0].startswith("#")]
+        rows = [[cell.replace(",", ".") for cell in row] for row in csv.reader(plain.splitlines()) if not row[0].startswith("#")]
+        self.assertEqual(with_points, rows)
+        self.assertGreater(len(rows), 1)
+        self.assertRegex(comma, r"(?m)[\d,]+;")
+
+    def test_of_every_command_that_writes_one(self):
+        wavy, case = self.file("wavy.toml", WAVY), SOURCE / "examples/simulated/case.toml"
+        for call in (["simulate", wavy], ["equilibrium", wavy], ["invert", case], ["state", "--S", "1.01", "--q", "0.5"], ["read", SOURCE / "examples/simulated/test.csv", "-o", "-"],
+                     ["design", wavy, "--over", "mu0=0:1:3", "--over", "stiffness=10 N/m:1000 N/m:3"], ["sweep", wavy, "--set", 'sweep.method="grid"', "--set", "sweep.axes.mu0=[0.3,0.5]"]):
+            with self.subTest(call[0]):
+                self.same(run(*call, "--quiet").stdout, run(*call, "--quiet", "--csv-decimal", ",").stdout)
+        files = {name: [self.folder / f"{name}-{mark}.csv" for mark in ("point", "comma")] for name in ("profile", "curves", "draws")}
+        for i, mark in enumerate(".,"):
+            run("fit", case, "--csv-decimal", mark, *(words for name, paths in files.items() for words in (f"--{name}", paths[i])))
+            run("campaign", SOURCE / "examples", "--no-figures", "--report", self.folder / f"report-{i}", "--csv-decimal", mark)
+        for name in ("tests", "categories", "tests/simulated/curves", "tests/simulated/profile"):
+            files[name] = [self.folder / f"report-{i}/{name}.csv" for i in (0, 1)]
+        for name, paths in files.items():
+            with self.subTest(name):
+                self.same(*(path.read_text(encoding="utf-8") for path in paths))
+        self.refused("simulate", wavy, "--csv-decimal", ";", says=["--csv-decimal"])
+
+    def test_it_is_read_again_as_it_was_written(self):
+        for mark in ".,":
+            plain = self.succeeds("read", SOURCE / "examples/simulated/test.csv", "-o", "-", "--quiet", "--csv-decimal", mark)
+            again = self.succeeds("read", self.file("again.csv", plain), "-o", "-", "--quiet")
+            self.assertEqual(again, self.succeeds("read", SOURCE / "examples/simulated/test.csv", "-o", "-", "--quiet"))
 
 
 class Changes(InFolder):

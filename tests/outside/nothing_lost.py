@@ -64,7 +64,7 @@ class NothingLost(InFolder):
         fit = ["case.toml", "test.csv"]
         simulate = ["simulated.toml", "friction.csv", "stage.csv"]
         return [
-            (["fit", "case.toml"], fit, ["--output", "--profile", "--curves", "--draws"]),
+            (["fit", "case.toml"], fit, ["--output", "--profile", "--curves", "--draws", "--xlsx"]),
             (["modulus", "case.toml"], fit, ["--output"]),
             (["invert", "case.toml"], fit, ["--output"]),
             (["invert", "points.csv"], ["points.csv"], ["--output"]),

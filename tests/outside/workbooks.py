@@ -84,6 +84,30 @@ class Workbooks(InFolder):
             del fit["provenance"], fit["preparation"]
         self.assertEqual(*fits)
 
+    def test_the_workbook_of_a_fit_has_its_answer_its_parameters_and_its_curves(self):
+        path, curves = self.folder / "fit.xlsx", self.folder / "curves.csv"
+        fit = self.json("fit", EXAMPLE / "case.toml", "--xlsx", path, "--curves", curves)
+        book = openpyxl.load_workbook(path)
+        self.assertEqual(book.sheetnames, ["Answer", "Parameters", "Curves"])
+        lines = dict(list(book["Answer"].values)[1:])
+        self.assertEqual(lines, {"verdict": fit["verdict"]["sentence"], **{row["label"]: row["words"] for row in fit["answer"]}, "checks": fit["checks"], "next": fit["next"]})
+        for name, *cells, unit in list(book["Parameters"].values)[1:]:
+            parameter = fit["parameters"].pop(name)
+            self.assertEqual(unit, parameter["unit"])
+            for cell, value in zip(cells, (parameter["value"], parameter["standard_error"], *parameter["interval95"]), strict=True):
+                self.assertAlmostEqual(cell, value, delta=1e-15 * abs(value))  # 16 digits
+        self.assertEqual(fit["parameters"], {})
+        titles, *rows = book["Curves"].values
+        factors = {"m": 1, "mm": 1e-3, "µm": 1e-6, "nm": 1e-9, "N": 1, "mN": 1e-3, "µN": 1e-6, "nN": 1e-9}
+        for i, title in enumerate(titles):
+            name, _, unit = title.partition(" (")
+            wanted = numbers(curves.read_text(encoding="utf-8"), name if not unit else f"{name} [{'m' if unit[:-1].endswith('m') else 'N'}]")
+            for row, value in zip(rows, wanted, strict=True):
+                if math.isnan(value):
+                    self.assertIsNone(row[i])
+                else:
+                    self.assertAlmostEqual(row[i] * factors.get(unit[:-1], 1), value, delta=1e-14 * abs(value))
+
     def test_seventeen_digits_are_kept_to_the_last_bit(self):
         draw = random.Random(7)
         rows = [[draw.random() * 10.0 ** draw.randint(-12, 12), draw.uniform(-1, 1) * 10.0 ** draw.randint(-300, 300)] for _ in range(2000)]
@@ -201,15 +225,13 @@ class Workbooks(InFolder):
         copy("states", "S,q\n1.05,0.2\n1.1,0.25\n")
         copy("points", "w,F\n0.1,4\n0.11,4.5\n")
         case = WAVY.split("[friction]")[0] + '[friction]\nmodel = "table"\nfile = "friction.csv"\nlength = "S [mm]"\nmu = "mu"\n[stage]\nfile = "stage.csv"\nstage = "w_s [um]"\n'
-        calls = [["simulate", "case.toml"], ["state", "--csv", "states.csv"], ["invert", "--csv", "points.csv"]]
+        calls = [["simulate", "case.toml"], ["state", "states.csv"], ["invert", "points.csv"]]
         tried = 0
         for command, *rest in calls:
             answers = []
             for ending in (".csv", ".xlsx"):
                 self.file("case.toml", case.replace(".csv", ending))
                 arguments = [str(self.folder / each.replace(".csv", ending)) if "." in each else each for each in rest]
-                if "--csv" in arguments and "--csv" not in run(command, "--help").stdout:
-                    arguments.remove("--csv")
                 done = run(command, *arguments)
                 self.assertEqual(done.returncode, 0, (command, done.stderr))
                 answers.append(done.stdout.replace(ending, ""))

@@ -123,11 +123,12 @@ TEST_CASE("document: the rows of an answer and its doubts are printed by --full"
     test.judgement.friction_falls = true;
     test.analysis.statistics.rows_between_drops = 4;
   }));
-  const Rows rows = rows_of(answer);
-  REQUIRE(rows.size() == all_rows(answer).size() + 2);
-  CHECK(rows[all_rows(answer).size()].label == "doubt");
+  const Rows doubts = full_doubts(answer);
+  REQUIRE(doubts.size() == 2);
+  CHECK(doubts.front().label == "doubt");
   const std::string screen = fit_screen("test", answer, {.width = one_line, .is_full = true});
-  for (const AnswerRow& row : rows) CHECK(has(screen, row.words));
+  for (const Rows& rows : {all_rows(answer), doubts})
+    for (const AnswerRow& row : rows) CHECK(has(screen, row.words));
 }
 
 }  // namespace flexslip

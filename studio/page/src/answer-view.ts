@@ -1,6 +1,7 @@
-// The answer above the views: the verdict and the lines of the program's screen, which unfold; and the strip of the marked moment.
+// The answer above the views: the verdict and the lines of the program, which unfold; and the strip of the marked moment.
 
-import { dropInWords, forceInWords, isWithdrawn, slipOf, tellsFriction, type Line } from "./answer";
+import { doubtsOf, dropInWords, forceInWords, inWords, isWithdrawn, nextOf, slipOf, tellsFriction } from "./answer";
+import type { Line } from "./answers";
 import { byId, el, fill, rich } from "./dom";
 import { fixed, unitFor } from "./quantity";
 import type { Studio } from "./studio";
@@ -19,10 +20,10 @@ export function drawAnswer(studio: Studio): void {
     const more = question ? `${question.of > 1 ? `; ${question.of} questions are open` : ""}${studio.alike(test).length && OF_ALL_FILES.has(question.box) ? `. The answer holds for all ${studio.alike(test).length + 1} files` : ""}` : "";
     return fill(host, el("p", { class: "note" }, rows, more), el("h1", {}, question?.words ?? (busy || (refusal ? "Not fitted." : "Not fitted yet."))), question || busy ? null : el("p", { class: "say" }, refusal || "Press Fit."));
   }
-  const { sentence } = fit.answer.verdict, word = /^[^.:]*/.exec(sentence)![0], { lines, foot } = fit.screen, isLast = ({ label }: Line): boolean => label === "next" || label === "doubt", next = lines.filter(isLast);
-  const open = host.querySelector("details")?.open ?? false, folded = linesOf([...lines.filter((line) => !isLast(line)).slice(0, FIRST), ...next]);
-  const unfolded = el("details", { class: "all", toggle: () => (folded.hidden = unfolded.open) }, el("summary", {}, "All lines"), linesOf([...fit.answer.answer, ...next]), el("p", { class: "note" }, foot),
-    el("ul", { class: "note" }, ...fit.answer.findings.map(({ sentence: words, remedy }) => el("li", {}, withBoxes([words, remedy].filter(Boolean).join(" "))))));
+  const { answer, doubts, checks, findings, verdict: { sentence } } = fit.answer, word = /^[^.:]*/.exec(sentence)![0], next = nextOf(fit.answer), last = [...doubtsOf(fit.answer), ...next], others = findings.filter(({ code }) => !doubts.some((doubt) => doubt.code === code));
+  const open = host.querySelector("details")?.open ?? false, folded = linesOf([...answer.slice(0, FIRST), ...last]);
+  const unfolded = el("details", { class: "all", toggle: () => (folded.hidden = unfolded.open) }, el("summary", {}, "All lines"), linesOf([...answer, ...last]), el("p", { class: "note" }, `${checks} ± is one standard error.`.trim()),
+    el("ul", { class: "note" }, ...others.map((finding) => el("li", {}, withBoxes(inWords(finding))))));
   unfolded.open = open;
   fill(host, refusal && el("p", { class: "say" }, refusal, " Below stands the answer before that."), el("h1", {}, el("b", {}, word), withBoxes(sentence.slice(word.length))),
     isWithdrawn(fit.answer) ? linesOf(next) : folded, isWithdrawn(fit.answer) ? null : unfolded);

@@ -1,22 +1,12 @@
-// What a fit comes to, in the program's own lines: its screen, its verdict, its readings of drops. The page words and judges nothing itself.
+// What a fit comes to, in the program's own words: its verdict, its rows and doubts, its readings of drops. The page words and judges nothing itself.
 
-import type { Drop, FitAnswer } from "./answers";
+import type { Drop, Finding, FitAnswer, Line } from "./answers";
 import { fixed, unitFor, written } from "./quantity";
 
-export interface Line { label: string; words: string }
-/** What `flexslip fit` prints below the verdict: its rows, and what it says of the checks. */
-export interface Screen { lines: Line[]; foot: string }
-
-export function screenOf(text: string): Screen {
-  const all = text.trimEnd().split("\n"), begin = all.indexOf("") + 1, lines: Line[] = [];
-  for (const line of all.slice(begin)) {
-    const row = /^ {2}(\S.*?) {2,}(\S.*)$/.exec(line), more = /^ {4,}(\S.*)$/.exec(line);
-    if (row) lines.push({ label: row[1]!, words: row[2]! });
-    else if (more && lines.length) lines[lines.length - 1]!.words += ` ${more[1]}`;
-  }
-  const foot = all.slice(begin).filter((line) => !line.startsWith(" ")).join(" ");
-  return { lines, foot: foot.replace(/ ?More: --full$/, "") };
-}
+export const inWords = ({ sentence, remedy }: Finding): string => [sentence, remedy].filter(Boolean).join(" ");
+/** What casts doubt on the answer, and what to do next: below its rows. */
+export const doubtsOf = (fit: FitAnswer): Line[] => fit.doubts.map((doubt) => ({ label: doubt.severity, words: inWords(doubt) }));
+export const nextOf = ({ next }: FitAnswer): Line[] => (next ? [{ label: "next", words: next }] : []);
 
 export type Slip = "could" | "undecided" | "no";
 export const slipOf = (drop: Drop): Slip => (drop.slip === "possible" ? "could" : drop.slip === "too_short" ? "undecided" : "no");

@@ -2,14 +2,16 @@
 
 export interface Estimate { value: number; standard_error: number; interval95: [number, number]; unit: string }
 export type ParameterName = "mu0" | "amplitude" | "wavelength" | "phase" | "drift" | "reference" | "roughness" | "correlation_length" | "bending_stiffness" | "contact_offset";
-export interface Finding { sentence: string; remedy: string }
+export interface Line { label: string; words: string }
+export interface Finding { code: string; severity: string; sentence: string; remedy: string }
 export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: number | null; mu_before: number | null; mu_after: number | null;
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null }
 export interface ProfilePoint { row: number; length: number; mu: number; mu_error: number; mu_error_force: number }
-/** Deflection and force are those of its points, from the turn before it on. */
-export interface Pass { direction: "in" | "out"; rows: [number, number]; sliding_rows: number; friction: Estimate | null; deflection: number[]; force: number[] }
+/** Deflection and force are those of its points, from the turn before it on; length, mobilised friction and whether it slides those of the rows that the fit takes. */
+export interface Pass { direction: "in" | "out"; rows: [number, number]; friction: Estimate | null; deflection: number[]; force: number[]; drawn_in: number[]; q: number[]; slides: number[] }
+export interface Causes { slips: number | null; cracks: number | null; both: number | null }
 export interface Wave { claimed: boolean; amplitude: Estimate; wavelength: Estimate }
 
 export interface Sensitivity { quantity: string; title: string; stated: string; may_be_off: string; friction: number; friction_moves: number; work_moves: number | null }
@@ -18,8 +20,8 @@ export interface FitAnswer {
   status: string; name: string; model: string;
   parameters: Partial<Record<ParameterName, Estimate>> & { mu0?: Estimate & { bound?: boolean } };
   residual_rms: number | null; wave: Wave | null;
-  answer: { label: string; words: string }[]; passes: { passes: Pass[] } | null;
-  verdict: { code: string; sentence: string }; findings: Finding[]; next: string;
+  answer: Line[]; passes: { status: string; settled: Estimate | null; passes: Pass[] } | null; judgement: { causes: Causes | null } | null;
+  verdict: { code: string; sentence: string }; doubts: Finding[]; checks: string; findings: Finding[]; next: string;
   drops: Drop[]; slips: { slips: { length_before: number; length_after: number }[] } | null;
   sensitivities: Sensitivity[];
   band: { length: number[]; mean: number[]; deviation: number[] } | null;

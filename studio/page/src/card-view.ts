@@ -18,9 +18,10 @@ interface Box { name: string; value: string; example: string; yours: boolean; ta
 type Control = Pick | Box;
 
 const MARKS: Record<string, string> = { ",": "comma", ";": "semicolon", "\t": "tab", tab: "tab", " ": "blanks", space: "blanks", ".": "point" };
+const MOVES = ["crosshead", "deflection", "displacement"];  // roles of a column of displacement
 const ENCODINGS = ["utf-8", "utf-16le", "utf-16be", "cp1252", "shift-jis"];
 const WITH_PARAMETERS = ["span", "diameter", "height", "load train", "radius"];  // stand there where there are parameters
-const WHEN_ASKED = ["displacement unit", "force unit", "span", "load train"];    // empty, they wait until the program asks for them
+const WHEN_ASKED = ["displacement unit", "force unit", "span", "load train", "speed"];  // empty, they wait until the program asks for them
 
 export class CardView {
   private shown: unknown[] = [];
@@ -205,6 +206,11 @@ export class CardView {
       quantity("radius", "tipRadius", "a length", "length", "5 mm", text?.quantity("rig.roller_radius") ?? null);
       return all;
     }
+    if (settings.speed !== undefined || (read && !read.columns.some(({ role }) => MOVES.includes(role))))
+      all.push({ name: "speed", example: "1 mm/min", yours: settings.speed !== undefined && !test.taken.has("speed"), value: settings.speed ?? "", take: (words) => {
+        if (words !== "") this.studio.model.quantity(words, "a speed");
+        this.decide({ speed: words === "" ? undefined : words });
+      } });
     const { test: stated } = read ?? { test: { span: null, diameter: null, width: null, thickness: null } };
     const section = settings.section ?? (stated.width && !settings.diameter ? "rectangle" : "round");
     quantity("span", "span", "a length", "length", "1278 um", stated.span);

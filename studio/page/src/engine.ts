@@ -35,7 +35,7 @@ export interface Mechanics {
   quantity(words: string, kind: QuantityKind): number;
   unit(words: string, kind: QuantityKind): number;
 }
-export type QuantityKind = "a length" | "a stiffness" | "a modulus" | "a bending stiffness" | "a force" | "a time" | "an angle" | "a plain number";
+export type QuantityKind = "a length" | "a stiffness" | "a modulus" | "a bending stiffness" | "a force" | "a time" | "a speed" | "an angle" | "a plain number";
 export interface Rig {
   span: number;              // [m]
   diameter: number;          // [m] depth of the section; 0: friction acts at the axis

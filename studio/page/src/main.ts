@@ -12,6 +12,7 @@ import { ForceView } from "./force-view";
 import { FrictionView } from "./friction-view";
 import { closeDialog, listenToKeys, openKeys } from "./keys";
 import { outputsOf } from "./outputs";
+import { PassesView } from "./passes-view";
 import { ParametersView } from "./parameters-view";
 import { isAllowed, type Key } from "./parameters";
 import { ProgrammeView } from "./programme-view";
@@ -42,7 +43,7 @@ async function start(): Promise<void> {
   startTheme(remembered("theme"));
   const program = openProgram(), studio = new Studio(program, openMechanics());
   const force = new ForceView(studio), rows = new RowsView(studio), friction = new FrictionView(studio), fibre = new FibreView(studio);
-  const programme = new ProgrammeView(studio), parameters = new ParametersView(studio), card = new CardView(studio);
+  const programme = new ProgrammeView(studio), parameters = new ParametersView(studio), passes = new PassesView(studio), card = new CardView(studio);
 
   // ---- views
   const has = (topics: ReadonlySet<Topic>, ...of: Topic[]): boolean => of.some((topic) => topics.has(topic));
@@ -69,6 +70,7 @@ async function start(): Promise<void> {
   studio.listen("The specimen", ["moment", "model", "view"], () => fibre.draw());
   studio.listen("The programme", ["answer", "programme", "view", "card", "moment"], (topics) => (has(topics, "answer", "programme", "view", "card") ? programme.draw() : programme.mark()));
   studio.listen("The parameters", ["model", "parameters"], () => parameters.draw());
+  studio.listen("The passes", ["answer", "tests", "view"], () => passes.draw());
   studio.listen("The line of the fit", ["model", "fitting", "progress", "parameters"], () => parameters.drawFit());
   studio.listen("The pinned curves", ["pins"], () => drawPins(studio));
   studio.listen("The first steps", ["tour", "view", "answer"], () => drawTour(studio));
@@ -84,7 +86,7 @@ async function start(): Promise<void> {
     cancelAnimationFrame(sized);
     sized = requestAnimationFrame(() => studio.tell("view"));
   });
-  for (const id of ["force-plot", "friction-plot", "programme-plot"]) watcher.observe(byId(id));
+  for (const id of ["force-plot", "friction-plot", "programme-plot", "boxes-plot"]) watcher.observe(byId(id));
 
   // ---- what comes in
   const refuse = (sentence: string): void => studio.report(sentence);
@@ -292,6 +294,7 @@ function drawHead(studio: Studio): void {
   classList.toggle("asked", test !== null && questionOf(test) !== null);
   classList.toggle("answered", fit !== null && !isWithdrawn(fit.answer));
   classList.toggle("told", fit !== null && tellsFriction(fit.answer));
+  classList.toggle("passed", fit !== null && !isWithdrawn(fit.answer) && fit.answer.passes?.status === "ok");
   document.title = test ? `${test.name} – FlexSlip studio` : "FlexSlip studio";
   if (!test) return fill(byId("what"));
   const m = fit?.answer.measurement;

@@ -65,7 +65,7 @@ async function pngOf(figure: Drawn): Promise<Blob> {
 }
 
 const YTITLES: Readonly<Record<string, string>> = { force: "*F*", friction: "friction *μ*" };
-const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the specimen"], ["specimen", "fibre-plot", "The specimen"]] as const;
+const FIGURES = [["force", "force-plot", "Force"], ["friction", "friction-plot", "Friction along the specimen"], ["specimen", "fibre-plot", "The specimen"], ["boxes", "boxes-plot", "Friction of each pass"]] as const;
 
 async function copyCommand(command: string): Promise<void> {
   const copied = await navigator.clipboard?.writeText(command).then(() => true, () => false);
@@ -90,12 +90,16 @@ export function outputsOf(studio: Studio, link: () => Promise<void>): (Output | 
     test.saved = fit;
   } });
   const all: (Output | null)[] = [
-    { title: "Report", note: "HTML, one file", save: () => report(studio, test, Object.fromEntries(drawings().map(([part, { text }]) => [part, text]))) },
+    { title: "Report", note: "HTML, one file", save: async () => {
+      const figures = Object.fromEntries(drawings().map(([part, { text }]) => [part, text])), html = await written(studio, test, ["--report", "report"], "report/report.html");
+      download(`${name}-report.html`, withFigures(new TextDecoder().decode(html), figures), "text/html");
+    } },
     { title: "Figures", note: "SVG, 170 mm", save: () => figures("svg") },
     { title: "Figures", note: "PNG, 300 dpi, 170 mm", save: () => figures("png") },
     null,
     { title: "Curves", note: "CSV", save: () => download(`${name}-curves.csv`, bytes(OUTPUTS.curves), csv) },
     { title: "Friction along the specimen", note: "CSV, with errors", save: () => download(`${name}-profile.csv`, bytes(OUTPUTS.profile), csv) },
+    { title: "Workbook", note: "XLSX: answer, parameters, curves", save: async () => download(`${name}.xlsx`, (await written(studio, test, ["--xlsx", "fit.xlsx"], "fit.xlsx")).slice(), "application/vnd.openxmlformats-officedocument.spreadsheetml.sheet") },
     { title: "All results", note: "JSON", save: () => download(`${name}.json`, fit.json, "application/json") },
     { title: "Case file", note: "TOML, runs in a shell", save: () => download(`${name}.toml`, fit.answer.provenance.case, text) },
     null,
@@ -117,16 +121,18 @@ export function withFigures(html: string, figures: Record<string, string>): stri
 const CAPTIONS: Readonly<Record<string, string>> = {
   force: "Force as measured, and as the model has it. Dashed: Euler–Bernoulli; dotted: without friction. Marks: the drops, with their load lines.",
   friction: "Friction along the specimen: points inverted from the force, with the errors of its noise. Line and band: the fit, with its 95 % interval. Bars: the slips.",
+  boxes: "Mobilised friction of each pass against the length slid over one support, at the bending stiffness of the fit. The specimen slides in along +μ, sticks while the stage turns back, and slides out along −μ. Grey: it sticks there, or only one pass came this far.",
 };
 
-async function report(studio: Studio, test: Test, figures: Record<string, string>): Promise<void> {
+/** A file that the program writes beside the answer, with these flags more. */
+async function written(studio: Studio, test: Test, flags: string[], file: string): Promise<Uint8Array> {
   const commands = test.commands(), args = commands[commands.length - 1]!, lane = studio.program.another();
   try {
     let files = test.files;
     if (commands.length > 1) files = { ...files, ...(await lane.run(commands[0]!, files)).files };
-    const answer = await lane.run([...args, "--report", "report", "--quiet"], files), page = answer.files["report/report.html"];
-    if (!page) throw new Error(sentence(answer.err));
-    download(`${test.name}-report.html`, withFigures(new TextDecoder().decode(page), figures), "text/html");
+    const answer = await lane.run([...args, ...flags, "--quiet"], files), bytes = answer.files[file];
+    if (!bytes) throw new Error(sentence(answer.err));
+    return bytes;
   } finally {
     lane.cancel();
   }

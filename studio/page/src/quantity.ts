@@ -1,5 +1,7 @@
 // Numbers with units: read as people write them, shown with as many digits as their error allows.
 
+import type { Estimate } from "./answers";
+
 // The program's units (src/io/quantity.cpp), to SI: tests/outside/units.py holds that none is missing, and none more.
 const PREFIXES: Record<string, number> = { f: 1e-15, p: 1e-12, n: 1e-9, u: 1e-6, "µ": 1e-6, "μ": 1e-6, m: 1e-3, c: 1e-2, d: 1e-1, k: 1e3, M: 1e6, G: 1e9, T: 1e12 };
 const WITH_PREFIX: Record<string, number> = { m: 1, g: 1e-3, s: 1, N: 1, Pa: 1, J: 1, rad: 1 };
@@ -76,6 +78,19 @@ export const minus = (text: string): string => text.replace("-", "−");
 export const fixed = (value: number, digits: number): string => minus(value.toFixed(Math.max(0, Math.min(12, digits))));
 /** "+0.044", "−0.044". */
 export const signed = (value: number, digits: number): string => `${value < 0 ? "" : "+"}${fixed(value, digits)}`;
+
+/** "0.508 ± 0.024": with two digits of the error. */
+export function withError({ value, standard_error: error }: Estimate, u: Unit = plainUnit): string {
+  const digits = 1 - Math.floor(Math.log10(Number((error / u.factor).toPrecision(2))));
+  return `${fixed(value / u.factor, digits)} ± ${fixed(error / u.factor, digits)} ${u.name}`.trim();
+}
+
+/** A probability as the program prints it: at its threshold with the digits that show on which side. */
+export function probability(share: number): string {
+  const percent = 100 * share, away = Math.abs(Math.abs(percent - 50) - 45);
+  if (away >= 0.5 && (percent < 1 || percent > 99)) return percent < 1 ? "below 1 %" : "above 99 %";
+  return `${fixed(percent, away < 0.05 ? 2 : away < 0.5 ? 1 : 0)} %`;
+}
 
 /** Three significant digits, without an exponent where that reads well. */
 export function significant(value: number, digits = 3): string {

@@ -13,7 +13,7 @@ type Measured = "span" | "diameter" | "wall" | "width" | "height" | "modulus" | 
 
 export interface Settings extends Partial<Record<`${Measured}Off`, string>> {
   read: Partial<Record<(typeof READ_FLAGS)[number], string>>;
-  specimen?: string; sheet?: string; calibration?: string;
+  specimen?: string; sheet?: string; calibration?: string; speed?: string;
   displacement?: "crosshead" | "deflection";
   sign?: string; zero?: string; contact?: string; failure?: string; first?: number; until?: number;
   section?: "round" | "tube" | "rectangle"; supports?: "edges" | "rollers";
@@ -50,7 +50,7 @@ export function flagsOfData(settings: Settings): string[] {
   const EI = settings.heldStiffness;
   return [
     ...flag("displacement", settings.displacement),
-    ...flag("sheet", settings.sheet), ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration),
+    ...flag("sheet", settings.sheet), ...flag("specimen", settings.specimen), ...flag("calibration", settings.calibration), ...flag("speed", settings.speed),
     ...flag("span", stated(settings, "span")), ...SECTIONS[settings.section ?? "round"].flatMap((name) => flag(name, stated(settings, name))),
     ...flag("modulus", stated(settings, "modulus")), ...flag("stiffness", stated(settings, "stiffness")),
     ...flag("supports", settings.supports ?? (settings.tipRadius ? "rollers" : undefined)),

@@ -20,7 +20,7 @@ const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", su
 const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
 /** What is said of one file and holds for others of the same rig; a specimen is that of its file. */
-export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration"]);
+export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration", "speed"]);
 const OF_ITS_COLUMNS = ["displacement-unit", "force-unit"] as const;  // likewise, for files with the same columns
 export const ERROR_LINE = "The line of errors";  // which cannot say that it was not drawn
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
@@ -59,13 +59,11 @@ export class Studio {
   private computed = false;  // and is that of the values as they stand
 
   private readonly reader: Program;  // what is dropped while a fit runs is read and seen
-  private readonly printer: Program;  // prints the screen of a fit beside it
   private line: Promise<void> = Promise.resolve();  // of fits: one runs at a time
 
   /** A fit is under way while the mechanics are still opened. */
   constructor(readonly program: Program, mechanics: Promise<Mechanics>) {
     this.reader = program.another();
-    this.printer = program.another();
     this.ready = mechanics.then((opened) => void (this.model = new Model(opened)));
     this.ready.catch(() => undefined);  // said by each fit
   }
@@ -335,7 +333,7 @@ export class Studio {
     const before = this.state;
     if (!this.fit) void this.ready.then(() => setTimeout(() => this.fitting === fitting && this.prepare(test), SOON), () => undefined);
     try {
-      const fit = await test.analyse(this.program, this.printer, (line) => {
+      const fit = await test.analyse(this.program, (line) => {
         fitting.said = line;
         if (!test.fit && test.refusal) (test.refusal = ""), this.tell("card", "answer");  // the program asks no more
         this.tell("progress");
@@ -383,7 +381,6 @@ export class Studio {
     if (this.fitting && this.fitting.test === test) {
       this.fitting = null;
       this.program.cancel();
-      this.printer.cancel();
     }
     this.tell("fitting");
   }

@@ -1,6 +1,5 @@
 // One test: its files, what the program read in them, what was decided, and its last fit.
 
-import { screenOf, type Screen } from "./answer";
 import { sentence, type FitAnswer, type ReadAnswer } from "./answers";
 import { CaseText } from "./case-text";
 import type { Program } from "./engine";
@@ -14,7 +13,7 @@ export type Files = Record<string, Uint8Array>;
 
 /** A fit, with all that the program wrote: what is shown and what is exported are the same bytes. */
 export interface Fit {
-  json: string; screen: Screen; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
+  json: string; settings: string; answer: FitAnswer; files: Files;  // profile.csv, curves.csv, draws.csv
   given: Files;  // what it was made of beside the test's files: the plain table, where the file was read otherwise than found
   curves: Table; rows: Float64Array; text: CaseText;
   friction: FittedFriction; fitted: Values; wave: boolean; parameters: Parameter[]; greatestStage: number;
@@ -116,8 +115,8 @@ export class Test {
     }
   }
 
-  /** Fits, by the command of `commands`; beside it another Worker prints the screen of the same command. Throws the program's sentence; the last fit stays. */
-  async analyse(program: Program, printer: Program, progress?: (line: string) => void): Promise<Fit> {
+  /** Fits, by the command of `commands`. Throws the program's sentence; the last fit stays. */
+  async analyse(program: Program, progress?: (line: string) => void): Promise<Fit> {
     let files = this.files, given: Files = {};
     const settings = JSON.stringify(this.settings);
     const commands = this.commands();
@@ -129,24 +128,22 @@ export class Test {
     }
     const args = commands[commands.length - 1]!;
     const outputs = Object.entries(OUTPUTS).flatMap(([flag, name]) => [`--${flag}`, name]);
-    const printed = printer.run([...args, "--quiet"], files);
-    printed.catch(() => undefined);
     const answer = await program.run([...args, "--json", ...outputs], files, progress);
     if (!answer.out.trimStart().startsWith("{")) throw new Error(sentence(answer.err));
-    return fitOf(answer.out, screenOf((await printed).out), answer.files, settings, given);
+    return fitOf(answer.out, answer.files, settings, given);
   }
 }
 
 const decode = (bytes: Uint8Array | undefined): string => (bytes ? new TextDecoder().decode(bytes) : "");
 
-function fitOf(json: string, screen: Screen, files: Files, settings: string, given: Files = {}): Fit {
+function fitOf(json: string, files: Files, settings: string, given: Files = {}): Fit {
   const answer = JSON.parse(json) as FitAnswer;
   const text = new CaseText(answer.provenance.case), fitted = valuesOf(answer, text);
   const wave = !!answer.wave?.claimed && answer.model === "roughness";
   const curves = new Table(decode(files[OUTPUTS.curves]));
   const stage = curves.column("w_s") ?? new Float64Array(0);
   return {
-    json, screen, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
+    json, settings, answer, files, given, curves, rows: curves.column("row") ?? new Float64Array(0), text, fitted, wave,
     friction: new FittedFriction(answer, new Table(decode(files[OUTPUTS.draws])), frictionOf(fitted, wave)),
     passes: passesOf(answer, fitted.kc),
     parameters: parametersOf(answer, fitted, text.words("specimen.height") === null), greatestStage: stage.reduce((a, b) => Math.max(a, b), 0),
@@ -161,6 +158,6 @@ function rowsOf(table: Table, read: ReadAnswer): Rows | null {
     }
     return null;
   };
-  const stage = column(["crosshead", "displacement", "deflection"]), force = column(["force"]);
+  const stage = column(["crosshead", "displacement", "deflection", "time"]), force = column(["force"]);
   return stage && force ? { stage: stage.values, force: force.values, titles: { stage: stage.title, force: force.title } } : null;
 }

@@ -1,12 +1,13 @@
 // The list of tests with their verdicts, and the pinned curves.
 
+import { doubtsOf } from "./answer";
 import { remarksOf, sentence, type FitAnswer } from "./answers";
 import { byId, el, fill, svg } from "./dom";
 import { openDialog } from "./keys";
 import { download } from "./outputs";
 import { greatest } from "./plot";
 import { isStale, messageOf, type Studio } from "./studio";
-import type { Files, Fit, Test } from "./test";
+import type { Files, Test } from "./test";
 import { inPageWords, questionOf, withBoxes } from "./words";
 
 /** The curve from 60 to 100 % of its greatest force, in 84 by 24. */
@@ -36,7 +37,7 @@ function badgeOf(studio: Studio, test: Test): HTMLElement {
   return badge(wordOf(fit), KINDS[fit.verdict.code] ?? "warn");
 }
 const wordOf = (fit: FitAnswer): string => /^[^.:]*/.exec(fit.verdict.sentence)![0];
-const lineOf = (fit: Fit, ...labels: string[]): string => fit.screen.lines.filter(({ label }) => labels.includes(label)).map(({ words }) => withBoxes(words)).join(" ");
+const lineOf = (fit: FitAnswer, label: string): string => withBoxes(fit.answer.find((line) => line.label === label)?.words ?? "");
 
 export function drawTests(studio: Studio): void {
   const focus = document.activeElement?.closest("#tests") !== null && document.activeElement?.closest("#tests") !== undefined;
@@ -54,7 +55,7 @@ export function drawTests(studio: Studio): void {
         event.preventDefault();
         event.stopPropagation();
       },
-    }, el("b", {}, test.name), spark(test), badgeOf(studio, test), el("span", { class: "note" }, test.fit ? lineOf(test.fit, "friction") : "")),
+    }, el("b", {}, test.name), spark(test), badgeOf(studio, test), el("span", { class: "note" }, fit ? lineOf(fit, "friction") : "")),
       el("button", { class: "away", tabindex: selected ? 0 : -1, title: "Take away (Del); undo brings it back", "aria-label": `Take ${test.name} away`, click: () => studio.remove(test) }, "×"));
   }));
   if (focus) byId("tests").querySelector<HTMLElement>(".selected .test")?.focus();
@@ -63,7 +64,7 @@ export function drawTests(studio: Studio): void {
 /** All tests in a table; its rows as CSV are those of `flexslip campaign`, which evaluates them together. */
 export function openTests(studio: Studio): void {
   const fitted = studio.tests.filter((test) => test.fit);
-  const row = ({ name, fit }: Test): HTMLElement => el("tr", {}, el("th", { scope: "row" }, name), ...[wordOf(fit!.answer), lineOf(fit!, "friction"), lineOf(fit!, "work"), lineOf(fit!, "doubt")].map((words) => el("td", { class: "words" }, words)));
+  const row = ({ name, fit }: Test): HTMLElement => el("tr", {}, el("th", { scope: "row" }, name), ...[wordOf(fit!.answer), lineOf(fit!.answer, "friction"), lineOf(fit!.answer, "work"), doubtsOf(fit!.answer).map(({ words }) => withBoxes(words)).join(" ")].map((words) => el("td", { class: "words" }, words)));
   const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
     save.disabled = true;
     try {

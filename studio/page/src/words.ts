@@ -4,14 +4,14 @@ import type { Test } from "./test";
 
 /** The box, or the line of the card, that says what a flag of `read` and `fit` does. */
 export const BOXES: Readonly<Record<string, string>> = {
-  "encoding": "encoding", "separator": "format", "decimal": "format", "thousands": "format", "time": "time", "crosshead": "displacement", "deflection": "displacement", "stage": "displacement", "displacement-column": "displacement",
+  "encoding": "encoding", "separator": "format", "decimal": "format", "thousands": "format", "time": "time", "speed": "speed", "crosshead": "displacement", "deflection": "displacement", "stage": "displacement", "displacement-column": "displacement",
   "force": "force", "displacement": "measures", "displacement-unit": "displacement unit", "force-unit": "force unit", "time-unit": "time", "calibration": "volts", "sheet": "sheet", "specimen": "specimen",
   "span": "span", "stiffness": "load train", "supports": "supports", "diameter": "diameter", "inner-diameter": "wall", "wall": "wall", "width": "width", "height": "height", "modulus": "modulus", "bending-stiffness": "modulus",
   "roller-radius": "radius", "sign": "sign", "zero": "zero", "contact": "contact", "failure": "last row", "first": "first row", "until": "last row",
 };
 
 /** Boxes that hold for all files of one rig; a specimen is that of its file. */
-export const OF_ALL_FILES: ReadonlySet<string> = new Set(["span", "load train", "supports", "radius", "measures", "displacement unit", "force unit", "volts"]);
+export const OF_ALL_FILES: ReadonlySet<string> = new Set(["span", "load train", "speed", "supports", "radius", "measures", "displacement unit", "force unit", "volts"]);
 
 const UNIT_OF_A_COLUMN = /--(displacement-column|stage|deflection|force) "[^"]*\[([^\]]+)\]"/;
 const unitBox = (flag: string): string => `${flag === "force" ? "force" : "displacement"} unit`;
