@@ -141,9 +141,9 @@ struct LegOptions {
 // Domain:     stage finite, in any unit; 0 < min_travel < 1; std::invalid_argument otherwise.
 // Method:     a turning point is the farthest position before a return of more than min_travel; of
 //             equal positions, the first. The return must also exceed eight standard deviations of
-//             the stage's noise and 1.5 times its resolution, or a quarter of the range. Noise shifts a turning point at most
-//             by its own size. At the start, where small cycles may settle a specimen, a quarter of
-//             min_travel suffices if it exceeds half of the previous travel.
+//             the stage's noise and 1.5 times its resolution, or a quarter of the range. Noise shifts
+//             a turning point at most by its own size. At the start, where small cycles may settle a
+//             specimen, a quarter of min_travel suffices if it exceeds half of the previous travel.
 // Cost:       one pass, or two if small cycles may begin the record.
 std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& options = {});
 

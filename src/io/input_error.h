@@ -43,8 +43,8 @@ struct InputFault {
   TablePart part = TablePart::none;  // title: no column has the requested title; cell: a single cell
 };
 
-// The only exception type for bad input. what() has no control characters and is composed of the fault: one line, and one for each input
-// that is missing.
+// The only exception type for bad input. what() has no control characters and is composed of the
+// fault: one line, and one for each input that is missing.
 // Both sentences begin with a capital letter there and end with a full stop, unless they end with another mark:
 //   ss14.csv:17: column 'F_N': '12,5' is not a number. Write decimal points, or pass --decimal ,
 //   case.toml:4: [rig] span: This value is missing. Add span = "1278 um".

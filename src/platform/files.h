@@ -29,7 +29,7 @@ std::error_code write_to_disk(const std::filesystem::path& path);
 // Gives a file the owner of another file, where this user may do so.
 void copy_owner(const std::filesystem::path& from, const std::filesystem::path& to);
 
-// This process among those of all computers that share a folder: "computer-1234".
+// A name of this process, unique on all computers that share a folder: "computer-1234".
 std::string name_of_process();
 
 }  // namespace flexslip
