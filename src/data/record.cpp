@@ -340,7 +340,7 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
                                   " is not finite: " + std::to_string(stage[i]));
   if (stage.empty()) return {};
   const auto [least, greatest] = std::minmax_element(stage.begin(), stage.end());
-  const double travel = options.min_travel * (*greatest - *least);
+  const double range = *greatest - *least, travel = options.min_travel * range;
   if (!(travel > 0)) return {};
 
   constexpr double of_travel = 0.25, of_noise = 8, of_resolution = 1.5, of_way = 0.5, max_share = 0.25;
@@ -348,9 +348,8 @@ std::vector<Leg> find_legs(std::span<const double> stage, const LegOptions& opti
   std::optional<double> noise;
   const auto is_beyond_noise = [&](double way) {
     if (!noise)
-      noise = std::min(max_share * (*greatest - *least),
-                       std::max(of_noise * noise_of_second_differences(second_differences(stage)),
-                                of_resolution * resolution_of({stage.begin(), stage.end()})));
+      noise = std::min(max_share * range, std::max(of_noise * noise_of_second_differences(second_differences(stage)),
+                                                   of_resolution * resolution_of({stage.begin(), stage.end()})));
     return way > *noise;
   };
 
