@@ -349,10 +349,10 @@ std::string assumed_in_words(T test) {
   if (!from_file.empty()) clauses.push_back(fmt::format("{} as in the file", fmt::join(from_file, ", ")));
   if (!measurement.test.rig->states_supports()) clauses.emplace_back("knife edges");
   if (supports.half_depth == 0) clauses.emplace_back("no thickness");
-  std::string contact = is_at_zero
-                            ? "contact at the zero of the file"
-                            : fmt::format("contact at {} ({})", print.own(measurement.contact_offset, kind::length),
-                                          measurement.contact == ContactSource::stated ? "stated" : "found");
+  std::string contact =
+      is_at_zero ? "contact at the zero of the file"
+                 : fmt::format("contact at {} ({})", with_minus(print.own(measurement.contact_offset, kind::length)),
+                               measurement.contact == ContactSource::stated ? "stated" : "found");
   for (const auto& [what, error, kind] : assumed_errors(test)) {
     const std::string size =
         kind.name == kind::length.name ? format_roughly(error, print.as(kind::length)) : format_relative(error);

@@ -29,9 +29,11 @@ std::string format_significant(double value, int digits) {
 }
 
 std::string Print::own(double value, const Kind& kind) const {
-  if (!std::isfinite(value)) return "not known";
-  const std::string text = readable(value, as(kind));
-  return text.front() == '-' ? "\u2212" + text.substr(1) : text;
+  return std::isfinite(value) ? readable(value, as(kind)) : "not known";
+}
+
+std::string with_minus(const std::string& number) {
+  return number.starts_with('-') ? "\u2212" + number.substr(1) : number;
 }
 
 std::string format_count(std::size_t count, std::string_view one, std::string_view many) {

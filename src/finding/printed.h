@@ -38,13 +38,16 @@ class Print {
   std::string length(double value) const { return own(scales_.physical_length(value), kind::length); }
   std::string force(double value) const { return own(scales_.physical_force(value), kind::force); }
   std::string energy(double value) const { return own(scales_.physical_energy(value), kind::energy); }
-  // An argument in the units of the test; a negative one has a minus sign, not a hyphen.
+  // An argument in the units of the test.
   std::string own(double value, const Kind& kind) const;
 
  private:
   const Test& test_;
   const Scales& scales_;
 };
+
+// "−3 mN" of "-3 mN": a number to read, not to copy into a case.
+std::string with_minus(const std::string& number);
 
 // "1 drop", "3 drops"
 std::string format_count(std::size_t count, std::string_view one, std::string_view many);

@@ -41,8 +41,6 @@ double relative_error(const Estimate& estimate) { return estimate.standard_error
 
 std::string percent_to_two_digits(double share) { return fmt::format("{:.2g} %", 100 * share); }
 
-std::string with_minus(const std::string& number) { return number.front() == '-' ? "−" + number.substr(1) : number; }
-
 // "0.9 to 4.9 %", "3 %".
 std::string percent_range(const ShareRange& share) {
   const std::string from = with_minus(fmt::format("{:.2g}", 100 * share.least));
