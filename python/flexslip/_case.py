@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _flexslip
 from ._answers import Answer, Numbers, Quantity
-from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, wrong, yes_no
+from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, warn, wrong, yes_no
 from ._xls import readable
 from ._frames import is_frame, is_series, record_of, unit_of_series
 
@@ -268,25 +268,65 @@ def _unit_of_title(series: pandas.Series, reduced: bool) -> str | None:
     return None if unit in ("", "1") or (reduced and "L" in unit) else unit
 
 
-def _column(name: str, given: object, reduced: bool) -> Numbers:
-    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose title has its unit, and whose labels say where a cell is."""
-    unit = None
+def _values_of(given: object) -> tuple[object, str | None]:
+    """A column without the unit that may stand beside it, and that unit."""
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
-        given, unit = given
-    elif is_series(given):
+        return given
+    return given, None
+
+
+def _refused_cell(name: str, place: str, found: object, remedy: str) -> InputError:
+    return wrong(place, "a finite number", found if isinstance(found, str) else repr(found), remedy, key=f"record.{name}")
+
+
+def _text_in(name: str, column: pandas.Series, cells: Iterable[tuple[object, object]]) -> Exception:
+    """What is wrong with a column that holds text: decimal commas, numbers as text, or a cell that is no number. `cells` are the text with its labels."""
+    here = f"frame[{column.name!r}]"
+    for label, cell in cells:
+        if isinstance(cell, str) and re.fullmatch(r"\s*[-+]?\d+,\d+(?:[eE][-+]?\d+)?\s*", cell):
+            return refused(f"column {column.name!r}", f"Its numbers are text with a decimal comma, {cell!r}",
+                           f'pass numbers: {here} = {here}.str.replace(",", ".").astype(float)', key=f"record.{name}")
+        try:
+            float(cast(SupportsFloat, cell))
+        except (TypeError, ValueError):
+            return _refused_cell(name, f"column {column.name!r}, row {label!r}", repr(cell),
+                                 f'make such cells NaN, which are left out: {here} = pandas.to_numeric({here}, errors="coerce")')
+    return TypeError(f"column {column.name!r}: These must be real numbers, not text {next(iter(cells))[1]!r}. Convert them: {here} = {here}.astype(float)")
+
+
+def _numbers_of(name: str, column: pandas.Series) -> object:
+    """The cells of a column of a frame, NaN where one is missing."""
+    if column.dtype.kind in "iuf":
+        return column.to_numpy(dtype=np.float64, na_value=np.nan)
+    if column.dtype.kind != "O":
+        return np.asarray(column)
+    missing = np.asarray(column.isna())
+    text = [(label, cell) for label, cell, is_missing in zip(column.index, column, missing) if not is_missing and not _is_number(cell)]
+    if text:
+        raise _text_in(name, column, text)
+    return column.mask(missing, np.nan).to_numpy(dtype=np.float64)
+
+
+def _column(name: str, given: object, reduced: bool) -> Numbers:
+    """A column of a record in memory, in SI. One of a frame is a pandas.Series, whose title has its unit, and whose labels say where a cell is; NaN in it are
+    rows without a reading."""
+    given, unit = _values_of(given)
+    if is_series(given) and unit is None:
         unit = _unit_of_title(given, reduced)
     if _MA.is_masked(given):
         raise wrong(name, "numbers without a mask", "masked ones", key=f"record.{name}")
     try:
-        array = np.asarray(given)
-    except ValueError:
+        array = np.asarray(_numbers_of(name, given) if is_series(given) else given)
+    except ValueError as error:
+        if isinstance(error, InputError):
+            raise
         raise wrong(name, "an array of numbers", "rows of different lengths", key=f"record.{name}") from None
 
     def refuse_cell(at: int) -> InputError:
-        place, kept = f"{name}[{at}]", "stage[keep], force[keep]"
         if is_series(given):
-            place, kept = f"column {given.name!r}, row {given.index[at]!r}", f"frame.drop(index={given.index[at]!r})"
-        return wrong(place, "a finite number", repr(array[at]), f"leave such rows out, as in {kept}", key=f"record.{name}")
+            return _refused_cell(name, f"column {given.name!r}, row {given.index[at]!r}", array[at],
+                                 f"leave such rows out, as in frame[numpy.isfinite(frame[{given.name!r}])]")
+        return _refused_cell(name, f"{name}[{at}]", array[at], "leave such rows out: keep = numpy.isfinite(stage) & numpy.isfinite(force), then pass stage[keep], force[keep]")
 
     if array.dtype.kind == "O" and array.ndim == 1 and any(map(_is_number, array)):
         for at, cell in enumerate(array):
@@ -304,9 +344,10 @@ def _column(name: str, given: object, reduced: bool) -> Numbers:
     if array.size == 0:
         raise wrong(name, "readings", "an empty array", key=f"record.{name}")
     values = np.ascontiguousarray(array, dtype=np.float64)
-    if not np.isfinite(values).all():
+    wrong_cells = np.isinf(values) if is_series(given) else ~np.isfinite(values)
+    if wrong_cells.any():
         array = values.astype(object)  # whose cells are floats of Python
-        raise refuse_cell(int(np.argmin(np.isfinite(values))))
+        raise refuse_cell(int(np.argmax(wrong_cells)))
     if unit is None:
         return values
     if reduced:
@@ -315,6 +356,48 @@ def _column(name: str, given: object, reduced: bool) -> Numbers:
         return _flexslip.in_si(values, unit, "force" if name == "force" else "length")
     except InputError as error:
         raise refused(name, error.problem or "", error.remedy, key=f"record.{name}") from None
+
+
+def _pair_by_index(record: dict[str, object], names: list[str]) -> None:
+    """Brings pandas Series of the same labels into the order of the first; refuses those whose labels differ, which pandas would not pair by position."""
+    series = [(name, cast("pandas.Series", values)) for name in names if is_series(values := _values_of(record[name])[0])]
+    for name, other in series[1:]:
+        of, first = series[0]
+        if other.index.equals(first.index):
+            continue
+        unique = first.index.is_unique and other.index.is_unique
+        if unique and len(first) == len(other) and bool(other.index.isin(first.index).all()):
+            ordered, unit = other.reindex(first.index), _values_of(record[name])[1]
+            record[name] = (ordered, unit) if unit else ordered
+            continue
+        alone = int((~first.index.isin(other.index)).sum() + (~other.index.isin(first.index)).sum())
+        why = f"{alone} labels stand in one of them only" if alone else "their labels repeat"
+        if len(first) == len(other):
+            remedy = f"if their rows belong together as they stand, pass {of}.reset_index(drop=True) and {name}.reset_index(drop=True)"
+        elif unique:
+            remedy = f'pass the rows of both: {of}, {name} = {of}.align({name}, join="inner")'
+        else:
+            remedy = "pass two columns of one DataFrame"
+        raise refused(name, f"The index of this Series differs from that of {of}: {why}", remedy, key=f"record.{name}")
+
+
+def _note_missing_rows(columns: list[tuple[str, Numbers]], titles: Mapping[str, object]) -> None:
+    """Warns of rows of a frame without a reading, which are left out as those of a file; refuses a record with too many of them."""
+    gaps = np.any([np.isnan(values) for _, values in columns], axis=0)
+    count, rows = int(gaps.sum()), len(gaps)
+    if count == 0:
+        return
+    holed = [name for name, values in columns if np.isnan(values).any()]
+    shown = [repr(titles[name]) for name in holed]
+    where = f"column{'s' if len(holed) > 1 else ''} {' and '.join(shown)}"
+    if count * _ROWS_PER_GAP > rows:
+        remedy = "pass frame.dropna(subset=[" + ", ".join(shown) + "])" if count < rows else "check how the frame was made"
+        raise refused(where, f"{count} of {rows} rows have no number (NaN); at most a tenth may", remedy, key=f"record.{holed[0]}")
+    have, are = ("has", "is") if count == 1 else ("have", "are")
+    warn(f"{where}: {count} of {rows} rows {have} no number (NaN) and {are} left out, the first at position {int(np.argmax(gaps))}")
+
+
+_ROWS_PER_GAP = 10  # as of files (instruments/export.cpp): with more gaps the record is unknown
 
 
 def _is_data(value: object) -> bool:
@@ -362,10 +445,13 @@ def _arrays_of(sections: Sections, reduced: bool) -> list[tuple[str, Numbers]]:
     if {"stage", "deflection", "force"} <= {*names}:
         raise wrong("deflection", "two of stage, deflection and force", "all three", "leave one out, such as deflection: it follows from the stiffness of the rig",
                     key="record.deflection")
+    _pair_by_index(record, names)
     columns = [(name, _column(name, record[name], reduced)) for name in names]
     for name, values in columns:
         if len(values) != len(columns[0][1]):
             raise wrong(name, f"as many readings as {names[0]} has, {len(columns[0][1])}", str(len(values)), key=f"record.{name}")
+    _note_missing_rows(columns, {name: getattr(_values_of(record[name])[0], "name", None) or name for name in names})
+    for name in names:
         record[name] = name if reduced else f"{name} [{'N' if name == 'force' else 'm'}]"
     record["file"] = ARRAYS
     return columns
@@ -597,7 +683,7 @@ class Case:
         if not isinstance(other, Case) or (self.toml, self.source) != (other.toml, other.source):
             return False
         return len(self._given) == len(other._given) and all(
-            np.array_equal(mine, theirs) for (_, mine), (_, theirs) in zip(self._given, other._given))
+            np.array_equal(mine, theirs, equal_nan=True) for (_, mine), (_, theirs) in zip(self._given, other._given))
 
     def __hash__(self) -> int:
         return hash((self.toml, self.source))

@@ -4,6 +4,8 @@ from __future__ import annotations
 import operator
 import os
 import re
+import sys
+import warnings
 from collections.abc import Sequence
 from typing import SupportsFloat, SupportsIndex, cast
 
@@ -192,6 +194,14 @@ def refused(field: str, problem: str, remedy: str | None = None, **parts: str | 
     """The exception for an argument, of what is wrong with it and what to do."""
     message = f"{field}: {sentence(problem)}" + (f" {_remedy(remedy)}" if remedy else "")
     return error_of(message, field=field, problem=problem, remedy=remedy, **parts)
+
+
+def warn(text: str) -> None:
+    """Warns of something that a call left out, at the line of the user's code that made the call."""
+    level, frame = 1, sys._getframe()
+    while frame.f_back is not None and frame.f_globals.get("__package__") == __package__:
+        level, frame = level + 1, frame.f_back
+    warnings.warn(text, stacklevel=level)
 
 
 def yes_no(field: str, value: object) -> bool:

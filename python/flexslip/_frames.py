@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, TypeGuard
 
-from ._errors import InputError, error_of, one_of, wrong
+from ._errors import InputError, error_of, one_of, refused, wrong
 from ._read import read
 
 if TYPE_CHECKING:
@@ -63,6 +63,21 @@ def written(frame: pandas.DataFrame, path: str) -> None:
     frame.rename(columns=_titles(frame)).to_csv(path, index=False)
 
 
+def _with_numbers(frame: pandas.DataFrame) -> pandas.DataFrame:
+    """A frame whose columns of numbers as text are numbers, so that the reader finds what its columns are; whether their text is right is told later."""
+    import pandas as pd
+
+    def numbers(column: pandas.Series) -> pandas.Series:
+        if column.dtype.kind != "O":
+            return column
+        read = pd.to_numeric(column.astype(str).str.replace(",", ".", regex=False), errors="coerce")
+        return read if 2 * read.notna().sum() > len(read) else column
+
+    out = pd.concat([numbers(frame.iloc[:, at]) for at in range(frame.shape[1])], axis=1) if frame.shape[1] else frame
+    out.attrs = frame.attrs
+    return out
+
+
 def _given(frame: pandas.DataFrame, record: Mapping[str, object]) -> dict[str, tuple[str, str | None]]:
     """The title of each column that the call names, and the unit beside it: force="Load", force=("Load", "kN")."""
     given: dict[str, tuple[str, str | None]] = {}
@@ -105,7 +120,7 @@ def _read(frame: pandas.DataFrame, displacement: object, by_titles: bool) -> tup
     said = None if displacement is None else one_of("displacement", displacement, ("crosshead", "deflection"))
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "frame.csv")
-        written(frame.head(1000), path)
+        written(_with_numbers(frame.head(1000)), path)
         try:
             export = read(path)
             if said and not {"crosshead", "deflection"} <= {column["role"] for column in export._columns}:
@@ -118,6 +133,10 @@ def _read(frame: pandas.DataFrame, displacement: object, by_titles: bool) -> tup
     if by_titles and "displacement" in roles and len(found) == ("force" in found):
         raise wrong(f"column {roles['displacement']!r}", "a title that says whether it is of the stage or at midspan", "one that does not",
                     "say displacement=\"crosshead\" or displacement=\"deflection\"", key="record.displacement")
+    empty = [repr(title) for at, title in enumerate(frame.columns) if bool(frame.iloc[:, at].isna().all())]
+    if by_titles and len(found) < 2 and empty:
+        raise refused(f"column{'s' if len(empty) > 1 else ''} {' and '.join(empty)}", f"None of the {len(frame)} rows has a number (NaN)", "check how the frame was made",
+                      key="record.force" if "force" not in found else "record.stage")
     if by_titles and len(found) < 2:
         raise wrong("DataFrame", "titles that say which columns are displacement and force", ", ".join(map(repr, frame.columns)),
                     "say which they are, as in stage=(\"x\", \"mm\"), force=(\"F\", \"N\")", key="record.force" if "force" not in found else "record.stage")

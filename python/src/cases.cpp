@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <numeric>
 #include <string>
@@ -14,6 +15,7 @@
 #include "case/case_keys.h"
 #include "data/names.h"
 #include "io/quantity.h"
+#include "io/statistics_rows.h"
 #include "parts.h"
 #include "plain.h"
 
@@ -52,7 +54,8 @@ py::list keys() {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// A case with a record in memory: columns in SI, in the order of TableColumns.
+// A case with a record in memory: columns in SI, in the order of TableColumns. Rows without a number (NaN) in one of them
+// are left out, as those of a file.
 Test with_record(const Test& input, const std::vector<std::pair<std::string, Doubles>>& columns,
                  const std::string& name) {
   Test out = input;
@@ -61,6 +64,12 @@ Test with_record(const Test& input, const std::vector<std::pair<std::string, Dou
     table.columns.push_back({title, std::vector<double>(values.data(), values.data() + values.size())});
   table.lines.resize(table.rows());
   std::iota(table.lines.begin(), table.lines.end(), std::size_t{1});
+  for (std::size_t row = 0; row < table.rows(); ++row)
+    if (std::any_of(table.columns.begin(), table.columns.end(),
+                    [&](const Column& column) { return std::isnan(column.values[row]); }))
+      table.missing_rows.push_back(row);
+  for (Column& column : table.columns) column.values = without_rows(std::move(column.values), table.missing_rows);
+  table.lines = without_rows(std::move(table.lines), table.missing_rows);
   out.record->file = name;
   out.record->given = std::make_shared<const Table>(std::move(table));
   return out;

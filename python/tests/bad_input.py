@@ -247,7 +247,7 @@ class Faults(unittest.TestCase):
         stage, force = export.si("crosshead"), export.si("force")
         specimen, rig = {"diameter": "34.8 um", "modulus": "29.6 GPa"}, {"span": "1278 um", "stiffness": 90.65}
         for call, told in ((lambda: flexslip.fit(stage, force, specimen=specimen, stiffness=90.65), 'span: This argument is missing. Add span="1278 um".'),
-                           (lambda: flexslip.fit(stage, force, specimen=specimen, span="1278 um"), "stiffness: The displacement was measured at the stage, so the stiffness of the load train is needed"),
+                           (lambda: flexslip.fit(stage, force, specimen=specimen, span="1278 um"), "stiffness: The displacement 'stage' was measured at the stage, so the stiffness of the load train is needed"),
                            (lambda: flexslip.fit(stage, force, specimen=specimen, span="1278 um", stiffness=20.0), "stiffness: The load train of "),
                            (lambda: flexslip.fit(stage, force, specimen=specimen, span="3 N"), "span: '3 N' is a force, not a length"),
                            (lambda: flexslip.fit(stage[200:], force[200:], rig=rig, diameter="34.8 um"), "Pass modulus or bending_stiffness"),

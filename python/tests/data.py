@@ -6,6 +6,7 @@ import pickle
 import shutil
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 import pandas
@@ -92,19 +93,74 @@ class Records(unittest.TestCase):
 
     def test_outside_cells_without_a_number_are_named(self):
         usual = pandas.DataFrame({"w_s_m": self.stage, "F_N": self.force}, index=[f"r{i}" for i in range(len(self.stage))])
-        for cell, found in ((float("nan"), "nan"), (None, "None"), (pandas.NA, "<NA>"), ("n/a", "'n/a'"), (float("inf"), "inf")):
-            with self.subTest(found):
+        for cell, found in ((float("nan"), None), (None, None), (pandas.NA, None), ("n/a", "'n/a'"), (float("inf"), "inf")):
+            with self.subTest(cell):
                 frame = usual.astype({"F_N": object})
                 frame.loc["r17", "F_N"] = cell
-                told = f"column 'F_N', row 'r17': This must be a finite number, not {found}. Leave such rows out, as in frame.drop(index='r17')"
                 for data in (frame,), (frame.w_s_m, frame.F_N):
-                    with self.assertRaises(flexslip.InputError) as raised:
+                    if found is None:
+                        with self.assertWarnsRegex(UserWarning, "^column 'F_N': 1 of 227 rows has no number .* at position 17"):
+                            self.assertEqual(len(flexslip.fit(*data, **SPECIMEN).curves), 226)
+                        continue
+                    with self.assertRaisesRegex(flexslip.InputError, f"^column 'F_N', row 'r17': This must be a finite number, not {found}. ") as raised:
                         flexslip.fit(*data, **SPECIMEN)
-                    self.assertEqual((str(raised.exception), raised.exception.key), (told, "record.force"))
-                with self.assertRaisesRegex(flexslip.InputError, r"^force\[17\]: This must be a finite number"):
+                    self.assertEqual(raised.exception.key, "record.force")
+                with self.assertRaisesRegex(flexslip.InputError, r"^force\[17\]: This must be a finite number.* keep = numpy.isfinite\(stage\) & numpy.isfinite\(force\)"):
                     flexslip.fit(frame.w_s_m.to_numpy(), frame.F_N.to_numpy(), **SPECIMEN)
         self.assertEqual(flexslip.fit(usual.astype(object), **SPECIMEN), self.usual)
         self.assertEqual(flexslip.fit(usual.astype("Float64"), **SPECIMEN), self.usual)
+
+    def test_identity_series_are_paired_by_their_labels_or_refused(self):
+        stage, force = pandas.Series(self.stage, name="stage"), pandas.Series(self.force, name="force")
+        self.assertEqual(flexslip.fit(stage, force.sample(frac=1, random_state=1), **SPECIMEN), self.usual)
+        self.assertEqual(flexslip.fit(stage=(stage, "m"), force=(force[::-1], "N"), **SPECIMEN), self.usual)
+        for first, second, told in ((stage[3:], force[:-3], r"6 labels stand in one of them only. .* pass stage.reset_index\(drop=True\)"),
+                                    (stage, force.set_axis(force.index + 500), "pass stage.reset_index"), (stage, force.drop(index=7), r'stage.align\(force, join="inner"\)'),
+                                    (stage.set_axis([0] * len(stage)), force[1:], "two columns of one DataFrame")):
+            with self.assertRaisesRegex(flexslip.InputError, "^force: The index of this Series differs from that of stage: .*" + told):
+                flexslip.fit(first, second, **SPECIMEN)
+        shifted = [each.reset_index(drop=True) for each in (stage, force.set_axis(force.index + 500))]
+        self.assertEqual(flexslip.fit(*shifted, **SPECIMEN), self.usual)
+        self.assertTrue(flexslip.fit(*stage.align(force.drop(index=7), join="inner"), **SPECIMEN).success)
+
+    def test_identity_rows_of_a_frame_without_a_reading_are_left_out_as_those_of_its_file(self):
+        frame = pandas.DataFrame({"Crosshead (m)": self.stage, "Load (N)": self.force})
+        frame.iloc[100, 1] = np.nan
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "holed.csv")
+            frame.to_csv(path, index=False)
+            of_file = flexslip.fit(path, **SPECIMEN)
+        with self.assertWarnsRegex(UserWarning, r"^column 'Load \(N\)': 1 of 227 rows has no number \(NaN\) and is left out, the first at position 100$") as warned:
+            of_frame = flexslip.fit(frame, **SPECIMEN)
+        self.assertEqual((of_frame, warned.filename), (of_file, __file__))
+        np.testing.assert_array_equal(of_frame.curves.row[98:102], [99, 100, 102, 103])
+        self.assertEqual(flexslip.fit(of_frame.case), of_file)
+        self.assertEqual(pickle.loads(pickle.dumps(of_frame.case)), of_frame.case)
+        frame.iloc[100:150, 1] = np.nan
+        with self.assertRaisesRegex(flexslip.InputError, r"50 of 227 rows have no number \(NaN\); at most a tenth may. Pass frame.dropna\(subset=\['Load \(N\)'\]\)"):
+            flexslip.fit(frame, **SPECIMEN)
+        flexslip.fit(frame.dropna(subset=["Load (N)"]), **SPECIMEN)
+
+    def test_outside_text_in_a_column_is_named_with_a_remedy_that_works(self):
+        usual = pandas.DataFrame({"Crosshead (m)": self.stage, "Load (N)": self.force})
+        texts = usual["Load (N)"].map(repr)
+        for column, error, told, remedy in (
+                (texts.str.replace(".", ",", regex=False), flexslip.InputError, "text with a decimal comma", lambda text: text.str.replace(",", ".").astype(float)),
+                (texts, TypeError, "Convert them: frame", lambda text: text.astype(float)),
+                (texts.astype("string"), TypeError, "Convert them: frame", lambda text: text.astype(float)),
+                (texts.where(texts.index != 5, "overload"), flexslip.InputError, r"row 5: This must be a finite number, not 'overload'. .*pandas.to_numeric",
+                 lambda text: pandas.to_numeric(text, errors="coerce")),
+                (usual["Load (N)"].mask(texts.index == 5, np.inf), flexslip.InputError, r"row 5: .* not inf. Leave such rows out", lambda numbers: numbers[np.isfinite(numbers)])):
+            with self.subTest(told):
+                with self.assertRaisesRegex(error, r"^column 'Load \(N\)'.*" + told):
+                    flexslip.fit(usual.assign(**{"Load (N)": column}), **SPECIMEN)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")
+                    mended = usual.assign(**{"Load (N)": remedy(column)})
+                    self.assertTrue(flexslip.fit(mended, **SPECIMEN).success)
+        with self.assertRaisesRegex(flexslip.InputError, r"^column 'Load \(N\)': None of the 227 rows has a number \(NaN\)"):
+            flexslip.fit(usual.assign(**{"Load (N)": np.nan}), **SPECIMEN)
+        self.assertEqual(flexslip.fit(usual.assign(note="as is, 3,5"), **SPECIMEN), self.usual)
 
     def test_outside_what_is_no_data_is_told_what_to_pass(self):
         simulation = flexslip.simulate("examples/simulated/truth.toml")
