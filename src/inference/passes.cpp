@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -645,6 +646,26 @@ PassesFit fit_passes(const PassesProblem& problem) {
   return fit;
 }
 
+namespace {
+
+// The wave of nearly the same length; nullptr without one.
+const WaveEstimate* same_wave(const std::vector<WaveEstimate>& waves, const WaveEstimate& wave) {
+  constexpr double near = 0.05;
+  for (const WaveEstimate& each : waves)
+    if (std::abs(each.wavelength.value / wave.wavelength.value - 1) < near) return &each;
+  return nullptr;
+}
+
+// An estimate with another independent error.
+Estimate with_error(const Estimate& estimate, double deviation) {
+  const double more = two_sided_95 * deviation;
+  return {estimate.value, elementary::length(estimate.standard_error, deviation),
+          estimate.value - elementary::length(estimate.value - estimate.low, more),
+          estimate.value + elementary::length(estimate.high - estimate.value, more)};
+}
+
+}  // namespace
+
 FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, const FitOptions& options) {
   if (passes.status != PassesStatus::ok) throw std::invalid_argument("no passes were fitted");
   const double stiffening = elementary::exp(passes.log_stiffness.value);
@@ -674,14 +695,27 @@ FrictionFit fit_evaluated(const FitProblem& whole, const PassesFit& passes, cons
   const double beside = passes.mean_friction.value - mean_of_band(fit.band, passes.S_first, passes.S_last);
   for (NormalPart& part : fit.of_mu0.posterior) part.mean += beside;
   fit.of_mu0.posterior = widened(std::move(fit.of_mu0.posterior), common);
-  const double alone = fit.mu0.standard_error;
+  const double alone_mu0 = fit.mu0.standard_error;
   const MeanFriction mean = mean_friction(fit.of_mu0.posterior);
   fit.mu0 = mean.estimate;
   fit.mu0_is_bound = mean.is_bound;
   for (double& each : fit.band.deviation) each = elementary::length(each, common);
-  fit.correlations = with_common_error(std::move(fit.correlations), alone, common, passes.correlation);
-  for (WaveEstimate& wave : fit.waves)
-    wave.correlations = with_common_error(std::move(wave.correlations), alone, common, passes.correlation);
+  fit.correlations = with_common_error(std::move(fit.correlations), alone_mu0, common, passes.correlation);
+  // The passes determine friction better than lengths along the specimen: where friction repeats,
+  // they move the span by up to two of its errors (bench/reload_lengths.py). The error of a length
+  // includes its difference from the length that the evaluated loading alone shows.
+  const FrictionFit alone = fit.waves.empty() ? FrictionFit{} : fit_friction(whole, options);
+  for (WaveEstimate& wave : fit.waves) {
+    const WaveEstimate* same = same_wave(alone.waves, wave);
+    const double differs = same ? std::abs(same->wavelength.value / wave.wavelength.value - 1) : 0;
+    const double stretch = elementary::length(passes.stretch, differs);
+    const double turn = 2 * std::numbers::pi * fit.share / wave.wavelength.value;
+    const double middle = 0.5 * (passes.S_first + passes.S_last);
+    wave.wavelength = with_error(wave.wavelength, wave.wavelength.value * stretch);
+    wave.phase_at_middle = with_error(wave.phase_at_middle, turn * passes.displaced);
+    wave.phase = with_error(wave.phase, turn * elementary::length(passes.displaced, middle * stretch));
+    wave.correlations = with_common_error(std::move(wave.correlations), alone_mu0, common, passes.correlation);
+  }
   return fit;
 }
 

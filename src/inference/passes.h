@@ -117,7 +117,10 @@ struct PassesFit {
   double loss_needed = 0;           // [1] required by the drops of these loadings as cracks only
   std::size_t drops_again = 0;      // drops after the evaluated loading, below its maximum deflection
   Estimate settled{};               // [L] in these loadings
-  RigCorrection correction{};       // of the evaluated loading, for errors of the rig, losses and settling
+  // [1] Standard deviation of lengths along the specimen in the evaluated loading, relative, from
+  // the errors of the rig, the losses and the settling; and [L] of their middle.
+  double stretch = 0, displaced = 0;
+  RigCorrection correction{};  // of the evaluated loading, for errors of the rig, losses and settling
   Sensitivities friction_by{}, log_stiffness_by{};  // as in FrictionFit
 };
 

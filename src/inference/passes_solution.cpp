@@ -54,6 +54,32 @@ struct SlidOver {
 // [1] Additional relative error of the loss, from its unknown course.
 constexpr double loss_of_loss = 0.06;
 
+// The lengths at which the evaluated loading slides, as functionals of the unknowns: their scale and
+// their middle.
+struct LengthsRead {
+  VectorXd scale;   // [1] relative
+  VectorXd middle;  // [L]
+};
+
+LengthsRead lengths_read(const PassesSolution& best, const PassUnknowns& unknowns, const PassStates& read,
+                         const VectorXd& F, const std::vector<std::size_t>& evaluated) {
+  const VectorXd theta = best.solution.tail(unknowns.size());
+  double middle = 0, spread = 0;
+  for (const std::size_t row : evaluated) middle += read.S[index_of(row)] / static_cast<double>(evaluated.size());
+  for (const std::size_t row : evaluated) spread += std::pow(read.S[index_of(row)] - middle, 2);
+  LengthsRead lengths{VectorXd::Zero(unknowns.size()), VectorXd::Zero(unknowns.size())};
+  for (const std::size_t row : evaluated) {
+    const Index i = index_of(row);
+    const double left = elementary::exp(-unknowns.E.row(i).dot(theta));
+    const VectorXd dF = left * unknowns.G.row(i).transpose() - F[i] * unknowns.E.row(i).transpose();
+    const VectorXd dw = unknowns.W.row(i).transpose();
+    const VectorXd dS = read.S_w[i] * dw + read.S_q[i] / read.F_q[i] * (dF - read.F_w[i] * dw);
+    lengths.scale += (read.S[i] - middle) / spread * dS;
+    lengths.middle += dS / static_cast<double>(evaluated.size());
+  }
+  return lengths;
+}
+
 RigCorrection correction_of(const PassesProblem& problem, const std::vector<Leg>& legs,
                             const std::vector<NeededLoss>& needed, const VectorXd& theta) {
   const PassRows rows = rows_evaluated(problem, legs);
@@ -154,6 +180,15 @@ PassesFit passes_fit_of(const PassesSolution& best, const PassesProblem& problem
   const VectorXd log_e = unknowns.E * theta;
   for (Index i = 0; i < reduced.size(); ++i) reduced[i] *= elementary::exp(-log_e[i]);
   const PassStates read = states_read(rows.w + unknowns.W * theta, reduced, problem.rig.fibre);
+  std::vector<std::size_t> of_evaluated;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (is_used[i] && read.is_read(index_of(i)) && rows.row[i] >= problem.first && rows.row[i] < problem.last)
+      of_evaluated.push_back(i);
+  if (of_evaluated.size() >= rows_of_a_loading) {
+    const LengthsRead lengths = lengths_read(best, unknowns, read, reduced, of_evaluated);
+    fit.stretch = Told::widened * told.deviation(of_unknowns(lengths.scale));
+    fit.displaced = Told::widened * told.deviation(of_unknowns(lengths.middle));
+  }
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (read.is_read(index_of(i)))
       fit.points.push_back({rows.row[i], rows.pass[i], read.S[index_of(i)], read.q[index_of(i)], is_used[i] != 0});
