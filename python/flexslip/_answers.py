@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _flexslip
+from ._errors import advice, arguments
 
 # {"fit --json": {"what", "is_table", "entries"}}
 ANSWERS = _flexslip.answers()
@@ -76,7 +77,16 @@ class Estimate:
         ``"1"`` of plain numbers.
 
     It formats, rounds and compares by its value: ``f"{mu0:.3f}"``, ``round(mu0, 2)``, ``mu0 > 0.3``; without a format it is its value and error. Two
-    estimates of different units are never equal and cannot be ordered.
+    estimates of different units are never equal and cannot be ordered. A plain number scales or shifts it, its interval as well: ``2 * mu0``, ``E / 1e9``.
+    Two estimates cannot be added or multiplied, as nobody states how their errors go together: take their values.
+
+    Examples
+    --------
+    >>> import flexslip
+    >>> mu0 = flexslip.fit("examples/simulated/case.toml").params.mu0
+    >>> half = mu0 / 2
+    >>> (half.value, half.stderr, half.ci95[1]) == (mu0.value / 2, mu0.stderr / 2, mu0.ci95[1] / 2)
+    True
     """
 
     def __init__(self, data: Data, entries: Sequence[Entry] = (), name: str = "", meaning: str = "") -> None:
@@ -116,6 +126,71 @@ class Estimate:
 
     def __round__(self, digits: SupportsIndex | None = None) -> float:
         return round(self.value) if digits is None else round(self.value, digits)
+
+    def _with(self, value: float, stderr: float, ends: tuple[float, float]) -> Estimate:
+        """Another value of the same name and unit."""
+        low, high = (_none_of(end) for end in sorted(ends))
+        data = {"value": _none_of(value), "standard_error": _none_of(stderr), "interval95": [low, high], "unit": self.unit}
+        if self._data.get("bound") and value * self.value >= 0:
+            data["bound"] = True
+        return Estimate(data, (), self.name, self.meaning)
+
+    def _plain_number(self, other: object) -> float | None:
+        """A number without an error and a unit of its own; None of what is no number."""
+        if isinstance(other, Estimate):
+            raise TypeError("two estimates cannot be combined: how their errors go together is unknown. Take their values, as in one.value + other.value")
+        if getattr(other, "unit", "1") not in ("1", ""):
+            raise TypeError(f"an estimate can be combined with plain numbers only, not with one in {getattr(other, 'unit')}. Take its value, as in float(other)")
+        return float(cast(SupportsFloat, other)) if isinstance(other, _COMPARED) else None
+
+    def _scaled(self, factor: float) -> Estimate:
+        return self._with(factor * self.value, abs(factor) * self.stderr, (factor * self.ci95[0], factor * self.ci95[1]))
+
+    def _shifted(self, by: float) -> Estimate:
+        return self._with(self.value + by, self.stderr, (self.ci95[0] + by, self.ci95[1] + by))
+
+    def __mul__(self, other: float) -> Estimate:
+        factor = self._plain_number(other)
+        if factor is None:
+            return NotImplemented
+        return self._scaled(factor)
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, other: float) -> Estimate:
+        divisor = self._plain_number(other)
+        if divisor is None:
+            return NotImplemented
+        return self._scaled(1 / divisor)
+
+    def __rtruediv__(self, other: float) -> Estimate:
+        raise TypeError("a number cannot be divided by an estimate: its error would not be symmetric. Take its value and ends, as in 1 / estimate.value")
+
+    def __add__(self, other: float) -> Estimate:
+        by = self._plain_number(other)
+        if by is None:
+            return NotImplemented
+        return self._shifted(by)
+
+    __radd__ = __add__
+
+    def __sub__(self, other: float) -> Estimate:
+        by = self._plain_number(other)
+        if by is None:
+            return NotImplemented
+        return self._shifted(-by)
+
+    def __rsub__(self, other: float) -> Estimate:
+        return (-self) + other
+
+    def __neg__(self) -> Estimate:
+        return self._scaled(-1.0)
+
+    def __pos__(self) -> Estimate:
+        return self._scaled(1.0)
+
+    def __abs__(self) -> Estimate:
+        return self._scaled(-1.0 if self.value < 0 else 1.0)
 
     def _is_of_unit(self, other: object) -> bool:
         """Does the other have the same unit, or none that it states?"""
@@ -195,6 +270,9 @@ def unit_of(entry: Entry, reduced: bool) -> str:
     return entry["reduced_unit"] if reduced else entry["unit"]
 
 
+_PROSE = ("sentence", "remedy", "words", "next", "done", "key", "reason", "remarks", "notes", "asks", "answer")  # sentences, in which a flag is an argument in Python
+
+
 def _read(value: object, entry: Entry, classes: Mapping[str, type[Answer]], reduced: bool = False) -> object:
     """A value of an answer's data as what a user meets."""
     shape = entry["shape"]
@@ -214,7 +292,11 @@ def _read(value: object, entry: Entry, classes: Mapping[str, type[Answer]], redu
     if shape == "by_name":
         return {name: classes[entry["name"]](part, reduced) for name, part in cast(Mapping[str, Data], value).items()}
     if shape == "words" and isinstance(value, list):
-        return tuple(value)
+        return tuple(advice(str(each)) if entry["name"] in _PROSE else each for each in value)
+    if entry["name"] == "repeat_with":
+        return arguments(str(value))
+    if shape == "words" and entry["name"] in _PROSE:
+        return advice(str(value))
     return value
 
 
@@ -343,15 +425,20 @@ class Answer:
         return f"<table><caption>{html.escape(self._caption or self._title)}</caption>{rows}</table>"
 
 
+_FEW = 4  # numbers that a line shows
+
+
 def _in_short(value: object, unit: str) -> str:
     if isinstance(value, Table):
-        return f"{len(value)} rows: {', '.join(value.keys())}"
+        return f"{len(value)} row{'s' if len(value) != 1 else ''}: {', '.join(value.keys())}"
     if isinstance(value, Answer):
-        return "; ".join(value.keys())
+        return "; ".join(f"{name} {words}" for name, words, _ in value._shown())
     if isinstance(value, np.ndarray):
+        if value.ndim == 1 and 0 < len(value) <= _FEW and value.dtype.kind in "iuf":
+            return ", ".join(readable(each, unit) if each == each else "unknown" for each in value.tolist())
         return f"{len(value)} numbers" + _in_brackets(unit)
     if isinstance(value, dict):
-        return ", ".join(value)
+        return "; ".join(f"{name}: {_in_short(part, '')}" for name, part in value.items())
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, tuple):
@@ -520,6 +607,8 @@ class Table(Sequence[Row], Generic[Row]):
         return hash((len(self), *self.keys()))
 
     def __repr__(self) -> str:
+        if 0 < len(self) <= _SHORT:
+            return _laid_out(self._cells())
         units = {entry["name"]: _in_brackets(unit_of(entry, self._reduced)) for entry in self._entries}
         return f"<{len(self)} rows: {', '.join(name + units[name] for name in self.keys())}>"
 
@@ -527,9 +616,13 @@ class Table(Sequence[Row], Generic[Row]):
         return str(self._shown()._repr_html_())
 
     def _shown(self, names: Iterable[str] | None = None) -> pandas.DataFrame:
-        """As people read it, all columns or some: one of numbers in the unit that suits its largest, which stands in its heading."""
+        """As people read it, all columns or some."""
         import pandas as pd
 
+        return pd.DataFrame(self._cells(names))
+
+    def _cells(self, names: Iterable[str] | None = None) -> dict[str, list[str]]:
+        """Columns as text by their headings: one of numbers in the unit that suits its largest, which stands in its heading."""
         columns = {}
         for name in self.keys() if names is None else names:
             entry, values = self._entry(name), self.column(name)
@@ -540,7 +633,26 @@ class Table(Sequence[Row], Generic[Row]):
                 cells = ["" if value is None else _in_short(value, unit) for value in values.tolist()]
                 unit = "" if entry["shape"] == "estimate" else unit
             columns[name + _in_brackets(unit)] = cells
-        return pd.DataFrame(columns)
+        return columns
+
+
+_SHORT = 12  # rows of a table that are printed
+
+
+def html_of(columns: Mapping[str, Sequence[str]], caption: str) -> str:
+    """Columns of text below their headings, as a table of a page."""
+    heading = "".join(f"<th>{html.escape(name)}</th>" for name in columns)
+    rows = "".join(f"<tr>{''.join(f'<td>{html.escape(cell)}</td>' for cell in row)}</tr>" for row in zip(*columns.values()))
+    return f"<table><caption>{html.escape(caption)}</caption><tr>{heading}</tr>{rows}</table>"
+
+
+def _laid_out(columns: Mapping[str, Sequence[str]]) -> str:
+    """Columns of text below their headings; a table of one row has a line for each of them."""
+    rows: list[tuple[str, ...]] = [tuple(columns), *zip(*columns.values())]
+    if len(rows) == 2:
+        rows = list(zip(*rows))
+    widths = [max(map(len, cells)) for cells in zip(*rows)]
+    return "\n".join("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip() for row in rows)
 
 
 def suiting(values: Numbers, unit: str) -> tuple[str, float]:

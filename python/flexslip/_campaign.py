@@ -15,7 +15,7 @@ import numpy.typing as npt
 from . import _flexslip
 from ._answers import ANSWERS, Answer, Data, Table, readable, table_of
 from ._case import KEYS, cell_of, set_of
-from ._errors import InputError, Path, in_python, one_of, path_of, positive, whole
+from ._errors import InputError, Path, advice, in_python, one_of, path_of, positive, whole
 from ._fields import CampaignFields
 from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 
@@ -72,8 +72,8 @@ class Campaign(CampaignFields):
         return self._table().to_frame().set_index("test")
 
     def summary(self) -> str:
-        """The answer in words, as the program prints it."""
-        return str(self._part("text"))
+        """The answer in words, as the program prints it, with arguments instead of flags."""
+        return advice(str(self._part("text")))
 
     def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
         """The distributions of wavelength and friction, or a page of the atlas of force curves; gives the Axes.

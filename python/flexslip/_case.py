@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from . import _flexslip
 from ._answers import Answer, Numbers, Quantity
-from ._errors import ARRAYS, InputError, error_of, of_keywords, path_of, refused, warn, wrong, yes_no
+from ._errors import ARRAYS, InputError, error_of, in_keywords, of_keywords, path_of, refused, warn, wrong, yes_no
 from ._xls import readable
 from ._frames import is_frame, is_series, record_of, unit_of_series
 
@@ -80,7 +80,7 @@ def _is_number(value: object) -> TypeGuard[int | float]:
 def _described(key: Key, value: object) -> InputError:
     name = f"{key['section']}.{key['name']}" if key["section"] else key["name"]
     shown = f"[{key['section']}] {key['name']}" if key["section"] else key["name"]
-    return wrong(shown, key["holds"], value, f"such as {key['example']}" if key["example"] else None, key=name)
+    return wrong(in_keywords(shown), key["holds"], value, f"pass it as in {key['example']}" if key["example"] else None, key=name)
 
 
 def _without_quantity(value: object, reduced: bool) -> object:
@@ -123,7 +123,7 @@ def toml_of(key: Key, value: object, reduced: bool) -> str:
                 raise wrong(key["name"], "a row, which is an int, or a stage position in m", repr(float(value)),
                             f"write {int(value)} for that row, or \"{int(value)} m\" for that position", key=f"record.{key['name']}")
             return _number(value, "m", reduced)
-        if holds in ("quantity", "estimate", "share", "lengths"):
+        if holds in ("quantity", "estimate", "share", "lengths") and value == value:
             return _number(value, unit, reduced)
         raise _described(key, value)
     if holds == "estimate" and isinstance(value, (tuple, list)) and len(value) == 2:
@@ -221,7 +221,7 @@ def sections_of(keywords: Mapping[str, object]) -> Sections:
         elif name in FLAT:
             flat[name] = value
         else:
-            raise TypeError(f"unexpected keyword argument {name!r}; " + _nearest(name, [*FLAT, *SECTIONS]))
+            raise TypeError(f"unexpected keyword argument {name!r}; " + _nearest(name, [*FLAT, *SECTIONS, *OPTIONS]))
     for name, value in flat.items():
         section = sections.setdefault(FLAT[name]["section"], {})
         if section.get(name) is not None:
@@ -271,7 +271,7 @@ def _unit_of_title(series: pandas.Series, reduced: bool) -> str | None:
 def _values_of(given: object) -> tuple[object, str | None]:
     """A column without the unit that may stand beside it, and that unit."""
     if isinstance(given, tuple) and len(given) == 2 and isinstance(given[1], str):
-        return given
+        return given[0], given[1]
     return given, None
 
 
@@ -371,7 +371,7 @@ def _pair_by_index(record: dict[str, object], names: list[str]) -> None:
             record[name] = (ordered, unit) if unit else ordered
             continue
         alone = int((~first.index.isin(other.index)).sum() + (~other.index.isin(first.index)).sum())
-        why = f"{alone} labels stand in one of them only" if alone else "their labels repeat"
+        why = f"{alone} label{'s stand' if alone > 1 else ' stands'} in one of them only" if alone else "their labels repeat"
         if len(first) == len(other):
             remedy = f"if their rows belong together as they stand, pass {of}.reset_index(drop=True) and {name}.reset_index(drop=True)"
         elif unique:
@@ -614,7 +614,14 @@ class Case:
             self._text = _without_key(self._text, name)
 
     def _in_own_words(self, error: InputError) -> InputError:
-        return error if self._source or self._is_written else of_keywords(error, self._name)
+        if self._source or self._is_written:
+            return error
+        key = KEYS.get((error.key or "").rpartition(".")[::2])
+        if key and key["unit"] and key["example"] and not error.remedy and error.kind == "wrong" and error.problem:
+            parts = {name: getattr(error, name) for name in ("file", "line", "field", "key", "kind", "limit", "problem")}
+            remedy = f"Write a positive number and its unit, as in {key['example']}."
+            error = error_of(f"{error} {remedy}", **parts, remedy=remedy)
+        return of_keywords(error, self._name)
 
     @classmethod
     def from_toml(cls, text: str, source: str = "") -> Case:
@@ -738,6 +745,7 @@ def _says_reduced(text: str) -> bool:
         return False  # which the reader says with its words
 
 
+OPTIONS: dict[str, None] = {}  # keywords of the functions that are no keys
 KEYWORDS: dict[str, list[str]] = {}  # that the functions can use, by their names
 
 
@@ -751,6 +759,7 @@ def with_keywords(*sections: str) -> Callable[[Function], Function]:
         names = KEYWORDS[function.__name__] = [*sections, *(name for name in flat if name not in sections)]
         signature = inspect.signature(function)
         kept = [each for each in signature.parameters.values() if each.kind is not inspect.Parameter.VAR_KEYWORD]
+        OPTIONS.update((each.name, None) for each in kept if each.kind is inspect.Parameter.KEYWORD_ONLY)
         added = [inspect.Parameter(name, inspect.Parameter.KEYWORD_ONLY, default=None) for name in names]
         setattr(function, "__signature__", signature.replace(parameters=[*kept, *added]))  # noqa: B010
         lines = [_of_section(section) for section in sections if section not in flat] + [_of_key(name, key) for name, key in flat.items()]

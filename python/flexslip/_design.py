@@ -12,7 +12,7 @@ import numpy.typing as npt
 from . import _flexslip
 from ._answers import Answer, Data, Description, Table, table_of
 from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
-from ._errors import whole, wrong
+from ._errors import advice, whole, wrong
 from ._fields import DesignFields
 
 if TYPE_CHECKING:
@@ -66,8 +66,8 @@ class Design(_Kept, DesignFields):
         return _design_again, (self._data, self.case, self._kept)
 
     def summary(self) -> str:
-        """The answer in words, as the program prints it."""
-        return str(self._kept["text"])
+        """The answer in words, as the program prints it, with arguments instead of flags."""
+        return advice(str(self._kept["text"]))
 
     def __repr__(self) -> str:
         return f"<Design: {self.answer}>"

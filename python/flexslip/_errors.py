@@ -1,9 +1,12 @@
 """What is wrong with an input, as exceptions that Python's users expect, and the checks of arguments that raise them."""
 from __future__ import annotations
 
+import difflib
+import errno
 import operator
 import os
 import re
+import shlex
 import sys
 import warnings
 from collections.abc import Sequence
@@ -55,11 +58,7 @@ class InputError(ValueError):
 
     def __reduce__(self) -> tuple[object, ...]:
         parts = {name: getattr(self, name) for name in _PARTS}
-        return error_of, (str(self),), {"parts": parts}
-
-    def __setstate__(self, state: dict[str, dict[str, object]] | None) -> None:
-        for name, value in (state or {"parts": {}})["parts"].items():
-            setattr(self, name, value)
+        return _again, (str(self), parts)
 
 
 class MissingFileError(InputError, FileNotFoundError):
@@ -92,14 +91,16 @@ _OF_SYSTEM = {
 }
 
 
-_FLAG = re.compile(r'(as in )?--([a-z][a-z-]*)(?: ((?(1)\S+|(?:"[^"]*"|[0-9]+\b|[A-Z]{3,}\b|crosshead\b|deflection\b|roughness\b))))?')
-_KEYS = re.compile(r'\b[wW]rite (\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*) into \[\w+\]')
+_FLAG = re.compile(r'(as in )?(?<![\w-])--([a-z][a-z-]*)(?: ((?(1)\S+|(?:"[^"]*"|[0-9]+\b|[A-Z]{3,}\b|crosshead\b|deflection\b|roughness\b))))?')
+_KEYS = re.compile(r'\b[wW]rite\s+(\w+ = (?:"[^"]*"|\S+)(?: and \w+ = (?:"[^"]*"|\S+))*)\s+into\s+\[\w+\]')
 _KEY = re.compile(r'(\w+) = ("[^"]*"|\S+)(?: and )?')
 
 
 def in_python(text: str) -> str:
     """Flags of the command line, and keys of a case, as arguments: --displacement crosshead is displacement="crosshead"."""
     def argument(found: re.Match[str]) -> str:
+        if found.group(2) in _METHODS and not found.group(3):
+            return (found.group(1) or "") + _METHODS[found.group(2)]
         value = found.group(3) or ""
         is_bare = value[:1] in '"' or value[:1].isdigit() or (value.isupper() and len(value) > 2)
         return (found.group(1) or "") + _argument(found.group(2)) + "=" + (value if is_bare else f'"{value}"')
@@ -108,8 +109,11 @@ def in_python(text: str) -> str:
     text = re.sub(r"^--set: (?=\w+\.)", "", text)  # a key by its whole name follows
     text = re.sub(r"^--([a-z-]+): ", lambda found: f"{_argument(found.group(1))}: ", text)
     text = re.sub(r"\b(?:modulus|fit) --([a-z-]+)", lambda found: f"{_argument(found.group(1))}=…", text)
-    text = re.sub(r"\bflexslip (\w+) FILE\b", r"flexslip.\1(file)", text)
+    text = re.sub(r"\bflexslip\s+(\w+)\s+FILE\b", r"flexslip.\1(file)", text)
     return re.sub(r"\bflexslip (sweep|fit|simulate|design|read|surface|modulus)\b", r"flexslip.\1", _FLAG.sub(argument, text))
+
+
+_METHODS = {"full": "summary(full=True)", "json": "to_json()"}  # of an answer, which are flags of the program
 
 
 def _argument(flag: str) -> str:
@@ -117,13 +121,19 @@ def _argument(flag: str) -> str:
     return "friction_range" if flag == "friction" else flag.replace("-", "_")
 
 
-_VALUE = r'(?: = ("[^"]*"|[\w.%]+))?'
+_VALUE = r'(?: = ("[^"]*"|[\w.%]+|…))?'
 
 
 def advice(text: str) -> str:
     """What the program says of an answer, with arguments instead of flags and of keys of a case file: [friction] mu0 is friction={"mu0": …}."""
-    text = re.sub(r"\[(friction|stage)\] (\w+)" + _VALUE, lambda found: f'{found[1]}={{"{found[2]}": {found[3] or "…"}}}', in_python(text))
-    return re.sub(r"\[(?:specimen|rig|record)\] (\w+)" + _VALUE, lambda found: found[1] + (f"={found[2]}" if found[2] else ""), text)
+    text = re.sub(r"\[(friction|stage)\]\s+(\w+)" + _VALUE, lambda found: f'{found[1]}={{"{found[2]}": {found[3] or "…"}}}', in_python(text))
+    return re.sub(r"\[(?:specimen|rig|record)\]\s+(\w+)" + _VALUE, lambda found: found[1] + (f"={found[2]}" if found[2] else ""), text)
+
+
+def arguments(flags: str) -> str:
+    """Flags with their values as arguments of a call."""
+    words = iter(shlex.split(flags))
+    return ", ".join(f"{_argument(flag[2:])}={value!r}" for flag, value in zip(words, words))
 
 
 _ADDED = re.compile(r'(\w+) = ("[^"]*"|\[[^\]]*\]|[^,\s]+)')
@@ -131,7 +141,7 @@ _BOTH = r"\1=\2"
 _NO_DATA = "no data: pass a file, a DataFrame, or two arrays, as in fit(stage, force)"
 
 
-def _in_keywords(text: str) -> str:
+def in_keywords(text: str) -> str:
     """Sections and keys of a case file that nobody wrote as keywords."""
     def section(found: re.Match[str]) -> str:
         name, keys = found.groups()
@@ -149,13 +159,21 @@ def _in_keywords(text: str) -> str:
     return re.sub(r"\[(specimen|rig|friction|stage|record)\]", r"\1", text)
 
 
+_MISSING = re.compile(r"([^:\n]+): (This argument is missing\.) (Add [^\n]*)")
+
+
 def of_keywords(error: InputError, record: str) -> InputError:
     """A complaint about a case file that nobody wrote, in words of the keywords that made it; `record` is what its record in memory is called."""
     if error.file not in (None, record):
         return error
     parts = {name: getattr(error, name) for name in _PARTS if name != "line"}
-    parts |= {name: _in_keywords(str(parts[name])) for name in ("field", "problem", "remedy") if parts[name]}
-    return error_of(_in_keywords(str(error)), **parts)
+    parts |= {name: in_keywords(str(parts[name])) for name in ("field", "problem", "remedy") if parts[name]}
+    message = in_keywords(str(error))
+    if _NO_DATA in message:
+        parts |= {"problem": "There are no data", "remedy": _NO_DATA.partition(": ")[2]}
+    if missing := _MISSING.fullmatch(message):
+        parts |= {"field": missing[1], "problem": missing[2], "remedy": missing[3]}
+    return error_of(message, **parts)
 
 
 _BARE_VALUE = re.compile(r"(?:--[a-z-]+|--[a-z-]+ \S*|= \S*|\w=\S*)(?<![\"'])$")  # a flag, or the unquoted value of a flag or key
@@ -176,12 +194,39 @@ def error_of(message: str, **parts: str | float | None) -> InputError:
     message = in_python(message)
     parts |= {name: in_python(str(parts[name])) for name in ("field", "problem", "remedy") if parts.get(name)}
     parts |= {name: made(str(parts[name])) for name, made in (("problem", sentence), ("remedy", _remedy)) if parts.get(name)}
-    error = next((kind for words, kind in _OF_SYSTEM.items() if words in str(parts.get("problem"))), InputError)(message)
+    kind = next((kind for words, kind in _OF_SYSTEM.items() if words in str(parts.get("problem"))), InputError)
+    if kind in (MissingFileError, FolderError) and parts.get("file") and not parts.get("remedy"):
+        parts["remedy"] = _beside(str(parts["file"])) if kind is MissingFileError else _FOLDER
+        message = f"{message} {parts['remedy']}"
+    if not parts.get("remedy") and "\n" in message and not parts.get("line"):  # a list of what to pass
+        parts["remedy"] = " ".join(message.partition("\n")[2].split())
+    error = kind(message)
     for name, value in parts.items():
         setattr(error, name, value)
     if isinstance(error, OSError):
-        error.filename = str(parts.get("file") or "")
+        error.filename, error.errno = str(parts.get("file") or ""), _ERRNO[kind]
+        error.strerror = os.strerror(error.errno)
     return error
+
+
+_ERRNO: dict[type[InputError], int] = {MissingFileError: errno.ENOENT, ForbiddenFileError: errno.EACCES, FolderError: errno.EISDIR}
+_FOLDER = "Pass one of its files; flexslip.campaign takes a folder."
+
+
+def _beside(file: str) -> str:
+    """What lies where a file was looked for: names like its own, or the folder."""
+    folder, name = os.path.split(file)
+    try:
+        names = os.listdir(folder or ".")
+    except OSError:
+        return f"There is no folder {folder!r} in {os.getcwd()!r}."
+    near = difflib.get_close_matches(name, names, 3)
+    there = " or ".join(repr(os.path.join(folder, each)) for each in near)
+    return f"Did you mean {there}?" if near else f"It was looked for in {os.path.abspath(folder or '.')!r}."
+
+
+def _again(message: str, parts: dict[str, str | float | None]) -> InputError:
+    return error_of(message, **parts)
 
 
 def wrong(field: str, expected: str, found: object, remedy: str | None = None, **parts: str | float | None) -> InputError:
@@ -241,6 +286,8 @@ def whole(name: str, value: object, least: int, most: int) -> int:
 
 def positive(name: str, value: object) -> float:
     """An option that is a positive number."""
+    if isinstance(value, (str, bytes, bool)):
+        raise wrong(name, "a positive number", repr(value), f"pass it without quotes, as in {name}=0.1" if isinstance(value, str) else None)
     try:
         number = float(cast(SupportsFloat, value))
     except (TypeError, ValueError):

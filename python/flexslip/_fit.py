@@ -74,13 +74,8 @@ class Fit(FitFields):
     def message(self) -> str:
         """The verdict's sentence; where there is no answer, what to do about it, too."""
         has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
-        sentence = advice(self.verdict.sentence)
+        sentence = self.verdict.sentence
         return sentence if has_answer or not self.next else f"{sentence} {self.next}"
-
-    @property
-    def next(self) -> str:
-        """The next step, in words of Python."""
-        return advice(super().next)
 
     @property
     def curves(self) -> FitCurvesTable:
@@ -145,8 +140,8 @@ class Fit(FitFields):
         return Draws(cast(Data, self._data["draws"]), cast("Columns", self._part("draws")), self._reduced)
 
     def summary(self, full: bool = False) -> str:
-        """The answer in words, as the program prints it; `full`: every slip and table."""
-        return str(self._part("text" if full else "screen"))
+        """The answer in words, as the program prints it, with arguments instead of flags; `full`: every slip and table."""
+        return advice(str(self._part("text" if full else "screen")))
 
     def to_frame(self) -> pandas.DataFrame:
         """A pandas.DataFrame with a row for each parameter."""
@@ -180,13 +175,13 @@ class Fit(FitFields):
         from . import _plots
 
         figures = cast("list[Figure]", self._part("figures"))
-        if not figures and figure in (None, "record"):  # the report draws no record without a force
+        if figure == "record" and all(each["name"] != figure for each in figures) or not figures and figure is None:  # which the report draws without a fit only
             return _plots.record(self.curves.deflection, self.curves.force, self._reduced, ax)
         return _plots.plot(figures, figure, ax)
 
     def _found(self) -> list[str]:
         """The doubts, each with its remedy, and the next step, in words of Python."""
-        return [*(advice(f"{doubt.sentence} {doubt.remedy}".strip()) for doubt in self.doubts), *([self.next] if self.next else [])]
+        return [*(f"{doubt.sentence} {doubt.remedy}".strip() for doubt in self.doubts), *([self.next] if self.next else [])]
 
     def _parameters_hold(self) -> bool:
         return self.success and self.verdict.code in ("slip", "undecided", "no_drops")

@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _flexslip
-from ._answers import Data, Numbers
+from ._answers import Data, Numbers, html_of
 from ._errors import Path, one_of, path_of, whole, wrong
 from ._xls import readable
 from ._fields import ExportFields
@@ -66,6 +66,12 @@ class Export(ExportFields):
         frame = pd.DataFrame(self.data)
         frame.attrs["units"] = {column["name"]: column["unit"] for column in self._columns}
         return frame
+
+    def _shown(self) -> list[tuple[str, str, str]]:
+        return [row for row in super()._shown() if row[0] != "columns" and row[1]]
+
+    def _repr_html_(self) -> str:
+        return html_of(self.columns._cells(), f"{self.rows} rows of numbers") + super()._repr_html_()
 
     def __repr__(self) -> str:
         names = ", ".join(f"{column['name']}{' [' + column['unit'] + ']' if column['unit'] else ''}: {column['role']}" for column in self._columns)

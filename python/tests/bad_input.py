@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """outside: bad input from Python is refused by the right exception, which names the value, and nothing crashes; by Hypothesis."""
+import errno
 import math
 import os
 import pickle
@@ -211,7 +212,18 @@ class Faults(unittest.TestCase):
             self.assertIsInstance(error, FileNotFoundError)
             self.assertIn("nothing", error.filename)
             self.assertIn("nothing", str(error))
-        self.assertIsInstance(self.fault(lambda: flexslip.read("examples")), IsADirectoryError)
+            self.assertEqual((error.errno, pickle.loads(pickle.dumps(error)).errno), (errno.ENOENT, errno.ENOENT))
+            self.assertEqual(str(pickle.loads(pickle.dumps(error))), str(error))
+        for file, told in (("examples/simulated/tset.csv", "Did you mean 'examples/simulated/test.csv'?"), ("nowhere/test.csv", "There is no folder 'nowhere' in "),
+                           ("examples/simulated/something.csv", f"looked for in {os.path.abspath('examples/simulated')!r}")):
+            error = self.fault(lambda: flexslip.fit(file, displacement="crosshead", **SPECIMEN))
+            self.assertIn(told, str(error))
+            self.assertIn(told, error.remedy)
+        for call in (lambda: flexslip.read("examples"), lambda: flexslip.fit("examples", **SPECIMEN)):
+            error = self.fault(call)
+            self.assertIsInstance(error, IsADirectoryError)
+            self.assertEqual((error.filename, error.errno), ("examples", errno.EISDIR))
+            self.assertIn("flexslip.campaign takes a folder", error.remedy)
 
     def test_outside_names_of_files_that_are_no_utf8(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -262,6 +274,8 @@ class Faults(unittest.TestCase):
             error = self.fault(call)
             self.assertIn(told, str(error))
             self.assertNotRegex(str(error), r"--|\[(specimen|rig|stage|friction|record)\]|^line|set=")
+            for part in error.field, error.problem, error.remedy:
+                self.assertNotRegex(part or "", r'--|\[(specimen|rig|stage|friction|record)\]|Add \w+ = |This (value|section) is missing')
             self.assertIsNone(error.line)
 
     def test_outside_a_name_that_is_not_there_names_those_that_are(self):
@@ -340,6 +354,15 @@ class Faults(unittest.TestCase):
         for values in [10, 20, 100], [10.0], [], np.linspace(10, 100, 5), ["10 N/m", "20 N/m", "30 N/m"], np.ones((2, 2)):
             error = self.fault(lambda: flexslip.design(case, over={"stiffness": values}))
             self.assertTrue(error.field == "over['stiffness']" and "flexslip.sweep(case, axes={'stiffness': [...]})" in error.remedy, error)
+
+    def test_outside_numbers_that_are_none_have_a_remedy(self):
+        for value in "-1 mm", -1e-3, 0.0, math.nan, "nan mm":
+            error = self.fault(lambda: flexslip.Case(**{**SPECIMEN, "diameter": value}))
+            self.assertRegex(str(error), r'^diameter: .* as in "34.8 um"\.?$')
+            self.assertIn("34.8 um", error.remedy)
+        error = self.fault(lambda: flexslip.fit(CASE, false_alarms="0.1"))
+        self.assertEqual(str(error), "false_alarms: This must be a positive number, not '0.1'. Pass it without quotes, as in false_alarms=0.1")
+        self.assertRaisesRegex(TypeError, "did you mean 'false_alarms'", flexslip.fit, CASE, false_alarm=0.1)
 
     def test_outside_keywords_that_are_none(self):
         for call in (lambda: flexslip.fit(CASE, spam=3), lambda: flexslip.simulate(CASE, diametre="3 um"), lambda: flexslip.Case(span="1 mm", spam=3)):

@@ -280,6 +280,24 @@ class Words(unittest.TestCase):
         unknown = flexslip.fit(case("simulated"), model="constant").params.wavelength
         self.assertFalse(unknown < 1 or unknown >= 1 or unknown == unknown)
 
+    def test_identity_a_plain_number_scales_and_shifts_an_estimate(self):
+        params = fitted("simulated").params
+        for estimate in params.mu0, params.wavelength, -params.wavelength:
+            low, high = estimate.ci95
+            for made, factor, by in ((2 * estimate, 2, 0), (estimate * np.float64(2), 2, 0), (np.float64(2) * estimate, 2, 0), (estimate / 1e-6, 1e6, 0), (-estimate, -1, 0),
+                                     (estimate + 1, 1, 1), (1 - estimate, -1, 1), (estimate - np.float64(1), 1, -1), (abs(estimate), np.sign(estimate.value), 0),
+                                     (sum([estimate]), 1, 0), (estimate * flexslip.Quantity(2.0, "1"), 2, 0)):
+                np.testing.assert_allclose((made.value, made.stderr, *made.ci95), (factor * estimate.value + by, abs(factor) * estimate.stderr,
+                                           *sorted((factor * low + by, factor * high + by))), rtol=1e-15)
+                self.assertEqual((made.unit, made.name), (estimate.unit, estimate.name))
+        mu0 = params.mu0
+        for call, told in ((lambda: mu0 + mu0, "how their errors go together is unknown. Take their values"), (lambda: sum([mu0, mu0]), "errors go together"),
+                           (lambda: mu0 * params.wavelength, "errors go together"), (lambda: 1 / mu0, "as in 1 / estimate.value"),
+                           (lambda: mu0 * flexslip.Quantity(1.0, "m"), "not with one in m"), (lambda: mu0 * "2", "")):
+            with self.assertRaisesRegex(TypeError, told):
+                call()
+        self.assertEqual(pickle.loads(pickle.dumps(2 * mu0)), 2 * mu0)
+
     def test_outside_an_estimate_is_formatted_as_its_value(self):
         mu0 = fitted("simulated").params.mu0
         self.assertEqual((f"{mu0:.3f}", f"{mu0:>8.1e}", f"{mu0}"), (f"{mu0.value:.3f}", f"{mu0.value:>8.1e}", str(mu0)))
@@ -311,9 +329,49 @@ class Words(unittest.TestCase):
         fit = fitted("simulated")
         printed = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet"], capture_output=True, text=True, check=True).stdout
         full = subprocess.run([PROGRAM, "fit", case("simulated"), "--quiet", "--full"], capture_output=True, text=True, check=True).stdout
-        self.assertEqual((fit.summary(), fit.summary(full=True)), (printed, full))
+        self.assertEqual((fit.summary(), fit.summary(full=True)), (advice(printed), advice(full)))
+        self.assertIn("More: summary(full=True)", fit.summary())
         printed = subprocess.run([PROGRAM, "design", DESIGN, "--quiet"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(flexslip.design(DESIGN).summary(), printed)
+
+    def test_outside_no_answer_speaks_of_flags_or_of_sections_of_a_file(self):
+        of_shell = re.compile(r"--[a-z]|\[(?:specimen|rig|record|friction|stage)\]|\bflexslip (?:read|fit|modulus|design)\b")
+
+        def all_words(value):
+            if isinstance(value, str):
+                yield value
+            elif isinstance(value, flexslip.types.Answer):
+                yield from (words for name in value if name != "case" for words in all_words(value[name]))
+            elif isinstance(value, (list, tuple, flexslip.types.Table)):
+                yield from (words for each in value for words in all_words(each))
+
+        export = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()), "export.csv")
+        export.write_text("Weg (mm);Kraft (N)\n" + "".join(f"{i / 10};{i / 7:.4f}\n" for i in range(40)), encoding="utf-8")
+        modulus = flexslip.modulus(case("cyclic"))
+        answers = [*map(fitted, EXAMPLES), flexslip.fit(case("simulated"), modulus="1 GPa"), flexslip.design(DESIGN, decide=True), flexslip.read(export), modulus]
+        for answer in answers:
+            for words in (*all_words(answer), *(answer.summary() for _ in range(hasattr(answer, "summary"))), *(answer.summary(full=True) for _ in range(isinstance(answer, flexslip.Fit)))):
+                self.assertNotRegex(words, of_shell)
+        self.assertIn('displacement="crosshead', flexslip.read(export).asks[0])
+        self.assertIn('pass modulus="fit"', flexslip.fit(case("simulated"), modulus="1 MPa").findings[0].remedy)
+
+    def test_outside_the_arguments_that_repeat_a_reading_do(self):
+        export = flexslip.read("examples/simulated/test.csv")
+        again = eval(f"dict({export.repeat_with})")
+        self.assertEqual(again["separator"], ",")
+        self.assertEqual(flexslip.read("examples/simulated/test.csv", **again), export)
+
+    def test_outside_parts_of_an_answer_show_their_values(self):
+        fit = fitted("cyclic")
+        self.assertRegex(repr(fit.judgement), r"causes +slips 0\.\d+; cracks \S+")
+        self.assertRegex(repr(fit.energy), r"friction_share_interval95 +0\.\d+, 0\.\d+")
+        self.assertRegex(repr(flexslip.modulus(case("cyclic"))), r"window +from 0\.\d+; .*of_force [\d.]+ mN")
+        self.assertRegex(repr(flexslip.design(DESIGN, decide=True).reload), r"least +travel \d+ µm; unload_to")
+        self.assertRegex(repr(fit.passes.passes).splitlines()[1], r"^in +400.822|^in ")
+        export = flexslip.read("examples/simulated/test.csv")
+        cells = re.findall("<td>([^<]*)</td>", export._repr_html_())[:12]
+        self.assertEqual((cells[1:4], cells[7:10]), (["stage", "um", "crosshead"], ["force", "mN", "force"]))
+        self.assertEqual(repr(export.columns).splitlines()[0].split(), ["number", "name", "unit", "role", "first", "last"])
 
     def test_outside_every_number_has_its_meaning(self):
         fit = fitted("simulated")
