@@ -2,21 +2,24 @@
 from __future__ import annotations
 
 import contextlib
+import csv
 import importlib.util
 import os
 import re
+import shutil
 import tempfile
-from collections.abc import Callable, Iterator, Mapping
-from typing import TYPE_CHECKING, Any, cast
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, TypeGuard, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _flexslip
 from ._answers import ANSWERS, Answer, Data, Table, readable, table_of
-from ._case import KEYS, cell_of, set_of
-from ._errors import InputError, Path, advice, in_python, one_of, path_of, positive, whole
+from ._case import KEYS, Case, Sections, cell_of, sections_of, set_of, text_of, with_keywords
+from ._errors import ARRAYS, InputError, Path, advice, error_of, in_keywords, in_python, one_of, path_of, positive, whole, wrong
 from ._fields import CampaignFields
+from ._fit import Fit
 from ._frames import NAME, in_words_of_frame, is_frame, whole_frame, written
 
 if TYPE_CHECKING:
@@ -222,19 +225,148 @@ def _table_of_tests(frame: pandas.DataFrame, report: str | None) -> Iterator[tup
         yield path, in_words
 
 
-def campaign(path: Path | pandas.DataFrame, common: Path | None = None, *, report: Path | None = None, figures: bool = True, test_reports: bool = False,
-             jobs: int | None = None, model: str | None = None, false_alarms: float | None = None,
-             suspect_limit: float | None = None, set: Mapping[str, object] | None = None) -> Campaign:  # noqa: A002
+def _is_path(value: object) -> TypeGuard[Path]:
+    return isinstance(value, (str, bytes, os.PathLike))
+
+
+def _in_common(common: object, keywords: Mapping[str, object]) -> Sections:
+    """The sections that all tests have in common, of a case and of keywords."""
+    if common is None:
+        return sections_of(keywords)
+    if not _is_path(common) and not isinstance(common, Case):
+        raise wrong("common", "a case file or a Case", type(common).__name__, "pass a dict of its sections as keywords: campaign(tests, **common)")
+    case = Case(common, **cast("dict[str, Any]", keywords))
+    sections = {name: section for name, section in case.to_dict().items() if isinstance(section, dict)}
+    for name in ("file", "stage", "deflection", "force", "length") if case._given else ():
+        sections["record"].pop(name, None)
+    return sections
+
+
+@contextlib.contextmanager
+def _shared_case(common: object, keywords: Mapping[str, object], report: str | None) -> Iterator[str | None]:
+    """A case file of what tests in files have in common: the one that is named, or one that holds a case and keywords."""
+    given = any(value is not None for value in keywords.values())
+    if not given and (common is None or _is_path(common)):
+        yield None if common is None else path_of(common, "common")
+        return
+    with _folder_of(report) as folder:
+        path = os.path.join(folder, "common.toml")
+        sections = _in_common(common, keywords)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text_of({name: _with_whole_paths(name, section) for name, section in sections.items()}, False))
+        yield path
+
+
+def _with_whole_paths(section: str, values: Mapping[str, object]) -> dict[str, object]:
+    def is_file(name: str, value: object) -> bool:
+        return KEYS[section, name]["is"] == "file" and isinstance(value, (str, os.PathLike)) if (section, name) in KEYS else False
+
+    return {name: os.path.abspath(cast(str, value)) if is_file(name, value) else value for name, value in values.items()}
+
+
+def _case_of_test(name: str, test: object, common: Sections) -> Case:
+    """One of the tests of a campaign: a fit, a case, a file, a DataFrame or two arrays."""
+    try:
+        if isinstance(test, (Fit, Case)):
+            case = test.case if isinstance(test, Fit) else test
+            return Case(case, **cast("dict[str, Any]", common)) if common else case
+        data = test if isinstance(test, tuple) else (test,)
+        return Case(*data, **cast("dict[str, Any]", common))
+    except InputError as error:
+        parts = {part: getattr(error, part) for part in ("file", "line", "field", "key", "kind", "limit", "problem", "remedy")}
+        raise error_of(f"{name}: {error}", **parts) from None
+    except TypeError as error:
+        raise TypeError(f"{name}: {error}") from None
+
+
+def _named(tests: Mapping[str, object] | Sequence[object]) -> dict[str, object]:
+    """Tests by their names: those of a mapping, or of what a list holds."""
+    if isinstance(tests, Mapping):
+        return {str(name): test for name, test in tests.items()}
+    named: dict[str, object] = {}
+    for number, test in enumerate(tests, 1):
+        name = test.name if isinstance(test, Fit) else os.path.splitext(os.path.basename(os.fsdecode(test)))[0] if _is_path(test) else ""
+        named[name if name and name not in named and name != ARRAYS else f"{name or 'test'} {number}"] = test
+    return named
+
+
+def _written_case(name: str, case: Case, folder: str) -> None:
+    """A case as a file, and its readings in memory as another beside it."""
+    base = os.path.join(folder, name)
+    record = case.to_dict().get("record", {})
+    data = f"{base}.csv" if case._given else os.path.abspath(str(record.get("file", "")))
+    if case._given:
+        titles = [str(record[column]) for column, _ in case._given]
+        rows = zip(*(["" if value != value else repr(value) for value in values.tolist()] for _, values in case._given))
+        with open(data, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows([titles, *rows])
+    with open(f"{base}.toml", "w", encoding="utf-8") as file:
+        file.write(case.replace(set={"record.file": data}).toml if not case._given else _of_file(case, data))
+
+
+def _of_file(case: Case, data: str) -> str:
+    """The text of a case whose readings are in a file."""
+    sections = case.to_dict()
+    sections["record"]["file"] = data
+    return text_of(sections, case.reduced)
+
+
+@contextlib.contextmanager
+def _folder_of(report: str | None) -> Iterator[str]:
+    """Where to write what a campaign has in memory: in the folder of its report, where a later call finds it again, or in one that goes."""
+    if report is None:
+        with tempfile.TemporaryDirectory() as folder:
+            yield folder
+    else:
+        os.makedirs(report, exist_ok=True)
+        yield report
+
+
+@contextlib.contextmanager
+def _folder_of_tests(tests: Mapping[str, object] | Sequence[object], common: Sections, report: str | None) -> Iterator[tuple[str, Callable[[Any], Any]]]:
+    """Tests in memory as a folder of case files; and what tells of those files in words of the tests."""
+    named = _named(tests)
+    if not named:
+        raise wrong("path", "tests", "an empty collection", 'pass them by name, {"G1": frame}')
+    cases = {}
+    for name, test in named.items():
+        if not name or name.startswith(".") or "/" in name or "\0" in name or name == "case":
+            raise wrong("path", "names of tests without a slash and a point in front", repr(name))
+        cases[name] = _case_of_test(name, test, common)
+    with _folder_of(report) as above:
+        folder = os.path.join(os.path.abspath(above), "records")
+        shutil.rmtree(folder, ignore_errors=True)
+        for number, (name, case) in enumerate(cases.items()):
+            place = os.path.join(folder, f"{number:06}")  # in their order
+            os.makedirs(place)
+            _written_case(name, case, place)
+        written_as = re.compile(re.escape(folder + os.sep) + r"\d{6}/([^/\n]*?)\.(?:toml|csv)(?::\d+)?")
+
+        def in_words(data: Any) -> Any:
+            if isinstance(data, str):
+                return in_keywords(in_python(written_as.sub(r"\1", data))) if folder in data else data
+            if isinstance(data, dict):
+                return {name: in_words(value) for name, value in data.items()}
+            return [in_words(value) for value in data] if isinstance(data, list) else data
+
+        yield folder, in_words
+
+
+@with_keywords("specimen", "rig", "record")
+def campaign(path: Path | pandas.DataFrame | Mapping[str, object] | Sequence[object], common: Path | Case | None = None, *, report: Path | None = None,
+             figures: bool = True, test_reports: bool = False, jobs: int | None = None, model: str | None = None, false_alarms: float | None = None,
+             suspect_limit: float | None = None, set: Mapping[str, object] | None = None, **keywords: object) -> Campaign:  # noqa: A002
     """Many measured tests: one table, categories, figures.
 
     Parameters
     ----------
-    path : path or DataFrame
-        A folder of case files; with `common`, of data files; or a table with a test a row, a file (CSV) or a pandas.DataFrame. Titles of a frame or its
-        ``attrs["units"]`` have the units; numbers without one are in SI, whole ones of `first` and `until` rows. Its index names the tests, unless a
-        column `name` does.
-    common : path, optional
-        A case file that says what all tests have in common.
+    path : path, DataFrame, mapping or sequence
+        Tests in memory by their names, ``{"G1": frame, "G2": (stage, force)}``, each a DataFrame, two arrays, a file, a :class:`Case` or a :class:`Fit`, or
+        a list of such. A folder of case files; with `common` or keywords, of data files. Or a table with a test a row, a file (CSV) or a pandas.DataFrame:
+        titles of a frame or its ``attrs["units"]`` have the units; numbers without one are in SI, whole ones of `first` and `until` rows. Its index names
+        the tests, unless a column `name` does.
+    common : path or Case, optional
+        A case file, or a case, that says what all tests have in common.
     report : path, optional
         A folder for report.html, tables, figures and each test's results; results that are there already are not computed again.
     figures, test_reports : bool
@@ -245,6 +377,8 @@ def campaign(path: Path | pandas.DataFrame, common: Path | None = None, *, repor
         As of :func:`fit`.
     set : mapping, optional
         Keys that change in every test, ``{"rig.stiffness": "200 N/m"}``.
+    **keywords
+        What all tests have in common, as of :class:`Case`: ``specimen={"diameter": "1 mm"}, span="20 mm"``. Columns of a table come first.
 
     Returns
     -------
@@ -269,23 +403,28 @@ def campaign(path: Path | pandas.DataFrame, common: Path | None = None, *, repor
         one_of("model", model, _flexslip.model_names)
     folder = None if report is None else path_of(report, "report", "the name of a folder")
 
-    def computed(table: Path) -> _flexslip.Campaign:
+    def computed(table: str, shared: str | None) -> _flexslip.Campaign:
         return _flexslip.campaign(
-            os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if common is None else os.fsencode(path_of(common, "common")),
+            os.fsencode(path_of(table, "path", "the name of a folder or of a table")), None if shared is None else os.fsencode(path_of(shared, "common")),
             set_of(set, False), model or "", _flexslip.false_alarms if false_alarms is None else positive("false_alarms", false_alarms),
             _flexslip.suspect_limit if suspect_limit is None else positive("suspect_limit", suspect_limit),
             _flexslip.threads if jobs is None else whole("jobs", jobs, 1, 1024), None if folder is None else os.fsencode(folder), bool(figures),
             bool(test_reports))
 
-    if not is_frame(path):
-        if not isinstance(path, (str, bytes, os.PathLike)):
-            raise TypeError(f"path: This must be a folder, a table or a DataFrame, not {type(path).__name__}; "
-                            "pass pandas.DataFrame({\"file\": [...]}), with a row a test")
-        found = computed(path)
-        return Campaign(found.answer(), found)
-    with _table_of_tests(path, folder) as (table, in_words):
-        try:
-            found = computed(table)
-        except InputError as error:
-            raise in_words_of_frame(error, table) from None
-        return Campaign(in_words(found.answer()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})
+    if not is_frame(path) and not _is_path(path):
+        if not isinstance(path, (Mapping, list, tuple)):
+            raise TypeError(f"path: This must be a folder, a table, a DataFrame or a dict of tests, not {type(path).__name__}; "
+                            'pass the tests by name, {"G1": frame, "G2": (stage, force)}')
+        with _folder_of_tests(path, _in_common(common, keywords), folder) as (cases, in_words):
+            found = computed(cases, None)
+            return Campaign(in_words(found.answer()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})
+    with _shared_case(common, keywords, folder) as shared:
+        if not is_frame(path):
+            found = computed(path_of(cast(Path, path), "path", "the name of a folder or of a table"), shared)
+            return Campaign(found.answer(), found)
+        with _table_of_tests(path, folder) as (table, in_words):
+            try:
+                found = computed(table, shared)
+            except InputError as error:
+                raise in_words_of_frame(error, table) from None
+            return Campaign(in_words(found.answer()), found, {part: in_words(getattr(found, part)()) for part in ("text", "test_table")})

@@ -457,7 +457,8 @@ def _arrays_of(sections: Sections, reduced: bool) -> list[tuple[str, Numbers]]:
     return columns
 
 
-def _text_of(sections: Mapping[str, Mapping[str, object]], reduced: bool) -> str:
+def text_of(sections: Mapping[str, Mapping[str, object]], reduced: bool) -> str:
+    """Sections as the text of a case file."""
     text = "reduced = true\n" if reduced else ""
     later = ""
     for section, given in sections.items():
@@ -579,7 +580,7 @@ class Case:
                 if sheet is not None:
                     record["sheet"] = sheet
             self._given = _arrays_of(sections, reduced)
-            self._text, self._source, self._changes = _text_of(sections, reduced), "", []
+            self._text, self._source, self._changes = text_of(sections, reduced), "", []
             sections = {}
         self._given = _arrays_of(sections, reduced) or self._given
         if isinstance(set, Mapping):

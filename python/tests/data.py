@@ -172,8 +172,8 @@ class Records(unittest.TestCase):
                 flexslip.fit(*data, **SPECIMEN)
         self.assertEqual(flexslip.fit(self.export.to_frame(), **SPECIMEN), self.usual)
         self.assertEqual(flexslip.fit(self.usual.case), self.usual)
-        with self.assertRaisesRegex(TypeError, r'not list; pass pandas.DataFrame\({"file": \[...\]}\)'):
-            flexslip.campaign(["examples/simulated/test.csv"])
+        with self.assertRaisesRegex(TypeError, r'not int; pass the tests by name, {"G1": frame'):
+            flexslip.campaign(3)
 
     def test_outside_frames_that_are_no_record_are_refused_in_their_own_words(self):
         stage, force = self.stage, self.force
@@ -290,6 +290,55 @@ class Campaigns(unittest.TestCase):
         self.assertEqual((list(by_file.to_frame().index), list(by_file.tests.file)), (["test"], ["examples/simulated/test.csv"]))
         of_common = flexslip.campaign(bare.drop(columns="file"), common)  # whose file it is
         self.assertEqual((list(of_common.to_frame().index), list(of_common.tests.file)), (["a", "b"], ["row 'a'", "row 'b'"]))
+
+    def test_identity_tests_in_memory_are_a_campaign_as_their_files_are(self):
+        specimen, rig = {"diameter": "34.8 um", "modulus": "29.6 GPa"}, {"span": "1278 um", "stiffness": "90.65 N/m", "supports": "edges"}
+        known = {"specimen": specimen, "rig": rig}
+        paths = [f"examples/{name}/test.csv" for name in ("simulated", "cyclic")]
+        exports = [flexslip.read(path) for path in paths]
+        frames = {name: export.to_frame() for name, export in zip(("b", "a"), exports)}
+        frames["b"].iloc[100, 1] = np.nan
+        with self.assertWarns(UserWarning):
+            fits = [flexslip.fit(frame, name=name, **known) for name, frame in frames.items()]
+        numbers = [fit.params.mu0.value for fit in fits]
+        table = pandas.DataFrame({"file": paths}, index=["b", "a"])
+        arrays = {name: (export.si("crosshead"), export.si("force")) for name, export in zip(("b", "a"), exports)}
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            of_frames = flexslip.campaign(frames, **known)
+        for campaign in of_frames, flexslip.campaign(fits), flexslip.campaign({"b": fits[0], "a": fits[1].case}):
+            np.testing.assert_array_equal(campaign.to_frame().mu0, numbers)
+            self.assertEqual(list(campaign.to_frame().index), ["b", "a"])
+            self.assertEqual(list(campaign.tests.file), ["b", "a"])
+            self.assertNotRegex(campaign.to_json(), r"\.toml|\.csv")
+        usual = flexslip.campaign(table, **known).to_frame().mu0
+        for campaign in (flexslip.campaign(table, flexslip.Case(**known)), flexslip.campaign(table, specimen=specimen, **rig), flexslip.campaign(arrays, **known),
+                         flexslip.campaign(table, fits[0].case), flexslip.campaign({"b": paths[0], "a": paths[1]}, flexslip.Case(**known))):
+            np.testing.assert_array_equal(campaign.to_frame().mu0, usual)
+        self.assertEqual(list(flexslip.campaign(paths, **known, until=200).tests.name), ["test", "test 2"])
+        with tempfile.TemporaryDirectory() as folder:
+            reported = [flexslip.campaign(arrays, **known, report=os.path.join(folder, "report"), figures=False) for _ in range(2)]
+            self.assertEqual(reported[0], reported[1])
+            np.testing.assert_array_equal(reported[0].to_frame().mu0, usual)
+            self.assertTrue(os.path.exists(os.path.join(folder, "report", "report.html")))
+
+    def test_outside_tests_in_memory_that_are_wrong_are_named(self):
+        stage = np.linspace(0, 1e-3, 99)
+        known = {"span": "1278 um", "stiffness": "90.65 N/m", "diameter": "34.8 um"}
+        good = (stage, stage)
+        for tests, keywords, told in (({"a": good, "b": (stage, stage[1:])}, known, "^b: force: This must be as many readings"),
+                                      ({"a": good}, {"diameter": "34.8 um", "stiffness": 9.0}, '^a: span: This argument is missing. Add span="1278 um"'), ({}, known, "by name"),
+                                      ({"a/b": good}, known, "a slash"), ({"a": good}, {"common": dict(known)}, r"as keywords: campaign\(tests, \*\*common\)")):
+            with self.assertRaisesRegex(flexslip.InputError, told):
+                flexslip.campaign(tests, **keywords)
+        for tests, told in (({"a": 3}, "^a: The data must be a file"), ({"a": good}, "did you mean 'span'")):
+            with self.assertRaisesRegex(TypeError, told):
+                flexslip.campaign(tests, **(known if "file" in told else {"spann": 3}))
+        failed = flexslip.campaign({"a": good})
+        self.assertFalse(failed.success)
+        self.assertRegex(failed.failures[0].reason, r'pass stiffness="… N/m"')
+        for words in failed.failures[0].reason, repr(failed), failed.summary():
+            self.assertNotRegex(words, r"\[rig\]|into rig|--|\.toml")
 
     def test_outside_a_campaign_without_an_answer_says_the_first_cause(self):
         table = pandas.DataFrame({"file": ["examples/simulated/test.csv"] * 3, "span": ["1 mm", "2 N", "3 N"]}, index=["a", "b", "c"])
