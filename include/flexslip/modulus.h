@@ -12,7 +12,7 @@ namespace flexslip::v1 {
 struct Modulus {
   std::string status;    // ok; otherwise no_straight_part, uncertain or too_stiff, and no number is known
   Estimate stiffness;    // [N/m] slope of the linear region, without the load train
-  Estimate modulus;      // [Pa] of the linear region; not known without a section
+  Estimate modulus;      // [Pa] to report: of the chord, or else of the linear region; not known without a section
   Estimate chord;        // [Pa] of the chord between the strains 0.05 % and 0.25 %; not known if not covered
   double maximum_force;  // [N]
   double strength;       // [Pa] flexural stress at the maximum force; not known without a section

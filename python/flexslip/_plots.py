@@ -4,16 +4,17 @@ from __future__ import annotations
 import base64
 import io
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Union
+from typing import TYPE_CHECKING, Union, cast
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _flexslip
 from ._answers import Estimate, Numbers, suiting
-from ._errors import one_of, wrong
+from ._errors import InputError, one_of, wrong
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -36,15 +37,15 @@ Drawn = Union["Axes", npt.NDArray[np.object_]]  # axes, or an array of them
 Style = dict[str, object]  # arguments of matplotlib
 
 
-def plot(figures: Sequence[Figure], name: str | None, ax: Drawn | None) -> Drawn:
-    """Draws one of the figures; gives its axes."""
+def plot(figures: Sequence[Figure], name: str | None, ax: Drawn | None, unit: object = None) -> Drawn:
+    """Draws one of the figures; gives its axes. `unit` is that of lengths, of forces, or both."""
     names = [figure["name"] for figure in figures]
     if not names:
         raise ValueError("there is nothing to draw")
     name = names[0] if name is None else name
     one_of("figure", name, names)
-    figure = figures[names.index(name)]
-    with matplotlib_style():
+    figure = _in_units(figures[names.index(name)], unit)
+    with matplotlib_style() if ax is None else _style_of_user():
         axes = _axes_of(figure, ax)
         for panel, each in zip(figure["panels"], axes):
             _draw_panel(figure, panel, each, ax is None)
@@ -65,7 +66,7 @@ class Curve:
 
         self.deflection, self.force = deflection, force
         with matplotlib_style():
-            self.own = ax is None
+            self.own, self.style = ax is None, matplotlib_style if ax is None else _style_of_user
             self.ax = plt.subplots(figsize=(85 * _MM, 64 * _MM), layout="constrained")[1] if ax is None else _given_axes(ax, 1)[0]
             length, self._to_length = suiting(deflection, "L" if reduced else "m")
             unit, self._to_force = suiting(force, "EI/L^2" if reduced else "N")
@@ -80,7 +81,7 @@ class Curve:
 
     def finish(self) -> Axes:
         """Adds the key; gives the axes."""
-        with matplotlib_style():
+        with self.style():
             if self.own:
                 self.ax.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, labelspacing=0.3, handlelength=2.2)
             else:
@@ -94,6 +95,63 @@ def matplotlib_style() -> AbstractContextManager[None]:
 
     style: AbstractContextManager[None] = matplotlib.rc_context(_SMALL)
     return style
+
+
+def _style_of_user() -> AbstractContextManager[None]:
+    """Letters and lines of the user, who gave the axes; without a frame around the key."""
+    import matplotlib
+
+    style: AbstractContextManager[None] = matplotlib.rc_context({"legend.frameon": False})
+    return style
+
+
+def changed(part: object, **values: object) -> dict[str, object]:
+    """A part of a figure with other values."""
+    return {**cast("Mapping[str, object]", part), **values}
+
+
+def _kind_of(unit: str) -> tuple[str, float] | None:
+    """What a unit measures, a length or a force, and how much of SI it is; None of any other."""
+    for kind in ("length", "force"):
+        try:
+            return kind, float(_flexslip.in_si(np.ones(1), unit, kind)[0])
+        except InputError:
+            continue
+    return None
+
+
+def _in_units(figure: Figure, unit: object) -> Figure:
+    """A figure whose lengths and forces are in other units; its ticks are left to matplotlib."""
+    if unit is None:
+        return figure
+    units: dict[str, tuple[str, float]] = {}
+    for word in unit if isinstance(unit, (tuple, list)) else (unit,):
+        kind = _kind_of(word) if isinstance(word, str) else None
+        if kind is None:
+            raise wrong("unit", 'a unit of length or force, "mm", or one of each, ("mm", "N")', word)
+        units[kind[0]] = word, kind[1]
+
+    def other(text: str) -> tuple[str, float]:
+        """A title with its unit, in brackets at its end, as it is wanted, and the factor to it."""
+        found = re.search(r"[(\[]([^()\[\]]*)[)\]]$", text)
+        kind = _kind_of(found[1]) if found else None
+        if found is None or kind is None or kind[0] not in units:
+            return text, 1.0
+        word, size = units[kind[0]]
+        return f"{text[:found.start(1)]}{word}{text[-1]}", kind[1] / size
+
+    def axis(of: Axis) -> Axis:
+        label, factor = other(of["label"])
+        title = changed(of["title"], words=label if of["title"]["words"] else "")
+        return of if factor == 1 else cast("Axis", changed(of, label=label, title=title, to=factor * of["to"], ticks=[], **{"from": factor * of["from"]}))
+
+    def panel(of: Panel) -> Panel:
+        factors = [other(each["label"])[1] for each in (of["x"], of["y"])]
+        marks = [changed(mark, at=[factors[i % 2] * value for i, value in enumerate(mark["at"])]) for mark in of["marks"]]
+        return cast("Panel", changed(of, x=axis(of["x"]), y=axis(of["y"]), marks=marks))
+
+    data = {table: {name: other(name)[1] * np.asarray(values) for name, values in columns.items()} for table, columns in figure["data"].items()}
+    return cast("Figure", changed(figure, panels=[panel(each) for each in figure["panels"]], data=data))
 
 
 def picture(axes: Drawn) -> str:
@@ -120,7 +178,7 @@ def modulus(curve: RecordCurve, found: ModulusFields, reduced: bool, ax: Axes | 
         w, F = drawn.deflection[region], drawn.force[region]
         slope = found.stiffness.value
         ends = w[[0, -1]]
-        title = _with_value("Linear region", found.modulus, found.stiffness)
+        title = _with_value("Linear region", found.linear_modulus, found.stiffness)
         drawn.line(ends, F.mean() + slope * (ends - w.mean()), label=title, color=_ORANGE, lw=4, alpha=0.6, solid_capstyle="butt", zorder=1.5)
     if found.chord is not None:
         ends = np.asarray(found.chord.deflection)
@@ -187,7 +245,8 @@ def _draw_panel(figure: Figure, panel: Panel, ax: Axes, own: bool) -> None:
             getattr(ax, f"set_{name}scale")("log")
         getattr(ax, f"set_{name}lim")(axis["from"], axis["to"])
         title = axis["title"]
-        if title["words"] or not own:
+        shared = len(getattr(ax, f"get_shared_{name}_axes")().get_siblings(ax)) > 1
+        if title["words"] or not (own or shared):  # else another panel has the label
             getattr(ax, f"set_{name}label")(_text(axis["label"]), **({"va": "center"} if own else {}))
         if own:
             getattr(ax, f"{name}axis").set_label_coords(title["x"] / width, title["y"] / height, transform=ax.figure.transFigure)
@@ -195,8 +254,9 @@ def _draw_panel(figure: Figure, panel: Panel, ax: Axes, own: bool) -> None:
     handles = []
     for level, mark in enumerate(panel["marks"]):
         handle = (_DRAWN[mark["kind"]] if mark["table"] or mark["at"] else _key)(_Drawing(figure, panel, ax, own, 2 + 0.01 * level), mark)
-        if mark["title"]:
-            handle.set_label(_text(mark["title"]))
+        label = mark["title"] or ("" if own else _beyond(figure, mark))
+        if label:
+            handle.set_label(_text(label))
             handles.append(handle)
     if panel["title"]:
         ax.set_title(_text(panel["title"]), loc="left")
@@ -212,12 +272,23 @@ def _draw_panel(figure: Figure, panel: Panel, ax: Axes, own: bool) -> None:
                          borderaxespad=0, borderpad=0.1, handlelength=2.2, handletextpad=0.4, labelspacing=0.3)
 
 
+def _beyond(figure: Figure, mark: Mark) -> str:
+    """What triangles at the edge of a panel are, if there are any."""
+    at_edge = mark["kind"] == "points" and mark["style"]["symbol"] in ("triangle", "down")
+    return "Beyond the axis" if at_edge and np.isfinite(_columns(figure, mark)).all(axis=0).any() else ""
+
+
 def _anchored(text: Text) -> Style:
-    return {"ha": text["anchor"], "va": "center", "fontsize": 8, "rotation": 90 if text["upright"] else 0,
+    import matplotlib
+
+    return {"ha": text["anchor"], "va": "center", "fontsize": matplotlib.rcParams["legend.fontsize"], "rotation": 90 if text["upright"] else 0,
             "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1} if text["boxed"] else None}
 
 
 def _set_ticks(axis: MatplotlibAxis, wanted: Axis) -> None:
+    if not wanted["ticks"]:
+        axis.set_tick_params(labelleft=wanted["numbers"], labelbottom=wanted["numbers"])
+        return
     with_number = [(at, text) for at, text in wanted["ticks"] if text]
     axis.set_ticks([at for at, _ in with_number], [_text(text) if wanted["numbers"] else "" for _, text in with_number])
     axis.set_ticks([at for at, text in wanted["ticks"] if not text], minor=True)

@@ -84,7 +84,8 @@ Fields<StandardSummary> standard_columns() {
       .own_estimate("modulus", kind::pressure,
                     "flexural modulus of the bending standards, from the chord or else from the linear region",
                     &StandardSummary::modulus)
-      .own("strength", kind::pressure, "flexural stress at the maximum force", &StandardSummary::strength)
+      .own("strength", kind::pressure, "flexural stress at the maximum force; nan if the specimen did not break",
+           &StandardSummary::strength)
       .number("friction_least",
               "minimum of the friction range at the supports whose effect on modulus and strength is reported",
               of(&FrictionGain::friction, least))

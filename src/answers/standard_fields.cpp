@@ -136,8 +136,15 @@ Fields<StandardTest> modulus_fields() {
                     [](const StandardTest& t) { return t.numbers.stiffness; })
       .own_estimate("bending_stiffness", kind::bending_stiffness, "EI = F L³/(48 δ); null without a span",
                     [](const StandardTest& t) { return t.numbers.bending_stiffness; })
-      .own_estimate("modulus", kind::pressure, "flexural modulus F L³/(48 I δ); null without a section",
-                    [](const StandardTest& t) { return t.numbers.modulus; })
+      .own_estimate(
+          "modulus", kind::pressure,
+          "flexural modulus to report: of the chord, or else (no chord, or chord_in_toe) of the linear region; "
+          "null without a section",
+          [](const StandardTest& t) { return standard_modulus(t.numbers); })
+      .own_estimate(
+          "linear_modulus", kind::pressure,
+          "flexural modulus F L³/(48 I δ) of the linear region, the steepest part, which friction can steepen",
+          [](const StandardTest& t) { return t.numbers.modulus; })
       .group("chord", "chord of ISO 178; null if the record does not cover both strains", chord_fields(),
              [](const StandardTest& t) { return t.numbers.chord; })
       .yes_no("chord_in_toe", "the chord of ISO 178 lies in the toe, so the linear region gives the modulus to report",

@@ -48,7 +48,9 @@ std::optional<StandardSummary> standard_of(const FittedTest& test) {
   const auto modulus = standard_modulus(test.small_deflection);
   if (!modulus) return std::nullopt;
   return StandardSummary{.modulus = *modulus,
-                         .strength = *test.small_deflection.greatest.stress,
+                         .strength = test.measurement.end == MeasurementEnd::failure
+                                         ? *test.small_deflection.greatest.stress
+                                         : not_a_number,
                          .friction = supports_gain(test.measurement, test.small_deflection).friction};
 }
 

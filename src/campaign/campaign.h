@@ -33,7 +33,7 @@ struct CampaignCurves {
 // The numbers of a bending standard, and the possible effect of friction at the supports.
 struct StandardSummary {
   Estimate modulus;                      // [Pa] of the chord, or else of the linear region
-  double strength;                       // [Pa] stress at the maximum force
+  double strength;                       // [Pa] stress at the maximum force; NaN if the specimen did not break
   std::optional<FrictionGain> friction;  // as in SupportsGain
 };
 

@@ -54,10 +54,14 @@ Signs signs_of(const Preparing& at) {
 }
 
 void require_finite(const Record& record, const Table& table) {
+  constexpr double max_force = 1e12, max_stage = 1e6;  // [N], [m] a DAQ writes 9.9E37 for an overload
   const RecordCheck check = check_record(record);
-  if (check.fault != RecordFault::not_finite) return;
+  std::size_t index = check.fault == RecordFault::not_finite ? check.index : record.force.size();
+  for (std::size_t i = 0; i < index; ++i)
+    if (std::abs(record.force[i]) > max_force || std::abs(record.stage[i]) > max_stage) index = i;
+  if (index == record.force.size()) return;
   throw InputError({.file = table.source,
-                    .line = table.lines[check.index],
+                    .line = table.lines[index],
                     .problem = "The readings are too large for a bending test",
                     .remedy = "check the units"});
 }

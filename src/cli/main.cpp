@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "cli/commands.h"
+#include "cli/options.h"
 #include "cli/output.h"
 #include "cli/version.h"
 #include "io/call_files.h"
@@ -119,6 +120,7 @@ int run(int argc, char** argv) {
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->group("Commands");
     add_short_help(*command);
+    command->parse_complete_callback(require_folders_of_outputs);
   }
 
   for (const char* const word : std::span(argv, static_cast<std::size_t>(argc)))

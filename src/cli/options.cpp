@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -183,16 +184,39 @@ void add_reading_flags(CLI::App& command, ReadingWords& words, std::span<const R
   }
 }
 
+namespace {
+
+struct Outputs {
+  std::vector<std::string> files;
+  std::string report;  // the folder that the call makes
+};
+
+Outputs& outputs_of_this_call() {
+  static Outputs outputs;
+  return outputs;
+}
+
+}  // namespace
+
+void require_folders_of_outputs() {
+  namespace fs = std::filesystem;
+  const auto& [files, report] = outputs_of_this_call();
+  for (const std::string& file : files) {
+    const fs::path folder = fs::path(file).parent_path();
+    std::error_code error;
+    if (folder.empty() || fs::is_directory(folder, error)) continue;
+    if (report.empty() || folder.lexically_normal() != fs::path(report).lexically_normal())
+      throw unwritable(file, fmt::format("There is no folder {}. Make it first", in_quotes(folder.string())));
+  }
+}
+
 CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path,
                              const std::string& meaning) {
   CLI::Option* option = add_option(command, names + " FILE", path, meaning);
   return option->each([option](const std::string& file) {
     if (file == "-") return;
-    const std::filesystem::path folder = std::filesystem::path(file).parent_path();
-    std::error_code error;
-    if (!folder.empty() && !std::filesystem::is_directory(folder, error))
-      throw unwritable(file, fmt::format("There is no folder {}. Make it first", in_quotes(folder.string())));
     files_of_this_call().writes(file, option->get_name());
+    outputs_of_this_call().files.push_back(file);
   });
 }
 
@@ -243,6 +267,7 @@ void add_report_option(CLI::App& command, std::string& folder, const std::string
                        void (*announce)(CallFiles&, const std::string& folder, const std::string& option)) {
   add_option(command, "--report FOLDER", folder, meaning)->each([announce](const std::string& path) {
     if (!path.empty()) announce(files_of_this_call(), path, "--report");
+    outputs_of_this_call().report = path;
   });
 }
 

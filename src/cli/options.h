@@ -130,6 +130,9 @@ void add_reading_flags(CLI::App& command, ReadingWords& words, std::span<const R
 
 // ---- output
 
+// Fails:      InputError for an output file in a folder that does not exist.
+void require_folders_of_outputs();
+
 // Adds an option for an output file, and announces the file (CallFiles) before the command reads
 // any input.
 CLI::Option* add_output_file(CLI::App& command, const std::string& names, std::string& path,

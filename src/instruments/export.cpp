@@ -152,8 +152,7 @@ Values values_of(const Laid& laid, const TableBlock& block, const ExportColumn& 
   for (const std::size_t line : block.rows) {
     const NumberCell parts = number_cell(laid.sheet.at(line, column));
     const bool counts = parts.unit.empty() || parts.unit == unit;
-    const double value = counts ? laid.sheet.number(line, column, laid.format) : not_a_number;
-    out.value.push_back(std::abs(value) < least_overload ? value : not_a_number);
+    out.value.push_back(counts ? laid.sheet.number(line, column, laid.format) : not_a_number);
   }
   std::vector<std::size_t> lines;
   for (std::size_t row = 0; row < out.value.size(); ++row)

@@ -254,7 +254,6 @@ bool says_overload(std::string_view cell) {
   static constexpr std::array<std::string_view, 12> words{"ol",  "o.l", "o.l.",  "ovl", "ovld", "ovfl",
                                                           "ovr", "oor", "satur", "inf", "∞",    "clip"};
   if (cell.empty() || cell.size() > longest) return false;
-  if (std::abs(number_in(cell, {})) >= least_overload) return true;
   const std::string all = folded(cell);
   std::string_view word = all;
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);

@@ -38,11 +38,7 @@ NumberCell number_cell(std::string_view cell);
 // True for a cell without a reading: empty, a dash, "nan", "N/A".
 bool says_missing(std::string_view cell);
 
-// A number this large is the mark of an instrument for an overload: 9.9E37 in SCPI.
-inline constexpr double least_overload = 1e30;
-
-// True for a cell that reports an overloaded sensor: "OVER", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf",
-// "9.9E37".
+// True for a cell that reports an overloaded sensor: "OVER", "OL", "+OVLD", "overflow", ">>>", "> 500", "Inf".
 bool says_overload(std::string_view cell);
 
 // Evidence on the number format from the cells of a file. "1,234" is ambiguous, "0,123" is not.

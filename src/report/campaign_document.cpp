@@ -37,7 +37,8 @@ struct CampaignUnits {
 CampaignUnits units_of(const Campaign& campaign) {
   std::vector<double> wavelengths, stiffnesses, residuals, works, moduli, strengths;
   for (const auto& test : campaign.tests) {
-    if (test.standard) moduli.push_back(test.standard->modulus.value), strengths.push_back(test.standard->strength);
+    if (test.standard) moduli.push_back(test.standard->modulus.value);
+    if (test.standard && std::isfinite(test.standard->strength)) strengths.push_back(test.standard->strength);
     if (!test.summary) continue;
     if (test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
     stiffnesses.push_back(test.summary->bending_stiffness.value);
@@ -284,7 +285,9 @@ PrintedTable stiffness_rows(const Campaign& campaign, WriteEstimate* written) {
                           format_significant(units.force.factor * summary.residual_rms, 3),
                           format_significant(units.energy.factor * summary.work_of_fracture, 3),
                           test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
-                          test.standard ? format_significant(units.strength.factor * test.standard->strength, 3) : "",
+                          test.standard && std::isfinite(test.standard->strength)
+                              ? format_significant(units.strength.factor * test.standard->strength, 3)
+                              : "",
                           friction_in_standard(test)});
   }
   return table;

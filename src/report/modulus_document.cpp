@@ -252,12 +252,18 @@ Remark shear_remark(const StandardTest& test, double share) {
       fmt::format("Shear adds {} to the deflection, so the modulus appears too small.", percent_to_two_digits(share))};
 }
 
+bool states_dimension_errors(const StandardTest& test) {
+  return test.geometry.span_error > 0 || test.geometry.moment_error > 0;
+}
+
 // Remarks that have no condition on the curve: assumptions and dimensions.
 std::vector<Remark> remarks_on_inputs(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   std::vector<Remark> list{
       {"These numbers assume small deflections, no shear and no friction at the supports. Their errors are standard "
-       "errors of the slope, including the load train; errors of the dimensions are not included."}};
+       "errors of the slope, including the load train; " +
+       std::string(states_dimension_errors(test) ? "the stated errors of the dimensions are included."
+                                                 : "errors of the dimensions are not included.")}};
   if (!test.geometry.span)
     list.push_back({"The span is not stated: state it to get a bending stiffness."});
   else if (!test.geometry.section)
@@ -379,10 +385,6 @@ std::string point_in_words(const StandardTest& test, const LoadPoint& at) {
   if (at.stress) words += fmt::format(": {}", three_digits(*at.stress, as(kind::pressure)));
   if (at.strain) words += fmt::format(", strain {}", percent_to_two_digits(*at.strain));
   return words;
-}
-
-bool states_dimension_errors(const StandardTest& test) {
-  return test.geometry.span_error > 0 || test.geometry.moment_error > 0;
 }
 
 // "−0.03 to −0.16 %", "+7.8 to +35 %"

@@ -217,7 +217,7 @@ class Cells(InFolder):
         self.assertIn("the sheet is 'Run', the first of 'Settings' and 'Run' with a table of numbers", said)
 
     def test_a_fault_in_a_sheet_that_nobody_chose_names_the_others_and_its_remedy_works(self):
-        first = [["Temperature", "Humidity"], *([20 + i, 50 - i] for i in range(10))]
+        first = [["Temperature", "Humidity"], *([20 + i, 50 - i] for i in range(12))]
         self.book(first, Run=[["stage [mm]", "force [mN]"], *READINGS])
         case = self.file("case.toml", CASE.format(file="test.xlsx", more=""))
         self.refused("fit", case, says=["column 'stage'", "This is the sheet 'Data'", "'Run'", '--sheet "Run"'])

@@ -188,7 +188,7 @@ class Workbooks(InFolder):
         first = run("read", "-o", "-", path, "--crosshead", "1")
         self.assertIn("the sheet is 'Specimen 1', the first of 'Read me', 'Specimen 1', 'Specimen 2' and 'Specimen 3' with a table of numbers", " ".join(first.stderr.split()))
         bar = ("--span", "20 mm", "--width", "2 mm", "--height", "1 mm")
-        self.refused("modulus", path, *bar, says=["which of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'", '--sheet "Specimen 1"'])
+        self.refused("modulus", path, *bar, says=["Which of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3'", '--sheet "Specimen 1"'])
         self.refused("modulus", path, *bar, "--displacement", "deflection", says=["--sheet", "Each of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3' holds a table of readings"])
         self.refused("modulus", path, *bar, "--deflection", "Extension", "--force", "Load", says=["--sheet", "Each of the sheets 'Specimen 1', 'Specimen 2' and 'Specimen 3' holds a table of readings"])
         for k in (1, 2, 3):
