@@ -115,6 +115,10 @@ class DesignMap(_Kept):
         """What each column is."""
         return self.designs.describe()
 
+    def _figures(self) -> list[Figure]:
+        """Of one parameter: drops only where the specimen snaps, as elsewhere the force falls smoothly, and where that is."""
+        return [_where_it_snaps(figure) if not figure["panels"][0]["colour"] else figure for figure in super()._figures()]
+
     def __len__(self) -> int:
         return len(self.designs)
 
@@ -135,6 +139,27 @@ class DesignMap(_Kept):
         from . import _plots
 
         return _plots.picture(self.plot())
+
+
+# what each is a share of
+_OF = {"Largest drop": "Largest drop, of force", "Mean drop": "Mean drop, of force", "Friction and snaps": "Friction and snaps, of work"}
+
+
+def _where_it_snaps(figure: Figure) -> Figure:
+    """The figure of designs over one parameter without the drops of those that do not snap."""
+    from ._plots import changed
+
+    first, *second = figure["panels"]
+    parameter, name = first["marks"][0]["columns"][0], first["marks"][0]["table"]
+    table = figure["data"][name]
+    snaps = np.isfinite(table[second[0]["marks"][0]["columns"][1]]) if second else np.zeros(len(table[parameter]), dtype=bool)  # only then has it a second panel
+    drops = {mark["columns"][1] for mark in first["marks"] if "drop" in mark["columns"][1]}
+    shown = {column: np.where(snaps, values, np.nan) if column in drops else values for column, values in table.items()}
+    values, unit = table[parameter][snaps], parameter[parameter.rfind("["):].strip("[]") if "[" in parameter else ""
+    where = f"Snaps from {values.min():.3g} to {values.max():.3g} {unit}".rstrip() + f", {len(values)} of {len(snaps)}" if len(values) else "No snaps"
+    panels = [changed(first, key_width=1.4 * first["key_width"], marks=[changed(mark, title=_OF.get(mark["title"], mark["title"])) for mark in first["marks"]]), *(changed(panel) for panel in second)]
+    panels[-1]["title"] = f"{panels[-1]['title']}   {where}".lstrip()
+    return cast("Figure", changed(figure, panels=panels, data={**figure["data"], name: shown}))
 
 
 def _map_again(data: Map, case: Case, entries: list[Entry], kept: Mapping[str, object]) -> DesignMap:

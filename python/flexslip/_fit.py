@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import os
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -155,7 +155,8 @@ class Fit(FitFields):
         self._test.write_report(os.fsencode(path))
         return os.path.join(path, "report.html")
 
-    def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
+    def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None,
+             unit: str | Sequence[str] | None = None) -> Axes | npt.NDArray[np.object_]:
         """A figure of the report, drawn with matplotlib.
 
         Parameters
@@ -165,7 +166,10 @@ class Fit(FitFields):
             the force of all its passes; the friction of each against the length that slid. A test without friction has only the record. Unless stated:
             "force", or else "record".
         ax : matplotlib Axes, optional
-            Where to draw: as many as the figure has panels ("force" has two), or one for the first of them.
+            Where to draw: as many as the figure has panels ("force" has two), or one for the first of them. Letters are as they are set there
+            (``legend.fontsize``).
+        unit : str or (str, str), optional
+            Of lengths, of forces, or of both: ``"mm"``, ``("mm", "N")``; those that suit the figure.
 
         Returns
         -------
@@ -177,7 +181,7 @@ class Fit(FitFields):
         figures = cast("list[Figure]", self._part("figures"))
         if figure == "record" and all(each["name"] != figure for each in figures) or not figures and figure is None:  # which the report draws without a fit only
             return _plots.record(self.curves.deflection, self.curves.force, self._reduced, ax)
-        return _plots.plot(figures, figure, ax)
+        return _plots.plot(figures, figure, ax, unit)
 
     def _found(self) -> list[str]:
         """The doubts, each with its remedy, and the next step, in words of Python."""

@@ -173,6 +173,50 @@ class Figures(unittest.TestCase):
         self.assertEqual(len(again.plot()[0].lines), len(fit.plot()[0].lines))
 
 
+    def test_outside_axes_of_ones_own_have_ones_own_letters(self):
+        fit = fitted("simulated")
+        with plt.rc_context({"font.size": 7, "legend.fontsize": 5}):
+            figure, axes = plt.subplots(2, 1, sharex=True)
+            upper, lower = fit.plot("force", ax=axes)
+        self.assertEqual({text.get_size() for text in upper.get_legend().get_texts()}, {5})
+        self.assertEqual(upper.xaxis.label.get_size(), 7)
+        self.assertEqual((upper.get_xlabel(), lower.get_xlabel()[:10]), ("", "Deflection"))
+        figure, axes = plt.subplots()
+        self.assertEqual(fit.plot("force", ax=axes).get_xlabel()[:10], "Deflection")
+        keys = [axes.get_legend() for axes in fit.plot("force", ax=plt.subplots(2, 1)[1])]
+        beyond = [mark for mark in fit._part("figures")[0]["panels"][1]["marks"] if mark["style"]["symbol"] in ("down", "triangle")]
+        self.assertEqual([text.get_text() for text in keys[1].get_texts()] if keys[1] else [], ["Beyond the axis"] * len(beyond))
+
+    def test_identity_a_figure_in_other_units_is_the_same_figure(self):
+        fit = fitted("cyclic")
+        for figure, factors in (("force", (1e-3, 1)), ("profile", (1e-3, 1)), ("passes", (1e-3, 1e-3)), ("boxes", (1e-3, 1))):
+            units = ("mm", "N") if figure == "passes" else "mm"
+            usual, other = (np.atleast_1d(np.asarray(fit.plot(figure, unit=unit), dtype=object)) for unit in (None, units))
+            for one, two in zip(usual, other):
+                self.assertRegex(two.get_xlabel() or "(mm)", r"\(mm\)$")  # empty where another panel has it
+                np.testing.assert_allclose(two.get_xlim(), factors[0] * np.array(one.get_xlim()), rtol=1e-12)
+                np.testing.assert_allclose(two.get_ylim(), factors[1] * np.array(one.get_ylim()), rtol=1e-12)
+                for first, second in zip(one.lines, two.lines):
+                    np.testing.assert_allclose(second.get_xydata(), first.get_xydata() * factors, rtol=1e-12)
+        self.assertRaisesRegex(flexslip.InputError, r'^unit: This must be a unit of length or force, "mm", .* not K', fit.plot, unit="K")
+
+    def test_outside_the_record_alone_is_drawn_of_any_fit(self):
+        line = fitted("simulated").plot("record").lines[-1]
+        np.testing.assert_allclose(line.get_ydata(), 1e3 * fitted("simulated").curves.force, rtol=1e-12)
+
+    def test_identity_a_map_of_designs_shows_drops_where_the_specimen_snaps(self):
+        found = flexslip.design(DESIGN, over={"stiffness": ("10 N/m", "10000 N/m", 7)})
+        drops, first = found.plot()
+        snaps = found.designs.snaps > 0
+        self.assertTrue(0 < snaps.sum() < 7)
+        for line in drops.lines[:2]:
+            np.testing.assert_array_equal(np.isfinite(line.get_ydata()), snaps)
+        ends = found.designs.stiffness[snaps]
+        self.assertEqual(first.get_title("left"), f"B   Snaps from {ends.min():.3g} to {ends.max():.3g} N/m, {snaps.sum()} of 7")
+        never = flexslip.design(DESIGN, friction={"mu0": 0.01}, over={"stiffness": ("10 N/m", "20 N/m", 2)}).plot()
+        self.assertEqual(never.get_title("left"), "A   No snaps")
+
+
 class Parser(html.parser.HTMLParser):
     """Counts tags that are open."""
 
