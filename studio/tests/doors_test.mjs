@@ -37,7 +37,7 @@ async function state(tab, { supports, ...stated }) {
   await painted(tab);
 }
 /** What is said in flags to who has a shell is said in boxes here. */
-const withoutFlags = (sentence) => sentence.replace(/\b(pass|enter|add) /gi, "").replace(/“([a-z ]+)”/g, "…").replace(/--[a-z-]*[a-z]/g, "…").replace(/: (?=edges|rollers|find|crosshead|deflection)/g, " ");
+const withoutFlags = (sentence) => sentence.replace(/\b(pass|enter|add) /gi, "").replace(/“([a-z ]+)”/g, "…").replace(/--[a-z-]*[a-z]/g, "…").replace(/: (?=edges|rollers|find|fit|crosshead|deflection)/g, " ");
 const inWords = ({ sentence, remedy }) => [sentence, remedy].filter(Boolean).join(" ");
 const probability = (share) => (share < 0.01 ? "below 1 %" : share > 0.99 ? "above 99 %" : `${(100 * share).toFixed(0)} %`);
 const texts = (locator) => locator.evaluateAll((all) => all.map((each) => each.textContent));

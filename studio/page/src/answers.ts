@@ -44,7 +44,7 @@ export interface ReadAnswer {
 export const remarksOf = (err: string): string => err.split("\n").filter((line) => line.startsWith("flexslip: ")).map((line) => line.slice(10).trim()).join("; ");
 /** What the program said, without its name: every fault of a case, a line each, or the last line; the page never shows a code. */
 export function sentence(err: string): string {
-  const lines = err.split("\n").map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);
+  const lines = err.split(/\n(?! )/).map((line) => line.replace(/^flexslip: /, "").trim()).filter(Boolean);  // what is indented goes on
   const last = lines.at(-1) ?? "the program gave no answer", [place] = /^.*?:(?=\d+: )/.exec(last) ?? [];
   const begin = place ?? (last.startsWith("--") ? "--" : null);
   return begin ? lines.filter((line) => line.startsWith(begin)).join("\n") : last;

@@ -72,7 +72,7 @@ function stated(settings: Settings, name: Measured): string | undefined {
 /** "90.65 N/m ± 0.3 %" as what stands before and behind the sign. */
 export function partsOf(words: string): { value: string; off: string | null } {
   const [value, off] = words.split(/\s*(?:±|\+-)\s*/, 2) as [string, string?];
-  return { value, off: off ?? null };
+  return { value, off: off && /^[\d.,]+$/.test(off) ? `${off} ${/[^-+\d.,\s].*$/.exec(value.replace(/e[-+]?\d+/i, ""))?.[0] ?? ""}`.trim() : off ?? null };  // a bare number has the unit of its value
 }
 
 /** What each section is said by. */

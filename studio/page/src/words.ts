@@ -18,15 +18,16 @@ const unitBox = (flag: string): string => `${flag === "force" ? "force" : "displ
 
 /** What the program asks of a file: the first of its open questions, and the box that answers it. */
 export interface Question { words: string; box: string; of: number }
+const heard = new Map<string, string>();  // questions by their flags: of the last one open, the program says only that its value is missing
 export function questionOf(test: Test): Question | null {
   if (test.isCase || test.fit) return null;
-  const [line = ""] = test.refusal.split("\n"), list = [...line.matchAll(/\(\d+\) (.*?)(?=\.?$| \(\d+\) )/g)].map(([, each]) => each!), asked = list[0] ?? line;
-  const unit = UNIT_OF_A_COLUMN.exec(asked), flags = [...asked.matchAll(/--([a-z][a-z-]*[a-z])/g)].map(([, flag]) => flag!);
+  const [line = ""] = test.refusal.split("\n"), list = [...test.refusal.matchAll(/^ +(--.*?)  +(.*)/gm)], [asked, , words] = list[0] ?? [line];
+  for (const [, flags, each] of list) heard.set(flags!.split(" ")[0]!, each!);
+  const unit = UNIT_OF_A_COLUMN.exec(asked!), flags = [...asked!.matchAll(/--([a-z][a-z-]*[a-z])/g)].map(([, flag]) => flag!);
   const flag = flags.includes("displacement-column") ? "displacement-column" : flags.find((each) => BOXES[each] !== undefined);
   if (flag === undefined) return null;
-  return { words: list.length ? capital(asked.split(/ pass (?=--)/)[0]!) : inPageWords(line, test), box: unit ? unitBox(unit[1]!) : BOXES[flag]!, of: Math.max(1, list.length) };
+  return { words: words ?? heard.get(/^(--\S+): This value is missing/.exec(line)?.[1] ?? "") ?? inPageWords(line.replace(/^--[a-z-]+: /, ""), test), box: unit ? unitBox(unit[1]!) : BOXES[flag]!, of: Math.max(1, list.length) };
 }
-const capital = (words: string): string => (words ? words[0]!.toUpperCase() + words.slice(1) : words);
 
 /** Sentences of the program about a test, a line each, with boxes where they say flags. */
 export const inPageWords = (sentences: string, test: Test): string => sentences.split("\n").map((sentence) => {
@@ -44,7 +45,7 @@ const boxesOfKeys = (sentence: string): string => sentence.replace(/\[\w+\] (\w+
 export function withBoxes(sentence: string): string {
   return sentence.replaceAll(" (flexslip read FILE shows them)", "").replace(/ \(--([a-z-]+)\)/g, (flag, name: string) => (BOXES[name] === undefined ? "" : flag))
     .replace(new RegExp(UNIT_OF_A_COLUMN, "g"), (_, name: string, unit: string) => `“${unitBox(name)}”: ${unit}`)
-    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replace(/\bWrite ([^;]*?) into \[\w+\]/g, "Enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/\b(Pass|Add) (?=--[a-z])/g, "Enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
+    .replace(/\bwrite ([^;]*?) into \[\w+\]/g, "enter $1").replace(/\bWrite ([^;]*?) into \[\w+\]/g, "Enter $1").replaceAll("modulus or bending_stiffness", "modulus").replace(/\b(pass|add) (?=--[a-z])/g, "enter ").replace(/\b(Pass|Add) (?=--[a-z])/g, "Enter ").replace(/--([a-z][a-z-]*[a-z])(?:[ =]("[^"]*"|…|[A-Z]{2,}\b|[a-z]+(?:\|[a-z]+)+|\d+\b|(?:crosshead|deflection|edges|rollers|none|keep|find|fit|reverse)\b))?/g, (flag, name: string, value: string | undefined) => {
     const box = BOXES[name];
     if (box === undefined) return flag;
     const told = value === undefined || /^[A-Z]{2,}$|[…|]/.test(value) ? "" : `: ${value.replaceAll('"', "")}`;
