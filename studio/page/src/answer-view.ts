@@ -23,7 +23,7 @@ export function drawAnswer(studio: Studio): void {
   const { answer, doubts, checks, findings, verdict: { sentence } } = fit.answer, word = /^[^.:]*/.exec(sentence)![0], next = nextOf(fit.answer), last = [...doubtsOf(fit.answer), ...next], others = findings.filter(({ code }) => !doubts.some((doubt) => doubt.code === code));
   const open = host.querySelector("details")?.open ?? false, folded = linesOf([...answer.slice(0, FIRST), ...last]);
   const unfolded = el("details", { class: "all", toggle: () => (folded.hidden = unfolded.open) }, el("summary", {}, "All lines"), linesOf([...answer, ...last]), el("p", { class: "note" }, `${checks} ± is one standard error.`.trim()),
-    el("ul", { class: "note" }, ...others.map((finding) => el("li", {}, withBoxes(inWords(finding))))));
+    el("ul", { class: "note" }, ...others.map((finding) => el("li", {}, withBoxes(inWords(finding.remedy === fit.answer.next ? { ...finding, remedy: "" } : finding))))));
   unfolded.open = open;
   fill(host, refusal && el("p", { class: "say" }, refusal, " Below stands the answer before that."), el("h1", {}, el("b", {}, word), withBoxes(sentence.slice(word.length))),
     isWithdrawn(fit.answer) ? linesOf(next) : folded, isWithdrawn(fit.answer) ? null : unfolded);

@@ -8,15 +8,15 @@ import type { Studio } from "./studio";
 function steps(studio: Studio): [string, string][] {
   const fit = studio.fit?.answer;
   if (!fit || isWithdrawn(fit)) return [];
-  const { drops, verdict, next } = fit, first: [string, string] = ["The answer", `${verdict.sentence} ^Drag along the curve^ and read each row above it.`], last: [string, string] = ["What to do next", next];
+  const { drops, verdict } = fit, first: [string, string] = ["The answer", "Above the curve: the verdict, the numbers behind it, and what to do next. ^Drag along the curve^ to read each row."];
   const impossible = drops.filter((drop) => slipOf(drop) === "no").length;
-  if (!tellsFriction(fit)) return [first, ...(impossible ? [["Drops that cannot be slips", `A triangle marks a drop that no slip explains: here ${impossible} of ${drops.length}.`] as [string, string]] : []), ...(next ? [last] : [])];
+  if (!tellsFriction(fit)) return [first, ...(impossible ? [["Drops that cannot be slips", `A triangle marks a drop that no slip explains: here ${impossible} of ${drops.length}.`] as [string, string]] : [])];
   const uneven = studio.fit?.wave ? "amplitude *A*" : "roughness", cautious = verdict.code === "slip" ? "In this model no crack is needed." : "Uneven friction can make drops; that does not exclude cracks.";
   return [
     first,
     ...(drops.length ? [["What a drop shows", "In a drop the stage stands still, so every drop follows the load line, whatever caused it. ^Drag the handle of load train^: on a stiffer one, drops become fewer and smaller."], ["Uneven friction", `^Drag the handle of ${uneven} to 0.^ The drops disappear, the curve stays. ${cautious}`]] as [string, string][] : []),
-    ["Lost stiffness", "A crack leaves the specimen softer. ^Drag the handle of stiffness *EI* down^: the curve sinks. A reload shows it."],
-    ["The test that decides", `${next} ^Add unload and reload^, and drag its points.`],
+    ["Lost stiffness", "A crack leaves the specimen softer. ^Drag the handle of stiffness *EI* down^: the curve sinks."],
+    ["The test that decides", "A reload measures the lost stiffness. ^Add unload and reload^, and drag its points."],
   ];
 }
 
