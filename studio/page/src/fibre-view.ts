@@ -48,7 +48,7 @@ export class FibreView {
     const deepest = Math.max(greatest(fit.curves.column("w")!), studio.programmed ? greatest(studio.programmed.deflection) : 0);
     const reach = (values.L / 2) * 1.22;
     this.top = Math.min(64, height * 0.24);
-    this.scale = Math.min((width - 80) / (2 * reach), (height - this.top - Math.min(64, height * 0.3)) / Math.max(deepest, values.L * 0.08));
+    this.scale = Math.min((width - 80) / (2 * reach), (width - 170) / values.L, (height - this.top - Math.min(64, height * 0.3)) / Math.max(deepest, values.L * 0.08));
     const X = (x: number): number => width / 2 + x * this.scale, Y = (y: number): number => this.top - y * this.scale;
     const line = (from = 0, to = shape.x.length): string => {
       let d = "";

@@ -126,7 +126,7 @@ export class ForceView {
       if (pin.on) {
         this.references.append(path(lineThrough(this.of(pin.curve), pin.curve.force, x, y), "var(--pin)", 1.3));
         const at = Math.floor(pin.curve.force.length * 0.86);
-        this.references.append(haloed(pin.name, x(this.of(pin.curve)[at] ?? 0), y(pin.curve.force[at] ?? 0) + 16, "middle", "var(--pin)"));
+        this.references.append(haloed(pin.name, x(this.of(pin.curve)[at] ?? 0), y(pin.curve.force[at] ?? 0) + 30, "middle", "var(--pin)"));
       }
     fill(this.model);
     if (programmed) this.model.append(path(lineThrough(this.of(programmed), programmed.force, x, y), "var(--model)", 1.2, { "stroke-dasharray": "5 3" }));
@@ -245,8 +245,8 @@ export class ForceView {
     const drops: [("could" | "undecided" | "no"), string][] = [["could", "can be a slip"], ["undecided", "cannot be judged"], ["no", "cannot be a slip"]];
     const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `drop: ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
     const data = dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3), passes = kindsOf(fit.passes).map(({ words, pass }) => mark(words, pass.isEvaluated ? data : passLine(pass, "M2 6h16")));
-    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), tellsFriction(fit.answer) ? mark("model", path("M0 6h20", "var(--model)", 1.6)) : null,
-      studio.changed ? el("span", {}, "by hand") : fit.friction.draws.length && tellsFriction(fit.answer) ? mark("posterior samples", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
+    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), tellsFriction(fit.answer) ? mark(studio.changed ? "model by hand" : "model", path("M0 6h20", "var(--model)", 1.6)) : null,
+      !studio.changed && fit.friction.draws.length && tellsFriction(fit.answer) ? mark("posterior samples", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
   }
 
   /** The marked moment alone, for the pointer. */

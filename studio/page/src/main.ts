@@ -281,7 +281,7 @@ function drawError(studio: Studio): void {
   const host = byId("error");
   host.hidden = studio.error === "";
   if (host.hidden) return fill(host);
-  fill(host, svg("svg", { class: "glyph", viewBox: "0 0 14 14", "aria-hidden": "true" }, svg("path", { d: "M7 1.200 13.200 12.500H.8z", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }), svg("path", { d: "M7 5v4M7 10.200v1.300", stroke: "currentColor", "stroke-width": 1.4 })),
+  fill(host, svg("svg", { width: 14, height: 14, "aria-hidden": "true" }, svg("path", { d: "M7 1.200 13.200 12.500H.8z", fill: "none", stroke: "currentColor", "stroke-width": 1.4 }), svg("path", { d: "M7 5v4M7 10.200v1.300", stroke: "currentColor", "stroke-width": 1.4 })),
     el("span", { title: studio.error }, studio.error), el("button", { class: "link", click: () => studio.report("") }, "Close"));
 }
 
@@ -298,7 +298,7 @@ function drawHead(studio: Studio): void {
   document.title = test ? `${test.name} – FlexSlip studio` : "FlexSlip studio";
   if (!test) return fill(byId("what"));
   const m = fit?.answer.measurement;
-  fill(byId("what"), el("b", {}, test.name), el("span", {}, m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : test.read ? ` · ${test.read.rows} rows` : ""));
+  fill(byId("what"), el("b", {}, test.name), el("span", {}, m ? ` · rows ${m.first_row}–${m.last_row} of ${m.rows}` : ""));
 }
 
 /** The draws are run forward when nothing else is asked of the page. */

@@ -117,7 +117,7 @@ export class ParametersView {
       studio.remember();
       studio.set(p.key, fit.fitted[p.key]);
     } }, rich(p.name));
-    const interval = p.interval ? p.interval.map((value) => shown(p, value).replace("-", "−")).join(p.interval[0] < 0 ? " to " : "–") : "";
+    const interval = !p.interval ? "" : p.key === "phi" && p.interval[1] - p.interval[0] >= 2 * Math.PI ? "any" : p.interval.map((value) => shown(p, value).replace("-", "−")).join(p.interval[0] < 0 ? " to " : "–");
     const root = el("div", { class: `parameter${held ? " held" : ""}`, "data-parameter": p.key }, lock, title, handle, number, el("span", { class: "unit" }, rich(p.unitWords)), el("span", { class: "note interval" }, interval));
     const row: Row = { parameter: p, root, handle, number };
     return row;

@@ -7,7 +7,7 @@ import { probability, unitFor, withError } from "./quantity";
 import type { Studio } from "./studio";
 import type { Fit } from "./test";
 
-const MARGINS = { left: 38, right: 8, top: 4, bottom: 32 };
+const MARGINS = { left: 38, right: 8, top: 16, bottom: 32 };
 const CERTAIN = 2;  // [standard errors] from which on something settled
 const SHOWN = 0.98;  // [1] of the points: beyond them noise alone would set the axis
 
@@ -62,7 +62,7 @@ export class PassesView {
       inside.append(dotted(dots(lengths, only(0), x, y), "var(--mute)", 1.8), dotted(dots(lengths, only(1), x, y), fit.passes[i]!.isEvaluated ? "var(--data)" : "var(--pass)", 2.6));
     });
     const clip = svg("clipPath", { id: "boxes-clip" }, svg("rect", { x: MARGINS.left, y: MARGINS.top, width: Math.max(0, frame.width - MARGINS.left - MARGINS.right), height: Math.max(0, frame.height - MARGINS.top - MARGINS.bottom) }));
-    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `slid over each support (${unit.name})`, { x: 4, y: 4 }), inside, haloed("mobilised *q*", MARGINS.left + 6, MARGINS.top + 6, "start"));
+    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `slid over each support (${unit.name})`, { x: 4, y: 4 }), inside, haloed("mobilised *q*", MARGINS.left, 10, "start"));
     this.drawing.setAttribute("aria-label", `Mobilised friction of ${fit.passes.length} passes against the length slid over each support`);
   }
 }

@@ -63,8 +63,8 @@ export function drawTests(studio: Studio): void {
 
 /** All tests in a table; its rows as CSV are those of `flexslip campaign`, which evaluates them together. */
 export function openTests(studio: Studio): void {
-  const fitted = studio.tests.filter((test) => test.fit);
-  const row = ({ name, fit }: Test): HTMLElement => el("tr", {}, el("th", { scope: "row" }, name), ...[wordOf(fit!.answer), lineOf(fit!.answer, "friction"), lineOf(fit!.answer, "work"), doubtsOf(fit!.answer).map(({ words }) => withBoxes(words)).join(" ")].map((words) => el("td", { class: "words" }, words)));
+  const fitted = studio.tests.filter((test) => test.fit), titles = ["test", "verdict", "friction", "work", ...(fitted.some(({ fit }) => fit!.answer.doubts.length) ? ["doubts"] : [])];
+  const row = ({ name, fit }: Test): HTMLElement => el("tr", {}, el("th", { scope: "row" }, name), ...[wordOf(fit!.answer), lineOf(fit!.answer, "friction"), lineOf(fit!.answer, "work"), doubtsOf(fit!.answer).map(({ words }) => withBoxes(words)).join(" ")].slice(0, titles.length - 1).map((words) => el("td", { class: "words" }, words)));
   const save = el("button", { class: "button outlined", disabled: fitted.length === 0, click: async () => {
     save.disabled = true;
     try {
@@ -80,7 +80,7 @@ export function openTests(studio: Studio): void {
   } }, "Save as CSV");
   const note = el("span", { class: "note", role: "status" }, "every column of a campaign, evaluated once more together; its modulus is that of the slope, not of the fit"), left = studio.tests.length - fitted.length;
   openDialog("Tests", [
-    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...["test", "verdict", "friction", "work", "doubts"].map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
+    el("table", { class: "tests-table" }, el("thead", {}, el("tr", {}, ...titles.map((words) => el("th", { scope: "col" }, words)))), el("tbody", {}, ...fitted.map(row))),
     ...(left ? [el("p", { class: "note" }, `${left} not fitted yet: press Fit all.`)] : []), el("p", {}, save, " ", note),
   ]);
 }
