@@ -52,7 +52,7 @@ export class CardView {
         decided ? el("p", { class: "note" }, "Bold: decided by you.") : null);
     }
     const controls = hosts.flatMap((host) => [...host.querySelectorAll<HTMLElement>("input, select, button")]);
-    const again = controls.find((each) => each.getAttribute("aria-label") === name) ?? (focused?.id === "request" ? controls[0] : undefined);
+    const first = focused?.id === "request" ? controls[0] : undefined, again = (question && first) ?? controls.find((each) => each.getAttribute("aria-label") === name) ?? first;
     if (!focused || !again) return;
     again.focus();
     if (!(again instanceof HTMLInputElement)) return;
@@ -191,6 +191,7 @@ export class CardView {
     const quantity = (name: string, key: "span" | "diameter" | "wall" | "width" | "height" | "stiffness" | "modulus" | "tipRadius", kind: QuantityKind, family: Kind, example: string, stated: number | null): void => {
       const value = settings[key] ?? stated, u = value ? unitFor(value, family, 2000) : null, error = key === "tipRadius" ? null : (`${key}Off` as const), off = error && settings[error];
       all.push({ name, example, yours: settings[key] !== undefined && !test.taken.has(key), value: value && u ? `${exactly(value, { ...u, command: u.name })}${off ? ` ± ${off}` : ""}` : "", take: (words) => {
+        if (key === "modulus" && words === "fit") words = "";  // of the record
         if (words === "" && (settings[key] !== undefined || stated === null)) return this.decide({ [key]: undefined, ...(error ? { [error]: undefined } : {}) });
         const told = error ? partsOf(words) : { value: words, off: null }, next = studio.model.quantity(told.value, kind);
         if (told.off !== null && !/^[\d.,]+\s*%$/.test(told.off)) studio.model.quantity(told.off, kind);
