@@ -54,8 +54,8 @@ py::list keys() {
 
 using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
-// A case with a record in memory: columns in SI, in the order of TableColumns. Rows without a number (NaN) in one of them
-// are left out, as those of a file.
+// A case with a record in memory: columns in SI, in the order of TableColumns. Rows without a number (NaN) in a column
+// are left out, as the reader of files does.
 Test with_record(const Test& input, const std::vector<std::pair<std::string, Doubles>>& columns,
                  const std::string& name) {
   Test out = input;
