@@ -39,7 +39,7 @@ struct ReferenceRow {
 inline const std::vector<ReferenceRow>& reference_rows() {
   static const std::vector<ReferenceRow> rows = [] {
     std::vector<ReferenceRow> all{
-#include "tests/fibre/reference/states.inc"
+#include "reference/states.inc"
     };
     std::erase_if(all, [](const ReferenceRow& row) { return row.group != "working"; });
     return all;

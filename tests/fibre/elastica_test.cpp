@@ -45,18 +45,18 @@ struct ShapeRow {
 
 const std::vector<StateRow>& state_rows() {
   static const std::vector<StateRow> rows{
-#include "tests/fibre/reference/states.inc"
+#include "reference/states.inc"
   };
   return rows;
 }
 const std::vector<EndRow> end_rows{
-#include "tests/fibre/reference/ends.inc"
+#include "reference/ends.inc"
 };
 const std::vector<PoleRow> pole_rows{
-#include "tests/fibre/reference/poles.inc"
+#include "reference/poles.inc"
 };
 const std::vector<ShapeRow> shape_rows{
-#include "tests/fibre/reference/shapes.inc"
+#include "reference/shapes.inc"
 };
 
 // What a relative change in S - 1 or in q does to F.

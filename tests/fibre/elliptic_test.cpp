@@ -25,7 +25,7 @@ struct EllipticRow {
 
 const std::vector<EllipticRow>& elliptic_rows() {
   static const std::vector<EllipticRow> rows{
-#include "tests/fibre/reference/elliptic.inc"
+#include "reference/elliptic.inc"
   };
   return rows;
 }

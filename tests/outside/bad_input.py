@@ -281,7 +281,7 @@ class WrongCall(InFolder):
             self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"{key}={value}", says=[key, "a possible", "look at its exponent"])
 
     def test_output_that_cannot_be_written(self):
-        self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / "none" / "x.csv", says=["x.csv", "No such file"])
+        self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / "none" / "x.csv", says=["x.csv", "There is no folder"])
         self.refused("state", "--S", "1.2", "--q", "0.3", "--json", "-o", self.folder, says=["Is a directory"])
         self.refused("state", "--S", "1.2", "--q", "0.3", "-o", self.folder / (300 * "x"), says=["File name too long"])
 

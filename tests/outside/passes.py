@@ -38,8 +38,8 @@ file = "{file}"
 {first} = "{first_title}"
 force = "{force_title}"
 """
-PASSES = {"status", "sliding_out_rows", "settled", "loss_needed", "passes"}
-PASS = {"direction", "rows", "sliding_rows", "friction", "deflection", "force"}
+PASSES = {"status", "sliding_out_rows", "settled", "loss_needed", "drops_again", "passes"}
+PASS = {"direction", "rows", "sliding_rows", "friction", "deflection", "force", "drawn_in", "q", "slides"}
 
 
 class CyclicRecords(InFolder):
@@ -114,8 +114,17 @@ class Simulated(CyclicRecords):
     @unittest.skipUnless((SHARED / "wear_between_loadings").is_dir(), "no shared cases")
     def test_truth_friction_that_wears_is_no_loss(self):
         fit = self.json("fit", SHARED / "wear_between_loadings/wear.toml")
-        self.assertEqual(fit["verdict"]["code"], "slip", fit["verdict"])
+        # Of three drops the probability of cracks only is 5.2 %; SLIP needs 5.
+        self.assertIn(fit["verdict"]["code"], ("slip", "undecided"), fit["verdict"])
+        self.assertLess(fit["judgement"]["cracks_alone"], 0.06)
         self.assertLess(fit["judgement"]["stiffness_lost"], 2 * fit["judgement"]["stiffness_lost_error"])
+
+    def test_truth_the_error_of_a_wavelength_includes_that_of_the_rig(self):
+        program = '["0 um", "450 um", "100 um", "900 um"]'
+        fit = self.json("fit", self.record(self.readings(program, seed=3)))
+        wavelength = fit["parameters"]["wavelength"]
+        self.assertLess(abs(wavelength["value"] - 25e-6), 2 * wavelength["standard_error"])
+        self.assertGreater(wavelength["standard_error"], 0.002 * 25e-6)
 
     def test_a_record_that_begins_by_unloading_is_evaluated_from_its_loading_on(self):
         turned = self.readings(UP_AND_DOWN)

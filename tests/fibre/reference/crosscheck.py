@@ -6,6 +6,7 @@ Prints the largest relative difference of each column. About a minute.
 import csv
 from pathlib import Path
 
+from initialisers import initialisers
 from mpmath import mp, mpf
 
 mp.dps = 90
@@ -99,11 +100,11 @@ def check_states():
 
 
 def check_pairs():
-    """hi + lo of each .inc is the value of the .csv."""
+    """hi + lo of each initialiser is the value of the table."""
     for name in ("states", "ends", "poles", "shapes", "elliptic"):
         worst = Worst()
         rows = read(name)
-        lines = [l for l in (FOLDER / (name + ".inc")).read_text().splitlines() if l.startswith("{")]
+        lines = list(initialisers(FOLDER / (name + ".csv")))
         assert len(rows) == len(lines)
         for row, line in zip(rows, lines):
             outputs = list(row)[1 + 2 * sum(c.endswith("_hex") for c in row):]
@@ -112,7 +113,7 @@ def check_pairs():
             for column, (hi, lo) in zip(outputs, pairs):
                 if hi != "inf" and abs(float.fromhex(hi)) > 1e-280:   # below, lo is subnormal
                     worst.add("hi + lo", mpf(float.fromhex(hi)) + mpf(float.fromhex(lo)), mpf(row[column]))
-        worst.report(name + ".inc:")
+        worst.report(name + ", initialisers:")
 
 
 def check_ends():

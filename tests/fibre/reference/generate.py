@@ -18,32 +18,19 @@ def decimal(v):
     return "inf" if v == INF else mp.nstr(v, 40, strip_zeros=False) if v else "0"
 
 
-def pair(v):
-    """v as hi + lo, two doubles: 32 digits."""
-    if v == INF:
-        return "{inf, 0}"
-    hi = float(v)
-    lo = float(v - mpf(hi))
-    return "{%s, %s}" % (hexadecimal(hi), hexadecimal(lo))
-
-
 def hexadecimal(x):
     return float(x).hex() if x else "0"
 
 
 def write(name, made, inputs, outputs, rows):
-    """A row is (label, doubles, values); the same rows as CSV for people and as initialisers for the tests."""
+    """A row is (label, doubles, values)."""
     header = [made, "Values: 40 digits. Inputs are doubles: 17 digits here, hexadecimal beside."]
     csv = ["# " + line for line in header]
     csv.append(",".join(["group"] + inputs + [i + "_hex" for i in inputs] + outputs))
-    inc = ["// Made by generate.py; do not edit. " + made,
-           "// {group, " + ", ".join(inputs + ["{" + o + " hi, lo}" for o in outputs]) + "}"]
     for label, doubles, values in rows:
         csv.append(",".join([label] + ["%.17g" % x for x in doubles] + [hexadecimal(x) for x in doubles]
                             + [decimal(v) for v in values]))
-        inc.append('{"%s", %s},' % (label, ", ".join([hexadecimal(x) for x in doubles] + [pair(v) for v in values])))
     (FOLDER / (name + ".csv")).write_text("\n".join(csv) + "\n")
-    (FOLDER / (name + ".inc")).write_text("\n".join(inc) + "\n")
     print(name, len(rows), {g: [r[0] for r in rows].count(g) for g in dict.fromkeys(r[0] for r in rows)}, flush=True)
 
 
