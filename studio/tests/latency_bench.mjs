@@ -13,7 +13,7 @@ const tab = await open();
 await fitted(tab);
 const first = await tab.evaluate(() => performance.getEntriesByName("analysed")[0].startTime);  // [ms] from navigation
 await drop(tab, { name: "long.csv", bytes: longRecord() });
-await tab.waitForFunction(() => document.querySelector("#tests li[aria-selected=true] b")?.textContent === "long");
+await tab.waitForFunction(() => document.querySelector("#tests .selected b")?.textContent === "long");
 await say(tab, RIG);
 await tab.keyboard.press("Escape");
 const began = performance.now();
