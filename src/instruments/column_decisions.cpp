@@ -312,7 +312,8 @@ std::optional<Compliance> compliance_between(const ExportColumn& first, const Ex
   for (std::size_t i = 0; i < a.size(); ++i) difference[i] = sign_of_a * a[i] - sign_of_b * b[i];
   const double r = correlation(difference, forces);
   if (!(std::abs(r) >= proportional) || range_of(difference) < min_share * range_of(a)) return std::nullopt;
-  return Compliance{r > 0, deviation_of(forces) / (std::abs(r) * deviation_of(difference))};
+  const double stiffness = deviation_of(forces) / (std::abs(r) * deviation_of(difference));
+  return Compliance{r > 0, number_in(fmt::format("{:.6g}", stiffness), {})};  // a value that its text gives again
 }
 
 // Of two displacements whose difference grows with the force, the smaller is the deflection at the
