@@ -313,7 +313,8 @@ std::optional<Compliance> compliance_between(const ExportColumn& first, const Ex
   const double r = correlation(difference, forces);
   if (!(std::abs(r) >= proportional) || range_of(difference) < min_share * range_of(a)) return std::nullopt;
   const double stiffness = deviation_of(forces) / (std::abs(r) * deviation_of(difference));
-  return Compliance{r > 0, number_in(fmt::format("{:.6g}", stiffness), {})};  // a value that its text gives again
+  // Rounded to six digits: a case that holds it as text then means the same number.
+  return Compliance{r > 0, number_in(fmt::format("{:.6g}", stiffness), {})};
 }
 
 // Of two displacements whose difference grows with the force, the smaller is the deflection at the

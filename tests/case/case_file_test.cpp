@@ -111,6 +111,8 @@ TEST_CASE("table: the uncertainties that can be stated, in three ways") {
   const RigInput known{.span = 1e-3, .stiffness = Known{90, 0.003 * 90}};
   CHECK(rig("span = '1 mm'\nstiffness = { value = '90 N/m', uncertainty = '0.3 %' }") == known);
   CHECK(rig("span = '1 mm'\nstiffness = '90 N/m ± 0.3 %'") == known);
+  CHECK(rig("span = '1 mm'\nstiffness = '90 ± 0.27 N/m'") == known);
+  CHECK(rig("span = '1 mm'\nstiffness = '90 N/m ± 0.27'") == known);
   CHECK(rig("span = '1 mm'\nstiffness = '90 N/m +- 0.3 %'") == known);
   const std::string plain = "[rig]\nspan = '1 mm'\nstiffness = '90 N/m'";
   CHECK(read_case(plain, "case.toml", {"rig.stiffness.uncertainty=0.3 %"}).rig == known);
