@@ -20,7 +20,7 @@ namespace py = pybind11;
 // The record that the numbers describe. Deflections are counted from the origin of strains, if there
 // is one; the linear region is its first point and the one behind its last, or None.
 py::dict curve_of(const ModulusStudy& study) {
-  const Record& record = study.measurement.record;
+  const Record& record = study.measurement.first_curve.record;
   const SmallDeflection& numbers = study.numbers;
   const bool ok = numbers.status == SmallDeflectionStatus::ok;
   std::vector<double> deflection = record.deflection;

@@ -34,8 +34,8 @@ Fields<StandardTest> window_fields() {
            [](const StandardTest& t) { return t.numbers.window_force; })
       .own_numbers("rows", kind::number, "first and last row of the linear region in the file",
                    [](const StandardTest& t) {
-                     return std::vector{file_row(t.measurement, t.numbers.first),
-                                        last_file_row(t.measurement, t.numbers.last - 1)};
+                     const RowRange rows = rows_of_first_curve(t.measurement, t.numbers.first, t.numbers.last);
+                     return std::vector{rows.first, rows.last};
                    });
 }
 

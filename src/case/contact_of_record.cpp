@@ -115,11 +115,11 @@ PreparationStep count_from_straight_part(Preparing& at, const Contact& contact, 
   const double between = contact.status == ContactStatus::found ? straight.origin - contact.offset.value : 0;
   result.contact_error = elementary::length(usual_error, between);
   result.own_contact = counted_from(straight.origin, contact);
+  const RowRange rows = rows_of_first_curve(result, straight.first, straight.last);
   return {.changed = true,
           .done = fmt::format("the record begins with a toe: displacements are counted from where the straight part, "
                               "rows {} to {}, would meet zero force",
-                              at.sampling().rows[result.first + straight.first] + 1,
-                              rows_of_points(at.sampling(), result.first + straight.last)),
+                              rows.first, rows.last),
           .value = value_in(at.input(), straight.origin, result.contact_error, kind::length),
           .otherwise = switch_to("contact", "first row")};
 }
@@ -190,32 +190,65 @@ PreparationStep find_contact_of_record(Preparing& at) {
   return is_found ? count_from_own_contact(at, contact) : count_from_stated_contact(at, contact, usual_error);
 }
 
-SmallDeflectionOptions straight_options(const Preparing& at) {
+FirstCurve first_curve_of(const Preparing& at) {
+  const Measurement& result = at.result;
+  std::vector<std::size_t> points;
+  double farthest = -infinity;
+  const auto go_on = [&](std::size_t first, std::size_t last) {
+    while (first < last && !(at.all.stage[first] > farthest)) ++first;
+    for (; first < last; ++first) {
+      points.push_back(first);
+      farthest = std::max(farthest, at.all.stage[first]);
+    }
+  };
+  if (result.loading.number > 1)
+    for (const Leg& leg : find_legs(result.cycles->stage))
+      if (leg.direction == Direction::loading && leg.last <= result.first) go_on(leg.first, leg.last);
+  if (!(result.record.stage.back() > farthest)) {
+    points.clear();
+    farthest = -infinity;
+  }
+  go_on(result.first, result.first + result.record.stage.size());
+  FirstCurve curve{picked(at.all, points), std::move(points)};
+  for (std::size_t i = 1; i < curve.record.stage.size(); ++i)
+    curve.record.stage[i] = std::max(curve.record.stage[i], curve.record.stage[i - 1]);
+  return curve;
+}
+
+std::optional<LinearRegion> straight_part(const Preparing& at) {
+  const FirstCurve& curve = at.result.first_curve;
   SmallDeflectionOptions options;
   if (at.result.is_derived) options.load_train_error = rig_errors_of(at.result).load_train;
-  options.halts = at.sampling().halts_between(at.result.first, at.loading.last);
-  return options;
+  options.halts = at.sampling().halts_among(curve.points);
+  return find_linear_region(curve.record, geometry_of(at.input()), options);
+}
+
+std::size_t points_before_contact(const Measurement& result, const std::vector<double>& stage) {
+  if (result.contact == ContactSource::first_point) return 0;
+  return static_cast<std::size_t>(std::lower_bound(stage.begin(), stage.end(), result.contact_offset) - stage.begin());
 }
 
 // Counts from the contact and removes the points before it.
 void take_off_contact(Preparing& at) {
   Measurement& result = at.result;
   const std::vector<double>& stage = result.record.stage;
-  const auto begin = std::lower_bound(stage.begin(), stage.end(), result.contact_offset);
-  const std::size_t skipped =
-      result.contact == ContactSource::first_point ? 0 : static_cast<std::size_t>(begin - stage.begin());
+  const std::size_t skipped = points_before_contact(result, stage);
   result.first += skipped;
   if (stage.size() - skipped < at.needs.points)
     throw wrong_value(at.input(), "record.contact",
                       fmt::format("Only {} rows of readings lie after contact; at least {} are needed",
                                   stage.size() - skipped, at.needs.points));
   result.record = counted_from(result.contact_offset, std::move(result.record), skipped);
-  if (result.straight && result.straight->first >= skipped) {
-    result.straight->first -= skipped;
-    result.straight->last -= skipped;
+  FirstCurve& curve = result.first_curve;
+  const std::size_t before = points_before_contact(result, curve.record.stage);
+  curve = {counted_from(result.contact_offset, std::move(curve.record), before),
+           {curve.points.begin() + static_cast<std::ptrdiff_t>(before), curve.points.end()}};
+  if (result.straight && result.straight->first >= before) {
+    result.straight->first -= before;
+    result.straight->last -= before;
     result.straight->origin -= result.contact_offset;
   } else {
-    result.straight = find_linear_region(result.record, geometry_of(at.input()), straight_options(at));
+    result.straight = straight_part(at);
   }
   if (result.cycles) result.cycles = counted_from(result.contact_offset, std::move(*result.cycles));
 }
@@ -225,9 +258,10 @@ void take_off_contact(Preparing& at) {
 Done count_from_contact(Preparing& at) {
   Measurement& result = at.result;
   result.force_noise = force_noise(result.record);
-  result.straight = find_linear_region(result.record, geometry_of(at.input()), straight_options(at));
-  result.straight_is_initial = result.straight && at.input().rig && at.input().rig->span &&
-                               result.loading.number <= 1 && tells_no_friction(at.input(), result.record);
+  result.first_curve = first_curve_of(at);
+  result.straight = straight_part(at);
+  result.straight_is_initial =
+      result.straight && at.input().rig && at.input().rig->span && tells_no_friction(at.input(), result.record);
   PreparationStep step = find_contact_of_record(at);
   take_off_contact(at);
   return step;

@@ -137,6 +137,11 @@ double force_at_start(std::span<const double> force) {
 void require_points(const Preparing& at, const Record& record) {
   if (record.force.size() >= at.needs.points) return;
   const std::size_t rows = at.table().lines.size();
+  if (at.last_row && at.points < at.needs.points)
+    throw wrong_value(at.input(), "record.until",
+                      fmt::format("Only {} of {} rows lie before the stated end, row {}; at least {} are needed",
+                                  record.force.size(), rows, *at.last_row, at.needs.points),
+                      "state a later row, or leave the key out");
   throw InputError({.file = at.table().source,
                     .problem = fmt::format("Only {} of {} rows lie before failure; at least {} are needed",
                                            record.force.size(), rows, at.needs.points),

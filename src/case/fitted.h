@@ -65,7 +65,7 @@ struct FittedTest {
   std::optional<double> section_moment;  // [m^4] I, if the section is known
   std::optional<Materials> materials;    // in contact, if the case states both
   BeamGeometry geometry;                 // span, and section if known
-  SmallDeflection small_deflection;      // of the evaluated loading, by the bending standards
+  SmallDeflection small_deflection;      // of the first curve, by the bending standards
   TestAnalysis analysis;                 // of the evaluated loading
   std::optional<PassesFit> passes;       // if the record has an unloading; in the scales of the analysis
   DropsElsewhere drops_elsewhere;

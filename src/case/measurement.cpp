@@ -83,10 +83,9 @@ Measurement read_measurement(const Test& asked, const Needs& needs) {
   return std::move(at.result);
 }
 
-Record first_loading(const Measurement& measurement) {
-  if (measurement.loading.number <= 1 || !measurement.cycles) return measurement.record;
-  const Leg first = find_legs(measurement.cycles->stage).front();
-  return points_between(*measurement.cycles, first.first, first.last);
+RowRange rows_of_first_curve(const Measurement& measurement, std::size_t first, std::size_t last) {
+  const std::vector<std::size_t>& points = measurement.first_curve.points;
+  return {cyclic_file_row(measurement, points[first]), rows_of_points(measurement.sampling, points[last - 1] + 1)};
 }
 
 std::size_t file_row(const Measurement& measurement, std::size_t point) {

@@ -45,6 +45,14 @@ struct LeastTrain {
   double advance;      // [m] increase of the deflection, > 0
 };
 
+// The loading of the specimen to where it has not been before: the evaluated loading, and, where an
+// earlier loading begins it, that one and of every later one the points beyond. Friction remembers
+// where the stage last turned: a reload meets this curve there, unless stiffness was lost.
+struct FirstCurve {
+  Record record{};                    // stage and deflection from the contact
+  std::vector<std::size_t> points{};  // of each, its place in Sampling::rows
+};
+
 struct Measurement {
   Test test;                                   // completed from the file (Readings)
   std::vector<PreparationStep> preparation{};  // the steps from the file to the record
@@ -69,7 +77,8 @@ struct Measurement {
   double contact_offset = 0;  // [m] subtracted from stage and deflection
   double contact_error = 0;   // [m] standard deviation, at least the distance to the record's own contact
   Contact own_contact{ContactStatus::too_few_points};  // of the record, from the subtracted contact
-  std::optional<LinearRegion> straight{};              // linear region of the record
+  FirstCurve first_curve{};
+  std::optional<LinearRegion> straight{};  // linear region of the first curve
   // True if the bending stiffness of every command is the slope of the linear region: the
   // deflection is below min_informative_deflection. At larger deflections the start of the record
   // is better, because friction steepens the rest.
@@ -80,8 +89,8 @@ struct Measurement {
   bool baseline_is_off = false;            // true if it was subtracted, as the case requests
 };
 
-// The record; with several loadings the first, because friction has not yet pulled in its specimen.
-Record first_loading(const Measurement& measurement);
+// The rows of the file, from 1, of points [first, last) of the first curve.
+RowRange rows_of_first_curve(const Measurement& measurement, std::size_t first, std::size_t last);
 
 // The row of the file, from 1, at which a point of the record or of the cycles begins.
 std::size_t file_row(const Measurement& measurement, std::size_t point);

@@ -531,13 +531,12 @@ BendingStiffnessUsed bending_stiffness_of(const Test& test, const Measurement& m
   const double span = span_of(test);
   if (const auto& straight = measurement.straight; measurement.straight_is_initial) {
     constexpr double of_one = 0.3;  // standard deviation of a friction that is uniform up to 1
-    const double bend = of_one * max_steepening(geometry_of(test), straight->middle(measurement.record));
+    const double bend = of_one * max_steepening(geometry_of(test), straight->middle(measurement.first_curve.record));
     const double error = elementary::length(elementary::length(default_stiffness_error, bend),
                                             straight->slope.standard_error / straight->slope.value);
     return {beam_bending_stiffness(straight->slope.value, span), error, StiffnessSource::initial_slope};
   }
-  auto slope = stiffness_from_slope(first_loading(measurement), span);
-  if (!slope.found) slope = stiffness_from_slope(measurement.record, span);
+  const auto slope = stiffness_from_slope(measurement.first_curve.record, span);
   if (!slope.found)
     throw InputError({.file = measurement.file,
                       .problem = "The force must rise over at least 5 rows after contact so that the bending stiffness "

@@ -441,6 +441,13 @@ Readings readings_given(const Test& input) {
   readings.found_by = {{.name = "columns",
                         .done = named_in_words(readings.columns, readings.table),
                         .rows = RowRange{1, readings.table.rows_of_file()}}};
+  if (const auto& left_out = readings.table.missing_rows; !left_out.empty())
+    readings.found_by.push_back(
+        {.name = "missing",
+         .changed = true,
+         .done = left_out.size() == 1 ? fmt::format("row {}, which has no number, is left out", left_out.front() + 1)
+                                      : fmt::format("{} rows without a number are left out, the first is row {}",
+                                                    left_out.size(), left_out.front() + 1)});
   return readings;
 }
 

@@ -21,7 +21,9 @@ namespace {
 // [L] From the origin of the linear region, for any contact of the record.
 std::optional<LoadingRead> loading_read(const Measurement& measurement, const SmallDeflection& numbers,
                                         const Scales& scales) {
-  const auto counted = [&](std::size_t point) { return measurement.record.deflection[point] - numbers.origin; };
+  const auto counted = [&](std::size_t point) {
+    return measurement.first_curve.record.deflection[point] - numbers.origin;
+  };
   const double from = reports_chord(numbers) ? numbers.chord->deflection_from : counted(numbers.first);
   const double to = reports_chord(numbers) ? numbers.chord->deflection_to : counted(numbers.last - 1);
   const LoadingRead read{.from = std::max(scales.reduced_length(from), 0.0),
@@ -88,11 +90,11 @@ SmallDeflection small_deflection_of(const Measurement& measurement, const std::o
   SmallDeflectionOptions options{.window = window};
   if (measurement.is_derived) options.load_train_error = rig_errors_of(measurement).load_train;
   if (test.reduced) options.greatest_modulus = infinity;
-  options.halts = measurement.sampling.halts_between(measurement.first, measurement.sampling.rows.size());
+  const Record& record = measurement.first_curve.record;
+  options.halts = measurement.sampling.halts_among(measurement.first_curve.points);
   options.steepening = steepening_of(test);
   if (measurement.contact == ContactSource::stated) options.contact = normal_estimate(0, measurement.contact_error);
-  return small_deflection(measurement.record,
-                          window ? find_linear_region(measurement.record, geometry, options) : measurement.straight,
+  return small_deflection(record, window ? find_linear_region(record, geometry, options) : measurement.straight,
                           geometry, options);
 }
 

@@ -138,10 +138,16 @@ std::size_t leave_out(std::vector<std::size_t>& rows, Kept is_kept) {
 }  // namespace
 
 std::vector<std::size_t> Sampling::halts_between(std::size_t first, std::size_t last) const {
-  std::vector<std::size_t> points;
-  for (std::size_t point = first; point < std::min(last, rows.size()); ++point)
-    if (std::binary_search(halts.begin(), halts.end(), rows[point])) points.push_back(point - first);
-  return points;
+  std::vector<std::size_t> points(std::max(std::min(last, rows.size()), first) - first);
+  std::iota(points.begin(), points.end(), first);
+  return halts_among(points);
+}
+
+std::vector<std::size_t> Sampling::halts_among(std::span<const std::size_t> points) const {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (std::binary_search(halts.begin(), halts.end(), rows[points[i]])) found.push_back(i);
+  return found;
 }
 
 void Sampling::leave_out_at_rest(const std::vector<std::size_t>& points) {

@@ -26,6 +26,9 @@ struct Sampling {
   // The points of [first, last), counted from first, after which the stage stops (find_drops).
   std::vector<std::size_t> halts_between(std::size_t first, std::size_t last) const;
 
+  // The same among the points at these places in `rows`, counted from the first of them.
+  std::vector<std::size_t> halts_among(std::span<const std::size_t> points) const;
+
   // Omits rows at which the stage is stationary, given by their indices in `rows`, rising.
   void leave_out_at_rest(const std::vector<std::size_t>& points);
 };

@@ -481,8 +481,8 @@ std::string steepest_part_in_words(T test) {
   if (std::abs(numbers.bending_stiffness->value - EI) <
       clearly * elementary::length(error, EI * test.analysis.bending_stiffness_error))
     return "";
-  return fmt::format("rows {} to {}: EI {}; friction may have steepened it", file_row(test, numbers.first),
-                     last_file_row(test.measurement, numbers.last - 1),
+  const RowRange rows = rows_of_first_curve(test.measurement, numbers.first, numbers.last);
+  return fmt::format("rows {} to {}: EI {}; friction may have steepened it", rows.first, rows.last,
                      readable(numbers.bending_stiffness->value, error, Print(test).as(kind::bending_stiffness)));
 }
 

@@ -74,6 +74,11 @@ std::string modulus_in_words(const Estimate& modulus, const Kind& kind) {
   return unit.empty() ? words : fmt::format("{} {}", words, typeset(unit));
 }
 
+std::string rows_of_linear_region(const StandardTest& test) {
+  const RowRange rows = rows_of_first_curve(test.measurement, test.numbers.first, test.numbers.last);
+  return fmt::format("rows {} to {}", rows.first, rows.last);
+}
+
 // The stress at the maximum force is a strength only if the specimen broke.
 std::string_view stress_label(const StandardTest& test) {
   return is_broken(test) ? "flexural strength σ_fM" : "flexural stress at the maximum force";
@@ -104,10 +109,9 @@ Rows number_rows(const StandardTest& test) {
   add_reached(rows, measurement.test, numbers.greatest, "maximum force", stress_label(test), "at the maximum force");
   if (is_broken(test))
     add_reached(rows, measurement.test, numbers.end, "force at break", "flexural stress at break σ_fB", "at break");
-  rows.push_back({"linear region",
-                  fmt::format("rows {} to {}, from {:.0f} % to {:.0f} % of {}", file_row(measurement, numbers.first),
-                              last_file_row(measurement, numbers.last - 1), 100 * numbers.window.from,
-                              100 * numbers.window.up_to, readable(numbers.window_force, as(kind::force)))});
+  rows.push_back({"linear region", fmt::format("{}, from {:.0f} % to {:.0f} % of {}", rows_of_linear_region(test),
+                                               100 * numbers.window.from, 100 * numbers.window.up_to,
+                                               readable(numbers.window_force, as(kind::force)))});
   rows.push_back(
       {"zero of deflection and strain",
        fmt::format("{}, {}",
@@ -297,6 +301,12 @@ std::vector<Remark> remarks_on_curve(const StandardTest& test) {
                      "from its beginning{}.",
                      beginning_in_words(test)),
          "The record begins above zero force: deflection counts from its first row."});
+  if (test.measurement.first_curve.record.force.size() > test.measurement.record.force.size())
+    list.push_back(
+        {fmt::format("The specimen was loaded more than once: the numbers follow the first loading, and every "
+                     "later one, up to loading {}, only where it goes farther.",
+                     test.measurement.loading.number),
+         ""});
   for (const std::string& contradiction : test.measurement.contradictions)
     list.push_back({contradiction, contradiction});
   if (yields(numbers) && !is_broken(test))
@@ -353,8 +363,7 @@ Headline headline_of(const StandardTest& test) {
   const SmallDeflection& numbers = test.numbers;
   const auto as = [&](const Kind& kind) { return kind_in(test.measurement.test, kind); };
   if (numbers.status != SmallDeflectionStatus::ok) return {"no modulus.", why_no_numbers(test)};
-  const std::string rows = fmt::format("rows {} to {}", file_row(test.measurement, numbers.first),
-                                       last_file_row(test.measurement, numbers.last - 1));
+  const std::string rows = rows_of_linear_region(test);
   if (!numbers.bending_stiffness)
     return {fmt::format("stiffness F/δ {} (steepest linear part, {}).",
                         readable(numbers.stiffness.value, numbers.stiffness.standard_error, as(kind::stiffness)), rows),

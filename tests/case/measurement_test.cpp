@@ -181,7 +181,7 @@ TEST_CASE("bad input: an `until` before the first row that counts") {
   for (std::size_t i = 0; i < 60; ++i) columns.stage[i] = columns.stage[60], columns.force[i] = columns.force[60];
   CHECK(complaint([&] {
           folder.measured(columns, "first = 5\nuntil = 40\n");
-        }).find("rows lie before failure; at least") != std::string::npos);
+        }).find("rows lie before the stated end, row 40; at least") != std::string::npos);
 }
 
 TEST_CASE("bad input: a stage that stands still, and rows out of order") {

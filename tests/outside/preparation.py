@@ -550,6 +550,21 @@ class Bar(InFolder):
         exact = run("modulus", path, *flags, "--stiffness", "10 kN/mm +- 0.01 %", "--json")
         self.assertNotEqual(json.loads(exact.stdout)["status"], "no_straight_part")
 
+    def test_identity_a_reload_changes_no_modulus_of_the_first_loading(self):
+        """Friction makes a reload stiffer until it meets the first curve again; there the specimen goes on as if it had not been unloaded."""
+        curve = lambda w: (w, 120 * w - 6 * w**2)  # noqa: E731  [mm], [N]
+        first, beyond = [curve(0.01 * i) for i in range(101)], [curve(0.01 * i) for i in range(101, 300)]
+        back = [(1 - 0.01 * i, 114 - 1.4 * i) for i in range(1, 61)]
+        again = [(0.4 + 0.01 * i, 30 + 1.4 * i) for i in range(1, 61)]
+        answers = []
+        for name, rows in (("once", [*first, *beyond]), ("twice", [*first, *back, *again, *beyond])):
+            path = self.file(f"{name}.csv", "w [mm],F [N]\n" + "".join(f"{w!r},{force!r}\n" for w, force in rows))
+            answers.append(self.json("modulus", path, *BAR, "--deflection", "w", "--force", "F"))
+        once, twice = answers
+        for key in "window", "stiffness", "linear_modulus", "chord", "origin", "greatest_force", "stress", "ends_rising":
+            self.assertEqual(twice[key], once[key], key)
+        self.assertIn("loading 2 of 2 is evaluated", step(twice, "loading")["done"])
+
     def test_limit_a_modulus_of_no_material(self):
         rows = [(each[0], each[1], 1000 * each[2]) for each in bar_test()]  # kgf for gf
         path = self.file("bar.csv", bluehill(rows))
