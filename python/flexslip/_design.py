@@ -2,6 +2,7 @@
 from __future__ import annotations
 
 import importlib.util
+import os
 import reprlib
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, cast
@@ -12,7 +13,7 @@ import numpy.typing as npt
 from . import _flexslip
 from ._answers import Answer, Data, Description, Table, table_of
 from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
-from ._errors import advice, whole, wrong
+from ._errors import advice, warn, whole, wrong
 from ._fields import DesignFields
 
 if TYPE_CHECKING:
@@ -206,7 +207,8 @@ def design(file: object = None, *, over: Mapping[str, object] | None = None, dec
     Parameters
     ----------
     file : path or Case, optional
-        A case as for :func:`simulate`: its farthest stage position is the travel of one loading.
+        A case as for :func:`simulate`: its farthest stage position is the travel of one loading. Friction may be left out, or its mean, amplitude or
+        wavelength: the answer is then for ranges that fit the specimen, which are in ``open``.
     over : mapping, optional
         One parameter, or two, and their ranges: ``{"stiffness": ("10 N/m", "1000 N/m", 41)}``; the number of points may be left out. Steps are even, in
         the logarithm where the ends are ten times apart or more. A list or an array is the values, which have to be even likewise; :func:`sweep` takes any.
@@ -215,7 +217,7 @@ def design(file: object = None, *, over: Mapping[str, object] | None = None, dec
     noise : quantity, optional
         With `decide`: standard deviation of the force readings, "10 uN"; 0.1 % of the maximum force if it is left out.
     threads : int, optional
-        With `over` or `decide`: tests computed at the same time; all cores.
+        Tests computed at the same time; all cores.
     set, **keywords
         As of :class:`Case`.
 
@@ -240,18 +242,21 @@ def design(file: object = None, *, over: Mapping[str, object] | None = None, dec
     """
     case = case_of(file, (), set, keywords)
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
+    planned = case._text, os.fsencode(case._source), case._changes
     if noise is not None and not decide:
         raise wrong("noise", "left out without decide=True", noise)
     if over is None:
         text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
-        with in_words_of(case) as given:
-            answer = _flexslip.design_with_reload(given, text, count) if decide else _flexslip.design(given)
+        with in_words_of(case):
+            answer = _flexslip.design_with_reload(*planned, text, count) if decide else _flexslip.design(*planned, count)
         return Design(answer.answer(), case, answer)
     if decide:
         raise wrong("decide", "one planned test", "a range of them, over", "leave out one of the two, or set a value of the range")
     if not isinstance(over, Mapping) or not over:
         raise wrong("over", "a dict of ranges, {\"stiffness\": (\"10 N/m\", \"1000 N/m\")}", over)
     texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
-    with in_words_of(case) as given:
-        found = _flexslip.design_map(given, texts, count)
+    with in_words_of(case):
+        found = _flexslip.design_map(*planned, texts, count)
+    for sentence in found.values_taken():
+        warn(sentence)
     return DesignMap(found.answer(), case, found.entries(), found)

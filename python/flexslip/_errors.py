@@ -149,10 +149,10 @@ def in_keywords(text: str) -> str:
             return f"{name}: This argument is missing. Add {name}={{{', '.join(f'{chr(34)}{key}{chr(34)}: {value}' for key, value in _ADDED.findall(keys))}}}."
         return f"{name}: This argument is missing. Add {_ADDED.sub(_BOTH, keys)}."
 
-    text = re.sub(r"^line \d+: ", "", text)
+    text = re.sub(r"^line \d+: ", "", text, flags=re.MULTILINE)
     text = re.sub(r"\[record\](?: file)?: This (?:section|value) is missing\. Add .*", _NO_DATA, text)
     text = re.sub(r"\[(\w+)\]: This section is missing\. Add (.*?)\.?$", section, text, flags=re.MULTILINE)
-    text = re.sub(r"(\w+): This value is missing\. Add \1 = ", r"\1: This argument is missing. Add \1=", text)
+    text = re.sub(r"\bAdd (\w+) = ", r"Add \1=", text.replace("This value is missing", "This argument is missing"))
     text = re.sub(r"\[(?:specimen|rig|record)\] (\w+)", r"\1", text)
     text = re.sub(r"\[(friction|stage)\] (\w+)", r'\1["\2"]', text)
     text = re.sub(r"\b([wW])rite the modulus or bending_stiffness into \[specimen\]", lambda verb: ("Pass" if verb[1] == "W" else "pass") + " modulus or bending_stiffness", text)

@@ -35,7 +35,7 @@ class Fit(FitFields):
     params : parameters
         ``fit.params["mu0"].value``, ``.stderr``, ``.ci95``, ``.unit``.
     success : bool
-        Is there an answer? If not, `message` says why, and what depends on it is None or NaN.
+        Is there an answer? False for CHECK INPUT and NO ANSWER: `message` then says what to do, and no number is one to report.
     message : str
         The verdict's sentence; where there is no answer, what to do about it, too.
     case : Case
@@ -61,21 +61,24 @@ class Fit(FitFields):
         return self._kept[name]
 
     def __reduce__(self) -> tuple[object, ...]:
-        for name in _KEPT if self.success else _ALWAYS_KEPT:
+        for name in _KEPT if self._is_computed else _ALWAYS_KEPT:
             self._part(name)
         return _fit_again, (self._data, self.case, self._kept)
 
     @property
     def success(self) -> bool:
         """Is there an answer? If not, `message` says why, and what depends on it is None or NaN."""
+        return self._is_computed and self.verdict.code not in ("check_input", "no_answer")
+
+    @property
+    def _is_computed(self) -> bool:
         return bool(self._data["status"] == "ok")
 
     @property
     def message(self) -> str:
         """The verdict's sentence; where there is no answer, what to do about it, too."""
-        has_answer = self.success and self.verdict.code not in ("check_input", "no_answer")
         sentence = self.verdict.sentence
-        return sentence if has_answer or not self.next else f"{sentence} {self.next}"
+        return sentence if self.success or not self.next else f"{sentence} {self.next}"
 
     @property
     def curves(self) -> FitCurvesTable:
@@ -135,7 +138,7 @@ class Fit(FitFields):
     @property
     def draws(self) -> Draws:
         """Profiles of friction that explain the record, drawn at random."""
-        if not self.success:
+        if not self._is_computed:
             raise ValueError(f"there is no fit to draw profiles from: {self.message}")
         return Draws(cast(Data, self._data["draws"]), cast("Columns", self._part("draws")), self._reduced)
 
@@ -188,7 +191,7 @@ class Fit(FitFields):
         return [*(f"{doubt.sentence} {doubt.remedy}".strip() for doubt in self.doubts), *([self.next] if self.next else [])]
 
     def _parameters_hold(self) -> bool:
-        return self.success and self.verdict.code in ("slip", "undecided", "no_drops")
+        return self._is_computed and self.verdict.code in ("slip", "undecided", "no_drops")
 
     def __repr__(self) -> str:
         lines = textwrap.wrap(f"{self.name}: {self.verdict.sentence}", _WIDTH, subsequent_indent="    ")

@@ -25,8 +25,10 @@ namespace {
 
 namespace py = pybind11;
 
+using Words = std::vector<std::string>;
+
 struct Map {
-  Test input;
+  PlannedCase planned;
   std::vector<DesignAxis> axes;
   std::vector<MapPoint> points;
 };
@@ -39,7 +41,7 @@ py::object design_answer(const DesignAnswer& answer) {
 
 py::object map_answer(const Map& map) {
   const auto fields = design_map_fields(map.axes);
-  return plain(fields(map.points, {Scales(1, 1), map.input.reduced}), fields.descriptions());
+  return plain(fields(map.points, {Scales(1, 1), map.planned.loading.reduced}), fields.descriptions());
 }
 
 template <class Type>
@@ -54,36 +56,48 @@ py::list one_figure(const Type& figure) {
 void add_designs(py::module_& module) {
   py::class_<DesignAnswer, std::shared_ptr<DesignAnswer>>(module, "DesignAnswer")
       .def("answer", design_answer)
-      .def("figures", [](const DesignAnswer& answer) { return one_figure(design_figure(answer)); })
+      .def("figures",
+           [](const DesignAnswer& answer) {
+             if (answer.open) return one_figure(design_figure(answer));
+             DesignAnswer with_phases = answer;
+             with_phases.open = open_study(answer.input, {}, 1);
+             return one_figure(design_figure(with_phases));
+           })
       .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
       .def("answer", map_answer)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
-      .def("figures", [](const Map& map) { return one_figure(design_map_figure(map.input, map.axes, map.points)); });
-  module.def("design", [](const Test& input) {
-    return interruptible(
-        [&](const std::atomic<bool>&) { return std::make_shared<DesignAnswer>(answer_of(one_loading_of(input))); });
-  });
-  module.def("design_with_reload", [](const Test& input, const std::string& noise, unsigned threads) {
+      .def("figures",
+           [](const Map& map) { return one_figure(design_map_figure(map.planned.loading, map.axes, map.points)); })
+      .def("values_taken", [](const Map& map) { return values_taken_for(map.planned, map.axes); });
+  module.def("design", [](const std::string& text, const std::string& source, const Words& changes, unsigned threads) {
     return interruptible([&](const std::atomic<bool>&) {
+      return std::make_shared<DesignAnswer>(answer_of(planned_case(text, source, changes), threads));
+    });
+  });
+  module.def("design_with_reload", [](const std::string& text, const std::string& source, const Words& changes,
+                                      const std::string& noise, unsigned threads) {
+    return interruptible([&](const std::atomic<bool>&) {
+      const PlannedCase planned = planned_case(text, source, changes);
+      const Test& input = planned.loading;
       ReloadOptions options{.threads = threads};
       if (!noise.empty()) try {
           options.noise = parse_quantity(noise, input.reduced ? kind::number : kind::force, Range::positive);
         } catch (const InputError& error) {
           throw located(error, "", 0, "noise");
         }
-      const Test loading = one_loading_of(input);
-      auto answer = std::make_shared<DesignAnswer>(answer_of(loading));
-      answer->reload = reload_study(loading, options);
+      auto answer = std::make_shared<DesignAnswer>(answer_of(planned, threads));
+      answer->reload = reload_study(input, options);
       return answer;
     });
   });
-  module.def("design_map", [](const Test& given, const std::vector<std::string>& over, unsigned threads) {
+  module.def("design_map", [](const std::string& text, const std::string& source, const Words& changes,
+                              const Words& over, unsigned threads) {
     return interruptible([&](const std::atomic<bool>&) {
-      const Test input = one_loading_of(given);
-      auto axes = map_axes(input, over);
-      auto points = design_map(input, axes, threads);
-      return std::make_shared<Map>(Map{input, std::move(axes), std::move(points)});
+      PlannedCase planned = planned_case(text, source, changes);
+      auto axes = map_axes(planned.loading, over);
+      auto points = design_map(planned.loading, axes, threads);
+      return std::make_shared<Map>(Map{std::move(planned), std::move(axes), std::move(points)});
     });
   });
   module.attr("threads") = std::max(1U, std::thread::hardware_concurrency());

@@ -266,8 +266,10 @@ class Faults(unittest.TestCase):
                            (lambda: flexslip.fit(CASE, stiffness="20 N/m"), "rig.stiffness: The load train of "),
                            (lambda: flexslip.fit(CASE, set={"rig.spam": 3}), "Did you mean 'rig.span'?"),
                            (lambda: flexslip.fit(**specimen, **rig), "no data: pass a file, a DataFrame, or two arrays"),
-                           (lambda: flexslip.design(), 'specimen: This argument is missing. Add diameter="34.8 um" and modulus="29.6 GPa".'),
-                           (lambda: flexslip.design(**specimen, **rig), 'stage: This argument is missing. Add stage={"program": ["0 um", "900 um"]}.'),
+                           (lambda: flexslip.design(), 'diameter: This argument is missing. Add the diameter of the specimen'),
+                           (lambda: flexslip.design(**specimen), 'span: This argument is missing. Add span="557 um", 16 times the thickness (ISO 178)'),
+                           (lambda: flexslip.design(**specimen, **rig), 'stage["program"]: This argument is missing. Add program=["0 mm", "639 um"], up to half the span.'),
+                           (lambda: flexslip.simulate(**specimen, **rig), 'stage: This argument is missing. Add stage={"program": ["0 um", "900 um"]}.'),
                            (lambda: flexslip.simulate(**specimen, **rig, stage={"program": [0, 1e-4]}), 'Add friction={"model": "sinusoid", "mu0": 0.5'),
                            (lambda: flexslip.design(DESIGN, over={"spam": (1, 2)}), "is not a number of this case"),
                            (lambda: flexslip.surface(HEIGHTS, "0.1 um", noise=-1.0), "noise: '-1.0 m' is not a non-negative length")):

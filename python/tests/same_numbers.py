@@ -83,6 +83,14 @@ class Json(unittest.TestCase):
         self.same(flexslip.design(DESIGN, decide=True, noise="10 uN"), "design", DESIGN, "--decide", "--noise", "10 uN")
         self.same(flexslip.design(DESIGN, over={"stiffness": ("10 N/m", 1000.0, 9), "mu0": (0, 1, 5)}), "design", DESIGN, "--over",
                   "stiffness=10 N/m:1000 N/m:9", "--over", "mu0=0:1:5")
+        with tempfile.TemporaryDirectory() as folder:
+            path = f"{folder}/open.toml"  # its friction is not stated
+            text = pathlib.Path(DESIGN).read_text(encoding="utf-8")
+            pathlib.Path(path).write_text(text[:text.index("[friction]")] + text[text.index("[stage]"):], encoding="utf-8")
+            self.same(flexslip.design(path), "design", path)
+            self.assertEqual([each.parameter for each in flexslip.design(path).open.ranges], ["mu0", "amplitude", "wavelength"])
+            with self.assertWarnsRegex(UserWarning, "amplitude is not stated: the map is for 0.175"):
+                flexslip.design(path, over={"mu0": (0, 1, 3)})
 
     def test_outside_equilibrium(self):
         self.same(flexslip.equilibrium(DESIGN), "equilibrium", DESIGN)

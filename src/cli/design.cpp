@@ -48,12 +48,7 @@ void run_design(const DesignRequest& request) {
   const Test& input = planned_case.loading;
   const auto axes = map_axes(input, request.over);
   if (!axes.empty()) {
-    for (const OpenNumber& each : planned_case.open)
-      if (std::none_of(axes.begin(), axes.end(),
-                       [&](const DesignAxis& axis) { return axis.parameter.name == each.axis.parameter.name; }))
-        note(request.output, fmt::format("{} is not stated: the map is for {}", each.axis.parameter.name,
-                                         readable(value_of(input, each.axis.parameter.name).value(),
-                                                  kind_in(input, each.axis.parameter.kind()))));
+    for (const std::string& sentence : values_taken_for(planned_case, axes)) note(request.output, sentence);
     const auto points = design_map(input, axes, request.threads);
     write_rows(request.output, design_map_fields(axes), points, map_fields(axes), points,
                {Scales(1, 1), input.reduced});
@@ -65,10 +60,9 @@ void run_design(const DesignRequest& request) {
   if (const double periods = periods_up_to(planned.friction, planned.travel); periods > many)
     note(request.output,
          fmt::format("friction goes through about {:.0e} periods on the way: the answer may take minutes", periods));
-  DesignAnswer answer = answer_of(input);
+  DesignAnswer answer = answer_of(planned_case, request.threads);
   if (request.decide) answer.reload = reload_study(input, reload_options(request, input));
-  if (!planned_case.open.empty() || !request.figure.empty())
-    answer.open = open_study(input, planned_case.open, request.threads);
+  if (!answer.open && !request.figure.empty()) answer.open = open_study(input, {}, request.threads);
   write_words(
       request.output,
       [&] {

@@ -199,6 +199,12 @@ DesignAnswer answer_of(const Test& input) {
   return answer;
 }
 
+DesignAnswer answer_of(const PlannedCase& planned, unsigned threads) {
+  DesignAnswer answer = answer_of(planned.loading);
+  if (!planned.open.empty()) answer.open = open_study(planned.loading, planned.open, threads);
+  return answer;
+}
+
 std::vector<RecordedForce> record_of(const DesignAnswer& answer) {
   const Design& design = answer.design;
   const bool breaks = answer.outcome.status == DesignStatus::breaks;

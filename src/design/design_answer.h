@@ -10,6 +10,7 @@
 #include "bending_test/design.h"
 #include "design/design_result.h"
 #include "design/open_study.h"
+#include "design/planned_case.h"
 #include "design/reload_study.h"
 
 namespace flexslip {
@@ -48,7 +49,7 @@ struct DesignAnswer {
   // are below 1e-5 spans, where the phase has no visible effect.
   std::optional<PhaseStudy> phases;
   std::optional<ReloadStudy> reload{};  // empty unless requested: reload_study(input, ...)
-  std::optional<OpenStudy> open{};      // empty unless requested: open_study(input, ...)
+  std::optional<OpenStudy> open{};      // empty unless requested (open_study), or if friction is not stated
 };
 
 // Fails:      throws InputError as design_of.
@@ -63,6 +64,9 @@ struct DesignAnswer {
 //             infinity there is none.
 // Cost:       about 40 outcomes, and 700 traces up to the first snap.
 DesignAnswer answer_of(const Test& loading);
+
+// The same for a case that leaves friction open: in the middle of its ranges, with the study of the ranges.
+DesignAnswer answer_of(const PlannedCase& planned, unsigned threads);
 
 // The expected record, and the folds up to the travel, dense enough to be drawn as lines.
 std::vector<RecordedForce> record_of(const DesignAnswer& answer);

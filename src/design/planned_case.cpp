@@ -119,7 +119,7 @@ std::optional<Proposal> proposal_for(std::string_view key, const Outline& outlin
                                 shown(range->from), shown(range->to), range->reason)};
   }
   if (key == "friction.model")
-    return Proposal{"friction.model=sinusoid", "add model = \"sinusoid\", or leave out [friction] for a range"};
+    return Proposal{"friction.model=sinusoid", "add model = \"sinusoid\", or state no friction, for a range"};
   if (key == "specimen.diameter" && !outline.reduced)
     return Proposal{fmt::format("specimen.diameter={}", outline.value(span / Outline::usual_slenderness)),
                     "add the diameter of the specimen, diameter = \"… mm\", or width and height"};
@@ -214,6 +214,19 @@ PlannedCase planned_case(std::string_view text, const std::string& source, const
     set(planned.loading, name_in(key), value_at({from, to, spacing, 0}, 0.5));
   }
   return planned;
+}
+
+std::vector<std::string> values_taken_for(const PlannedCase& planned, const std::vector<DesignAxis>& varied) {
+  std::vector<std::string> sentences;
+  for (const OpenNumber& each : planned.open) {
+    const DesignParameter& parameter = each.axis.parameter;
+    if (std::none_of(varied.begin(), varied.end(),
+                     [&](const DesignAxis& axis) { return axis.parameter.name == parameter.name; }))
+      sentences.push_back(fmt::format(
+          "{} is not stated: the map is for {}", parameter.name,
+          readable(value_of(planned.loading, parameter.name).value(), kind_in(planned.loading, parameter.kind()))));
+  }
+  return sentences;
 }
 
 PlannedCase read_planned_case(const std::string& path, const std::vector<std::string>& changes) {

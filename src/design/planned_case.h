@@ -33,4 +33,7 @@ PlannedCase read_planned_case(const std::string& path, const std::vector<std::st
 PlannedCase planned_case(std::string_view text, const std::string& source,
                          const std::vector<std::string>& changes = {});
 
+// A sentence for each open number that a map does not vary: the value for which the map is.
+std::vector<std::string> values_taken_for(const PlannedCase& planned, const std::vector<DesignAxis>& varied);
+
 }  // namespace flexslip

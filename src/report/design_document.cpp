@@ -80,10 +80,13 @@ std::string strain_in_words(const DesignAnswer& answer, const InUnits& shown) {
   const double curvature = answer.outcome.greatest_curvature;
   return !answer.surface
              ? ""
-             : fmt::format("up to {} at the surface{}", strain_text(answer.surface->strain(curvature)),
+             : fmt::format("up to {} at the surface{}{}", strain_text(answer.surface->strain(curvature)),
                            answer.input.reduced
                                ? ""
-                               : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)));
+                               : fmt::format(" ({})", shown.own(answer.surface->stress(curvature), kind::pressure)),
+                           std::isfinite(answer.design.breaking_curvature)
+                               ? ""
+                               : "; the strength is not stated: state it to learn whether the specimen breaks first");
 }
 
 // The critical stiffness, compared with the stiffness of this rig.
