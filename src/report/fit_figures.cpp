@@ -201,7 +201,7 @@ Plot profile_figure(const FittedTest& test) {
   const std::vector<Mark> of_test{
       {Mark::band, "band", {0, 2, 3}, styles::fill(colours::grey, 0.35), "Mean ± 2 deviations"},
       {Mark::line, "band", {0, 1}, styles::fit, "Mean of the fit"},
-      {Mark::line, "wave", {0, 1}, {colours::orange, 0.9}, "Wave"},
+      {Mark::line, "wave", {0, 1}, {colours::purple, 1.2}, "Wave"},
       {Mark::points, "imaged", {0, 1}, styles::mark(Symbol::circle, colours::dark, 2.2, 0.6), "Length as imaged"},
       {Mark::line, "slips", {0, 1}, {colours::vermillion, 0.8}, "Slips"},
       {Mark::bars, "profile", {0, 2, 3}, {colours::blue, 0.5}},
@@ -214,7 +214,7 @@ Plot profile_figure(const FittedTest& test) {
           "Friction along the specimen, at the bending stiffness of the fit. Blue: inverted from the force point by "
           "point, with 95 % intervals from the noise of each point. {}Black: the mean of the fit; grey: two "
           "standard deviations about it, with the errors of stiffness and contact.{}{}{}",
-          slips.rows.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Orange: the detected wave." : "",
+          slips.rows.empty() ? "" : "Red-orange: the slips. ", fit.wave_claimed ? " Purple: the detected wave." : "",
           imaged.rows.empty() ? "" : " Circles: at the length that was imaged.",
           literature ? fmt::format(" Green: what the literature gives for {} on {}.", literature->specimen,
                                    literature->support)

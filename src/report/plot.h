@@ -35,7 +35,7 @@ using Colour = const char*;
 namespace colours {
 inline constexpr Colour black = "#000000", dark = "#404040", grey = "#8C8C8C", silver = "#C4C4C4", white = "#FFFFFF";
 inline constexpr Colour blue = "#0072B2", sky = "#56B4E9", green = "#009E73", orange = "#E69F00",
-                        vermillion = "#D55E00";
+                        vermillion = "#D55E00", purple = "#CC79A7";
 }  // namespace colours
 // Colours of pixels from the minimum to the maximum.
 inline constexpr std::array<std::pair<double, const char*>, 5> palette{

@@ -37,6 +37,7 @@ test("a quantity of another kind is refused at its box, which keeps it; mended, 
     await at.press("Enter");
   }
   await fitted(tab);
+  assert.equal(await tab.evaluate(() => document.activeElement.id), "verdict", "after the last answer, the verdict");
   assert.match(await commandOf(tab), /--span "1278 um" --diameter "34\.8 um" --modulus "30 GPa" --stiffness "90\.65 N\/m"/);
   assert.deepEqual(tab.said, []);
   await tab.end();

@@ -52,7 +52,9 @@ export class CardView {
         decided ? el("p", { class: "note" }, "Bold: decided by you.") : null);
     }
     const controls = hosts.flatMap((host) => [...host.querySelectorAll<HTMLElement>("input, select, button")]);
-    const first = focused?.id === "request" ? controls[0] : undefined, again = (question && first) ?? controls.find((each) => each.getAttribute("aria-label") === name) ?? first;
+    const same = controls.find((each) => each.getAttribute("aria-label") === name), isAsked = same && byId("request").contains(same);
+    // After the last answer, the verdict.
+    const again = focused?.id !== "request" ? same : question ? controls[0] : isAsked ? same : byId("verdict");
     if (!focused || !again) return;
     again.focus();
     if (!(again instanceof HTMLInputElement)) return;
