@@ -96,7 +96,7 @@ class Campaign(CampaignFields):
     def message(self) -> str:
         """The first lines of the answer; the first cause of the tests that could not be evaluated, and how many are alike."""
         verdicts, _, rest = self.summary().partition("\n\n")
-        rows = rest.split("\n\n")[0] if rest.startswith("  ") else ""
+        rows = rest.split("\n\n")[0] if rest.startswith("  ") and not rest.startswith("   ") else ""  # a table is indented farther
         answer = f"{verdicts}\n\n{rows}".strip()
         if not len(self.failures):
             return answer

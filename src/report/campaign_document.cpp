@@ -19,6 +19,8 @@
 namespace flexslip {
 namespace {
 
+constexpr std::size_t max_name_width = 24;  // [characters] so that its row has room for the answer
+
 // ---- Numbers in print
 
 // The readable unit of a length, modulus or bending stiffness.
@@ -71,6 +73,32 @@ std::string at_most(const Spread& limits) {
              : fmt::format("at most {} to {}", format_significant(limits.min, 2), format_significant(limits.max, 2));
 }
 
+// ---- Names
+
+// The names of the tests as printed; if some are long, their labels in the figures.
+std::vector<std::string> names_of(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const auto& test : campaign.tests) names.push_back(printable(test.name));
+  const bool are_short =
+      std::all_of(names.begin(), names.end(), [](const auto& name) { return width_of(name) <= max_name_width; });
+  return are_short ? names : labels_of(names);
+}
+
+template <class Use>
+void for_each_test(const Campaign& campaign, Use use) {
+  const std::vector<std::string> names = names_of(campaign);
+  for (std::size_t i = 0; i < names.size(); ++i) use(campaign.tests[i], names[i]);
+}
+
+// The names behind the labels; empty if the names are printed.
+Rows name_rows(const Campaign& campaign) {
+  Rows rows;
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& label) {
+    if (label != printable(test.name)) rows.push_back({label, printable(test.name)});
+  });
+  return rows;
+}
+
 // ---- The answer: the verdicts on one line, then a row for each number
 
 template <class Predicate>
@@ -89,8 +117,9 @@ bool is_excluded(const CampaignTest& test) {
 std::string excluded_tests(const Campaign& campaign) {
   constexpr std::size_t max_names = 8;
   std::vector<std::string> names;
-  for (const auto& test : campaign.tests)
-    if (is_excluded(test)) names.push_back(printable(test.name));
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (is_excluded(test)) names.push_back(name);
+  });
   if (names.size() > max_names) {
     const std::size_t more = names.size() - max_names;
     names.resize(max_names);
@@ -224,61 +253,62 @@ std::string doubts_in_words(const CampaignTest& test) {
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
   const char* friction = written == with_interval ? "Friction (95 %)" : "Friction";
-  PrintedTable table{.head = {"Test", "Verdict", friction, titled("Spacing", units.length), "Work (%)", "Doubts"},
-                     .rows = {},
-                     .folding = Folding::never};
-  for (const auto& test : campaign.tests) {
-    std::vector<std::string> numbers(3);
+  PrintedTable table{
+      .head = {"Test", "Verdict", friction, titled("Spacing", units.length), "Drops", "Work (%)", "Doubts"},
+      .rows = {},
+      .folding = Folding::never};
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    std::vector<std::string> numbers(4);
     if (test.summary) {
       const TestSummary& summary = *test.summary;
       const double share = summary.friction_share;
       numbers = {!std::isfinite(summary.mu0.value) ? ""
                  : summary.mu0_is_bound            ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
                                                    : written(summary.mu0, 1),
-                 format_significant(units.length.factor * summary.spacing, 2),
+                 format_significant(units.length.factor * summary.spacing, 2), fmt::format("{}", summary.drops),
                  std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share)};
     }
-    table.rows.push_back({test.name, test.verdict, numbers[0], numbers[1], numbers[2], doubts_in_words(test)});
-  }
+    table.rows.push_back({name, test.verdict, numbers[0], numbers[1], numbers[2], numbers[3], doubts_in_words(test)});
+  });
   return table;
 }
 
-// The force drops of the tests, and how friction varies along the specimens.
+// How friction varies along the specimens; empty without a test that shows it.
 PrintedTable variation_rows(const Campaign& campaign, WriteEstimate* written) {
   const TableUnit length = units_of(campaign).length;
-  PrintedTable table{.head = {"Test", "Sawtooth", "Drops", "σ", titled("ℓ", length), "A", titled("λ", length)},
-                     .rows = {}};
-  for (const auto& test : campaign.tests) {
-    if (!test.summary) continue;
+  PrintedTable table{.head = {"Test", "σ", titled("ℓ", length), "A", titled("λ", length)}, .rows = {}};
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary || !std::isfinite(test.summary->mu0.value)) return;
     const TestSummary& summary = *test.summary;
-    const bool has_friction = std::isfinite(summary.mu0.value);
     const auto of_roughness = [&](const Estimate& estimate, double factor) {
-      return has_friction && summary.model == ProfileModel::roughness && std::isfinite(estimate.value)
-                 ? written(estimate, factor)
-                 : "";
+      return summary.model == ProfileModel::roughness && std::isfinite(estimate.value) ? written(estimate, factor) : "";
     };
     const auto of_wave = [&](const std::optional<Estimate>& estimate, double factor) {
-      if (!has_friction || !estimate || !std::isfinite(estimate->value)) return std::string();
+      if (!estimate || !std::isfinite(estimate->value)) return std::string();
       return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
     };
-    table.rows.push_back({test.name, std::string(name_of(summary.category)), fmt::format("{}", summary.drops),
-                          of_roughness(summary.roughness, 1), of_roughness(summary.correlation_length, length.factor),
-                          of_wave(summary.amplitude, 1), of_wave(summary.wavelength, length.factor)});
-  }
+    std::vector<std::string> row{name, of_roughness(summary.roughness, 1),
+                                 of_roughness(summary.correlation_length, length.factor), of_wave(summary.amplitude, 1),
+                                 of_wave(summary.wavelength, length.factor)};
+    if (std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); }))
+      table.rows.push_back(std::move(row));
+  });
   return table;
 }
 
-// Stiffness, work, and the numbers of the bending standards.
+// Sawtooth, stiffness, work, and the numbers of the bending standards.
 PrintedTable stiffness_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{.head = {"Test", titled("EI", units.bending_stiffness), titled("Residual", units.force),
-                              titled("Work", units.energy), titled("Modulus", units.modulus),
-                              titled("Strength", units.strength), "Friction in modulus (%)", "in stress (%)"},
-                     .rows = {}};
-  for (const auto& test : campaign.tests) {
-    if (!test.summary) continue;
+  PrintedTable table{
+      .head = {"Test", "Sawtooth", titled("EI", units.bending_stiffness), titled("Residual", units.force),
+               titled("Work", units.energy), titled("Modulus", units.modulus), titled("Strength", units.strength),
+               "Friction in modulus (%)", "in stress (%)"},
+      .rows = {}};
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary) return;
     const TestSummary& summary = *test.summary;
-    table.rows.push_back({test.name, written(summary.bending_stiffness, units.bending_stiffness.factor),
+    table.rows.push_back({name, std::string(name_of(summary.category)),
+                          written(summary.bending_stiffness, units.bending_stiffness.factor),
                           format_significant(units.force.factor * summary.residual_rms, 3),
                           format_significant(units.energy.factor * summary.work_of_fracture, 3),
                           test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
@@ -287,11 +317,11 @@ PrintedTable stiffness_rows(const Campaign& campaign, WriteEstimate* written) {
                               : "",
                           gain_in_percent(test, &FrictionGain::modulus),
                           gain_in_percent(test, &FrictionGain::strength)});
-  }
+  });
   return table;
 }
 
-// True if the tests are of more than one category, so that all tests are not those of one.
+// True if tests are of more than one category, so that the row of all tests differs from each category.
 bool has_several_categories(const Campaign& campaign) {
   return std::count_if(campaign.categories.begin(), campaign.categories.end(), [](const CategorySummary& summary) {
            return summary.category && summary.with_suspects.tests > 0;
@@ -350,15 +380,17 @@ PrintedTable specimen_rows(const Campaign& campaign) {
 
 Rows failure_rows(const Campaign& campaign) {
   Rows rows;
-  for (const auto& test : campaign.tests)
-    if (is_failure(test)) rows.push_back({printable(test.name), test.reason});
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (is_failure(test)) rows.push_back({name, test.reason});
+  });
   return rows;
 }
 
 Rows rows_without_friction(const Campaign& campaign) {
   Rows rows;
-  for (const auto& test : campaign.tests)
-    if (!test.summary && is_answered(test)) rows.push_back({printable(test.name), test.reason});
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary && is_answered(test)) rows.push_back({name, test.reason});
+  });
   return rows;
 }
 
@@ -451,17 +483,17 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
   tests.links = links;
   const Pictures comparisons{[&campaign](double width) { return comparison_figures(campaign, width); }};
   const Pictures curves{[&campaign](double width) { return atlas_pages(campaign, width); }};
-  std::vector<Chapter> chapters{
-      {"", {tests, comparisons}},
-      {"By category: mean (minimum to maximum)",
-       {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
-      {"Between specimens", {specimen_rows(campaign)}},
-      {"Force drops, and variation of friction along the specimens", {variation_rows(campaign, written)}},
-      {"Stiffness and work", {stiffness_rows(campaign, written)}},
-      {"Deflection too small to determine friction", {rows_without_friction(campaign)}},
-      {"Not evaluated", {failure_rows(campaign)}},
-      {"Force curves", {curves}},
-      {"Meaning of the columns", {column_rows(campaign)}}};
+  std::vector<Chapter> chapters{{"", {tests, comparisons}},
+                                {"By category: mean (minimum to maximum)",
+                                 {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
+                                {"Between specimens", {specimen_rows(campaign)}},
+                                {"Variation of friction along the specimens", {variation_rows(campaign, written)}},
+                                {"Sawtooth, stiffness and work", {stiffness_rows(campaign, written)}},
+                                {"Deflection too small to determine friction", {rows_without_friction(campaign)}},
+                                {"Not evaluated", {failure_rows(campaign)}},
+                                {"Force curves", {curves}},
+                                {"Names of the tests", {name_rows(campaign)}},
+                                {"Meaning of the columns", {column_rows(campaign)}}};
   for (auto chapter = chapters.begin() + 1; chapter != chapters.end(); ++chapter) chapter->folding = Folding::always;
   return chapters;
 }
@@ -472,9 +504,10 @@ namespace {
 Rows shown_failures(const Campaign& campaign, std::size_t width) {
   constexpr std::size_t max_failures = 2;
   Rows rows;
-  for (const auto& test : campaign.tests)
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
     if (is_failure(test) && rows.size() < max_failures)
-      rows.push_back({folded(test.verdict), cut_to_row(fmt::format("{}: {}", test.name, test.reason), width)});
+      rows.push_back({folded(test.verdict), cut_to_row(fmt::format("{}: {}", name, test.reason), width)});
+  });
   return rows;
 }
 
@@ -483,7 +516,6 @@ Rows shown_failures(const Campaign& campaign, std::size_t width) {
 void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& style) {
   constexpr std::size_t lines_of_head = 2;
   PrintedTable tests = test_rows(campaign, with_error);
-  tests.is_cut = true;
   for (std::size_t i = campaign.tests.size(); i-- > 0;)
     if (is_failure(campaign.tests[i])) tests.rows.erase(tests.rows.begin() + static_cast<std::ptrdiff_t>(i));
   const std::size_t lines = free_lines(screen, style);
@@ -495,7 +527,8 @@ void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& styl
   const std::size_t shown = tests.rows.size() + screen.doubts.size();
   if (shown < campaign.tests.size())
     screen.footer = format_count(campaign.tests.size() - shown, "more test. ", "more tests. ") + screen.footer;
-  screen.table = std::move(tests);
+  screen.table = picked(tests, {0, 1, 2, 3, 5, 6});  // without the drops, for which there is no room
+  screen.table.is_cut = true;
 }
 
 }  // namespace

@@ -294,7 +294,7 @@ Plot distribution_figure(const Campaign& campaign, double most_width) {
     panels.push_back(panel_of(
         axis_over("Wavelength *λ*", length.unit, shortest, longest, shortest > 0 && longest > 8 * shortest), 6,
         [&](auto category) { return length(mean_of(campaign, category, &CategorySpread::wavelength)); },
-        [&](double mean) { return fmt::format("mean {} {}", format_significant(mean, 2), length.unit); }));
+        [&](double mean) { return fmt::format("mean {} {}", format_significant(mean, 3), length.unit); }));
   panels.push_back(panel_of(
       axis_over("Mean friction *μ*_0", "", lowest, highest, false), 3,
       [&](auto category) { return mean_of(campaign, category, &CategorySpread::mu0); },
@@ -313,8 +313,8 @@ Plot distribution_figure(const Campaign& campaign, double most_width) {
   const bool has_suspects =
       has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
   if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
-  if (has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); }))
-    entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave not detected"});
+  const bool has_indicative = has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); });
+  if (has_indicative) entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave not detected"});
   if (literature)
     entries.push_back({.kind = Mark::area,
                        .style = styles::literature,
@@ -324,11 +324,14 @@ Plot distribution_figure(const Campaign& campaign, double most_width) {
   return {.name = "distributions",
           .title = "Wavelength and mean friction of all tests",
           .caption = fmt::format(
-              "{}mean friction of each test that determines it, with its 95 % interval. Black lines: means of a "
+              "{}{}mean friction of each test that determines it, with its 95 % interval. Black lines: means of a "
               "category{}.{}{}",
               has_waves ? "Above: wavelength of the friction along the specimen, with its 95 % interval, for tests "
-                          "with a sawtooth; grey where the wave is not detected, which the mean counts, too. Below: "
+                          "with a sawtooth"
                         : "The ",
+              !has_waves       ? ""
+              : has_indicative ? "; grey where the wave is not detected, which the mean counts, too. Below: "
+                               : ". Below: ",
               has_common_mean ? ", grey line: mean of all" : "",
               has_suspects ? " Red-orange crosses: suspect tests, which the means leave out." : "",
               literature ? fmt::format(" Green: what the literature gives for {} on {}, {:g} to {:g}.",

@@ -28,8 +28,8 @@ h1 { font-size: 1.15rem; font-weight: 600; color: var(--soft); margin: 0 0 .6rem
 h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
 .answer b { letter-spacing: .02em; margin-right: .5rem; } .answer .slip, .answer .no_drops { color: #007a58; }
 .answer .undecided { color: #a66f00; } .answer .crack, .answer .check_input, .answer .no_answer { color: #c04a00; }
-dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
-@media (max-width: 34rem) { dl.rows { grid-template-columns: 1fr; } dl.rows dd { margin-bottom: .4rem; } }
+dl.rows { display: grid; grid-template-columns: fit-content(16rem) minmax(0, 1fr); overflow-wrap: anywhere; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
+@media (max-width: 34rem) { dl.rows { grid-template-columns: minmax(0, 1fr); } dl.rows dd { margin-bottom: .4rem; } }
 .source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
 details summary { cursor: pointer; color: var(--soft); }
 details.chapter { border-top: 1px solid var(--line); } details.chapter > summary { padding: .35rem 0; }
@@ -44,7 +44,7 @@ figcaption b { color: var(--text); }
 .scroll { overflow-x: auto; }
 table { border-collapse: separate; border-spacing: 0; font-size: .88rem; line-height: 1.35; width: 100%; font-variant-numeric: tabular-nums; margin: .5rem 0; }
 th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--text); vertical-align: bottom; }
-th, td { padding: .22rem 1rem .22rem 0; } th:last-child, td:last-child { padding-right: 0; }
+th, td { padding: .22rem .8rem .22rem 0; } th:last-child, td:last-child { padding-right: 0; }
 td { border-bottom: 1px solid var(--line); vertical-align: top; }
 td:last-child:not(:first-child, .n) { min-width: 12rem; overflow-wrap: anywhere; } th:first-child, td:first-child { position: sticky; left: 0; background: var(--back); }
 th.n, td.n { text-align: right; } td.n, .values td + td { white-space: nowrap; }

@@ -96,12 +96,12 @@ TEST_CASE("table: rows for people, each with as many cells as the head") {
       if (const auto* table = std::get_if<PrintedTable>(&block))
         for (const auto& row : table->rows) CHECK(row.size() == table->head.size());
   const PrintedTable tests = table_with(chapters, "Test", "Verdict");
-  const PrintedTable variation = table_with(chapters, "Test", "Sawtooth");
+  const PrintedTable variation = table_with(chapters, "Test", "σ");
   REQUIRE(variation.rows.size() == 5);
-  CHECK(variation.head[6] == "λ (µm)");
+  CHECK(variation.head[4] == "λ (µm)");
   CHECK(tests.rows[0][2] == "0.600 (0.576 to 0.624)");
-  CHECK(variation.rows[0][6] == "10.90 (10.50 to 11.30)");
-  CHECK(variation.rows[3][6].empty());
+  CHECK(variation.rows[0][4] == "10.90 (10.50 to 11.30)");
+  CHECK(variation.rows[3][4].empty());
   const PrintedTable specimens = table_with(chapters, "Sawtooth", "Parameter");
   REQUIRE(specimens.rows.size() == 3);  // of all tests: no category has three to be trusted
   CHECK(specimens.rows[0][0] == "all");
@@ -135,8 +135,8 @@ TEST_CASE("by hand: categories have the values of their tests, and rows of their
 TEST_CASE("by hand: each test has a row, also without an answer, and no column is empty") {
   const PrintedTable tests = table_with(document_of(some_campaign(), with_error), "Test", "Verdict");
   REQUIRE(tests.rows.size() == 6);
-  CHECK(tests.rows[5] ==
-        std::vector<std::string>{"SS99", "NO ANSWER", "", "", "", "99.csv: <nothing> & \"nothing\" is not a number"});
+  CHECK(tests.rows[5] == std::vector<std::string>{"SS99", "NO ANSWER", "", "", "", "",
+                                                  "99.csv: <nothing> & \"nothing\" is not a number"});
   CampaignTest cracked = some_test("K1", SawtoothCategory::clear, 1.25, 5.5e-6);
   cracked.summary = without_friction(*cracked.summary);
   cracked.remarks = {};
@@ -145,6 +145,18 @@ TEST_CASE("by hand: each test has a row, also without an answer, and no column i
     CHECK_MESSAGE(!has(text.substr(0, text.find("Meaning of the columns")), heading), text);
   const std::string screen = campaign_screen(some_campaign());
   CHECK_MESSAGE(screen.find("SS99") == screen.rfind("SS99"), screen);  // with its reason, and not again as a row
+}
+
+TEST_CASE("by hand: long names are short, so that rows have room for answers, and listed once") {
+  const std::string beginning = "2024-05-10, sponge of the deep sea, specimen ";
+  std::vector<CampaignTest> tests;
+  for (const char* end : {"1", "2"}) tests.push_back(some_test(beginning + end, SawtoothCategory::clear, 0.4, 8e-6));
+  tests.push_back(failed_test(beginning + "3", "3.csv", "3.csv: no numbers."));
+  const std::string screen = campaign_screen(campaign_of(tests));
+  CHECK_MESSAGE(has(screen, "  no answer       3: 3.csv: no numbers.\n"), screen);
+  CHECK_MESSAGE(has(screen, "\n   1     SLIP"), screen);
+  CHECK(has(campaign_text(campaign_of(tests)), "Names of the tests\n   1               " + beginning + "1\n"));
+  CHECK_FALSE(has(campaign_text(some_campaign()), "Names of the tests"));
 }
 
 TEST_CASE("by hand: a page opens with the tests and the figures that compare them, and folds all else") {
