@@ -57,7 +57,7 @@ a { color: var(--mark); }
   html { font-size: 8.8pt; }
   body { max-width: none; padding: 0; }
   .answer { margin-bottom: .8rem; } h2 { margin-top: 1.6rem; } figure { margin: .8rem 0 1.2rem; }
-  .scroll { overflow: visible; } .plate { width: 94%; } .files { display: none; }
+  .scroll { overflow: visible; } th:first-child, td:first-child { position: static; } .plate { width: 94%; } .files { display: none; }
   figure, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; }
   details.chapter::details-content { content-visibility: visible; block-size: auto; }
 }
