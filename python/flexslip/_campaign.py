@@ -79,9 +79,9 @@ class Campaign(CampaignFields):
         return advice(str(self._part("text")))
 
     def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
-        """The distributions of wavelength and friction, or a page of the atlas of force curves; gives the Axes.
+        """The distributions of wavelength and friction, the losses of stiffness, or a page of the atlas of force curves; gives the Axes.
 
-        `figure` is "distributions", or "atlas-clear-1", ...
+        `figure` is "distributions", "losses", or "atlas-clear-1", ...
         """
         from . import _plots
 
