@@ -79,9 +79,9 @@ class Campaign(CampaignFields):
         return advice(str(self._part("text")))
 
     def plot(self, figure: str | None = None, ax: Axes | npt.NDArray[np.object_] | None = None) -> Axes | npt.NDArray[np.object_]:
-        """The distributions of wavelength and friction, or a page of the atlas of force curves; gives the Axes.
+        """The distributions of wavelength and friction, the losses of stiffness, or a page of the atlas of force curves; gives the Axes.
 
-        `figure` is "distributions", or "atlas-clear-1", ...
+        `figure` is "distributions", "losses", or "atlas-clear-1", ...
         """
         from . import _plots
 
@@ -96,7 +96,7 @@ class Campaign(CampaignFields):
     def message(self) -> str:
         """The first lines of the answer; the first cause of the tests that could not be evaluated, and how many are alike."""
         verdicts, _, rest = self.summary().partition("\n\n")
-        rows = rest.split("\n\n")[0] if rest.startswith("  ") else ""
+        rows = rest.split("\n\n")[0] if rest.startswith("  ") and not rest.startswith("   ") else ""  # a table is indented farther
         answer = f"{verdicts}\n\n{rows}".strip()
         if not len(self.failures):
             return answer

@@ -54,11 +54,7 @@ std::shared_ptr<Campaign> run(const std::string& path, const std::optional<std::
 
 py::list figures_of_campaign(const Campaign& campaign) {
   py::list out;
-  for (const CampaignTest& test : campaign.tests)
-    if (test.summary) {
-      out.append(plain(distribution_figure(campaign)));
-      break;
-    }
+  for (const Plot& figure : comparison_figures(campaign)) out.append(plain(figure));
   for (const Plot& page : atlas_pages(campaign)) out.append(plain(page));
   return out;
 }

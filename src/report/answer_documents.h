@@ -83,9 +83,9 @@ std::string campaign_screen(const Campaign& campaign, const ScreenStyle& style =
 using WriteEstimate = std::string(const Estimate& estimate, double factor);
 WriteEstimate with_interval, with_error;
 
-// The document of a campaign: tests, categories, spread between specimens, shared inputs, failures,
-// force curves, meaning of the columns. `written` prints the estimates. `links`, if given, lead to
-// the reports of the tests with an answer, in their order.
+// The document of a campaign: tests, and figures that compare them; folded, categories, spread
+// between specimens, details of each test, force curves, meaning of the columns. `written` prints
+// the estimates. `links`, if given, lead to the reports of the tests, in their order.
 std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* written,
                                  const std::vector<std::string>& links = {});
 

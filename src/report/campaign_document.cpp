@@ -19,6 +19,8 @@
 namespace flexslip {
 namespace {
 
+constexpr std::size_t max_name_width = 24;  // [characters] so that its row has room for the answer
+
 // ---- Numbers in print
 
 // The readable unit of a length, modulus or bending stiffness.
@@ -71,11 +73,30 @@ std::string at_most(const Spread& limits) {
              : fmt::format("at most {} to {}", format_significant(limits.min, 2), format_significant(limits.max, 2));
 }
 
-std::string of_friction(const CategorySpread& category) {
-  const std::string mean = of_spread(category.mu0, 1, 3);
-  if (category.mu0_limit.count == 0) return mean;
-  const std::string limits = fmt::format("{} {}", category.mu0_limit.count, at_most(category.mu0_limit));
-  return mean.empty() ? limits : fmt::format("{} of {}; {}", mean, category.mu0.count, limits);
+// ---- Names
+
+// The names of the tests as printed; if some are long, their labels in the figures.
+std::vector<std::string> names_of(const Campaign& campaign) {
+  std::vector<std::string> names;
+  for (const auto& test : campaign.tests) names.push_back(printable(test.name));
+  const bool are_short =
+      std::all_of(names.begin(), names.end(), [](const auto& name) { return width_of(name) <= max_name_width; });
+  return are_short ? names : labels_of(names);
+}
+
+template <class Use>
+void for_each_test(const Campaign& campaign, Use use) {
+  const std::vector<std::string> names = names_of(campaign);
+  for (std::size_t i = 0; i < names.size(); ++i) use(campaign.tests[i], names[i]);
+}
+
+// The names behind the labels; empty if the names are printed.
+Rows name_rows(const Campaign& campaign) {
+  Rows rows;
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& label) {
+    if (label != printable(test.name)) rows.push_back({label, printable(test.name)});
+  });
+  return rows;
 }
 
 // ---- The answer: the verdicts on one line, then a row for each number
@@ -96,8 +117,9 @@ bool is_excluded(const CampaignTest& test) {
 std::string excluded_tests(const Campaign& campaign) {
   constexpr std::size_t max_names = 8;
   std::vector<std::string> names;
-  for (const auto& test : campaign.tests)
-    if (is_excluded(test)) names.push_back(printable(test.name));
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (is_excluded(test)) names.push_back(name);
+  });
   if (names.size() > max_names) {
     const std::size_t more = names.size() - max_names;
     names.resize(max_names);
@@ -211,40 +233,43 @@ std::string exclusion_in_words(const Campaign& campaign) {
   return names.empty() || are_all_suspect ? "" : names + ", not in the means";
 }
 
-// "0.8 to 3.9, 0.6 to 2.7".
-std::string friction_in_standard(const CampaignTest& test) {
+// The share that friction adds to a number of the bending standards: "0.8 to 3.9".
+std::string gain_in_percent(const CampaignTest& test, ShareRange FrictionGain::*share) {
   if (!test.standard || !test.standard->friction) return "";
-  const auto of = [](const ShareRange& share) {
-    return fmt::format("{} to {}", format_significant(100 * share.least, 2), format_significant(100 * share.most, 2));
-  };
-  return fmt::format("{}, {}", of(test.standard->friction->modulus), of(test.standard->friction->strength));
+  const ShareRange& range = (*test.standard->friction).*share;
+  return fmt::format("{} to {}", format_significant(100 * range.least, 2), format_significant(100 * range.most, 2));
+}
+
+// The doubts about a test; without a fit and a doubt, the first sentence of the reason.
+std::string doubts_in_words(const CampaignTest& test) {
+  if (test.summary || !test.remarks.empty()) return fmt::format("{}", fmt::join(test.remarks, "; "));
+  const std::string sentence = test.reason.substr(0, test.reason.find(". "));
+  return sentence.ends_with('.') ? sentence.substr(0, sentence.size() - 1) : sentence;
 }
 
 // ---- Tables
 
-// The tests with their verdicts and friction.
+// A row for each test, in their order: verdict, friction and doubts.
 PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{.head = {"Test", "Verdict", "Sawtooth", "Friction", titled("Spacing", units.length), "Drops",
-                              "Work (%)", "Doubts"},
-                     .rows = {},
-                     .folding = Folding::never,
-                     .on_terminal = {"Test", "Verdict", "Friction", "Spacing", "Work (%", "Doubts"}};
-  for (const auto& test : campaign.tests) {
-    if (!test.summary) continue;
-    const TestSummary& summary = *test.summary;
-    std::vector<std::string> remarks = test.remarks;
-    if (!test.reason.empty()) remarks.insert(remarks.begin(), test.reason);
-    const double share = summary.friction_share;
-    table.rows.push_back({test.name, test.verdict, std::string(name_of(summary.category)),
-                          !std::isfinite(summary.mu0.value) ? ""
-                          : summary.mu0_is_bound ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
-                                                 : written(summary.mu0, 1),
-                          format_significant(units.length.factor * summary.spacing, 2),
-                          fmt::format("{}", summary.drops),
-                          std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share),
-                          fmt::format("{}", fmt::join(remarks, "; "))});
-  }
+  const char* friction = written == with_interval ? "Friction (95 %)" : "Friction";
+  PrintedTable table{
+      .head = {"Test", "Verdict", friction, titled("Spacing", units.length), "Drops", "Work (%)", "Doubts"},
+      .rows = {},
+      .folding = Folding::never};
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    std::vector<std::string> numbers(4);
+    if (test.summary) {
+      const TestSummary& summary = *test.summary;
+      const double share = summary.friction_share;
+      numbers = {!std::isfinite(summary.mu0.value) ? ""
+                 : summary.mu0_is_bound            ? fmt::format("at most {}", format_significant(summary.mu0.high, 2))
+                                                   : written(summary.mu0, 1),
+                 format_significant(units.length.factor * summary.spacing, 2), fmt::format("{}", summary.drops),
+                 std::isnan(share) ? "" : fmt::format("{:.0f}", std::abs(share) < 0.005 ? 0.0 : 100 * share)};
+    }
+    table.rows.push_back({name, test.verdict, numbers[0], numbers[1], numbers[2], numbers[3], doubts_in_words(test)});
+  });
   return table;
 }
 
@@ -252,8 +277,8 @@ PrintedTable test_rows(const Campaign& campaign, WriteEstimate* written) {
 PrintedTable variation_rows(const Campaign& campaign, WriteEstimate* written) {
   const TableUnit length = units_of(campaign).length;
   PrintedTable table{.head = {"Test", "σ", titled("ℓ", length), "A", titled("λ", length)}, .rows = {}};
-  for (const auto& test : campaign.tests) {
-    if (!test.summary || !std::isfinite(test.summary->mu0.value)) continue;
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary || !std::isfinite(test.summary->mu0.value)) return;
     const TestSummary& summary = *test.summary;
     const auto of_roughness = [&](const Estimate& estimate, double factor) {
       return summary.model == ProfileModel::roughness && std::isfinite(estimate.value) ? written(estimate, factor) : "";
@@ -262,60 +287,78 @@ PrintedTable variation_rows(const Campaign& campaign, WriteEstimate* written) {
       if (!estimate || !std::isfinite(estimate->value)) return std::string();
       return summary.wave_claimed ? written(*estimate, factor) : fmt::format("[{}]", written(*estimate, factor));
     };
-    std::vector<std::string> row{test.name, of_roughness(summary.roughness, 1),
+    std::vector<std::string> row{name, of_roughness(summary.roughness, 1),
                                  of_roughness(summary.correlation_length, length.factor), of_wave(summary.amplitude, 1),
                                  of_wave(summary.wavelength, length.factor)};
     if (std::any_of(row.begin() + 1, row.end(), [](const std::string& cell) { return !cell.empty(); }))
       table.rows.push_back(std::move(row));
-  }
+  });
   return table;
 }
 
-// Stiffness, work, and the numbers of the bending standards.
+// Sawtooth, stiffness, work, and the numbers of the bending standards.
 PrintedTable stiffness_rows(const Campaign& campaign, WriteEstimate* written) {
   const CampaignUnits units = units_of(campaign);
-  PrintedTable table{.head = {"Test", titled("EI", units.bending_stiffness), titled("Residual", units.force),
-                              titled("Work", units.energy), titled("E_f", units.modulus), titled("σ_f", units.strength),
-                              "Friction in E_f, σ_f (%)"},
-                     .rows = {}};
-  for (const auto& test : campaign.tests) {
-    if (!test.summary) continue;
+  PrintedTable table{
+      .head = {"Test", "Sawtooth", titled("EI", units.bending_stiffness), titled("Residual", units.force),
+               titled("Work", units.energy), titled("Modulus", units.modulus), titled("Strength", units.strength),
+               "Friction in modulus (%)", "in stress (%)"},
+      .rows = {}};
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary) return;
     const TestSummary& summary = *test.summary;
-    table.rows.push_back({test.name, written(summary.bending_stiffness, units.bending_stiffness.factor),
+    table.rows.push_back({name, std::string(name_of(summary.category)),
+                          written(summary.bending_stiffness, units.bending_stiffness.factor),
                           format_significant(units.force.factor * summary.residual_rms, 3),
                           format_significant(units.energy.factor * summary.work_of_fracture, 3),
                           test.standard ? written(test.standard->modulus, units.modulus.factor) : "",
                           test.standard && std::isfinite(test.standard->strength)
                               ? format_significant(units.strength.factor * test.standard->strength, 3)
                               : "",
-                          friction_in_standard(test)});
-  }
+                          gain_in_percent(test, &FrictionGain::modulus),
+                          gain_in_percent(test, &FrictionGain::strength)});
+  });
   return table;
+}
+
+// True if tests are of more than one category, so that the row of all tests differs from each category.
+bool has_several_categories(const Campaign& campaign) {
+  return std::count_if(campaign.categories.begin(), campaign.categories.end(), [](const CategorySummary& summary) {
+           return summary.category && summary.with_suspects.tests > 0;
+         }) > 1;
 }
 
 PrintedTable category_rows(const Campaign& campaign) {
   const TableUnit length = units_of(campaign).length;
-  PrintedTable table{.head = {"Sawtooth", "Suspects", "Tests", "Friction", "A", titled("λ", length)},
-                     .rows = {},
-                     .on_terminal = {"Sawtooth", "Suspects", "Tests", "Friction", "λ"}};
-  for (const auto& category : campaign.categories)
-    for (const auto* spreads : {&category.without_suspects, &category.with_suspects}) {
+  PrintedTable table{.head = {"Sawtooth", "Tests", "Friction", "Upper limits", "A", titled("λ", length)}, .rows = {}};
+  for (const auto& category : campaign.categories) {
+    if (!category.category && !has_several_categories(campaign)) continue;
+    const auto row_of = [&](const CategorySpread& spreads, std::string_view suspects) {
       // Brackets if some of the waves are only indicative.
       const auto of_waves = [&](const Spread& spread, double factor, int decimals) {
         const std::string words = of_spread(spread, factor, decimals);
-        return words.empty() || spreads->waves_claimed == spread.count ? words : fmt::format("[{}]", words);
+        return words.empty() || spreads.waves_claimed == spread.count ? words : fmt::format("[{}]", words);
       };
-      table.rows.push_back({std::string(key_of(category)),
-                            spreads == &category.without_suspects ? "left out" : "counted in",
-                            fmt::format("{}", spreads->tests), of_friction(*spreads),
-                            of_waves(spreads->amplitude, 1, 3), of_waves(spreads->wavelength, length.factor, 1)});
-    }
+      const std::size_t limits = spreads.mu0_limit.count;
+      return std::vector{fmt::format("{}{}", key_of(category), suspects),
+                         fmt::format("{}", spreads.mu0.count + limits),
+                         of_spread(spreads.mu0, 1, 2),
+                         limits == 0 ? "" : fmt::format("{} ({})", at_most(spreads.mu0_limit), limits),
+                         of_waves(spreads.amplitude, 1, 2),
+                         of_waves(spreads.wavelength, length.factor, 1)};
+    };
+    const auto values = [](const CategorySpread& spreads) { return spreads.mu0.count + spreads.mu0_limit.count; };
+    const auto &without = category.without_suspects, &with = category.with_suspects;
+    if (values(without) > 0) table.rows.push_back(row_of(without, ""));
+    if (values(with) > values(without)) table.rows.push_back(row_of(with, ", with suspects"));
+  }
   return table;
 }
 
 PrintedTable specimen_rows(const Campaign& campaign) {
   PrintedTable table{.head = {"Sawtooth", "Parameter", "Tests", "Typical", "Specimens differ by"}, .rows = {}};
   for (const auto& line : specimen_lines(campaign)) {
+    if (line.category == "all" && !has_several_categories(campaign)) continue;
     const Population& population = line.population;
     const auto [unit, factor] = print_unit(population.typical.value, line.unit);
     const std::string sign = line.by_factors ? "a factor " : "± ";
@@ -337,15 +380,17 @@ PrintedTable specimen_rows(const Campaign& campaign) {
 
 Rows failure_rows(const Campaign& campaign) {
   Rows rows;
-  for (const auto& test : campaign.tests)
-    if (is_failure(test)) rows.push_back({printable(test.name), test.reason});
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (is_failure(test)) rows.push_back({name, test.reason});
+  });
   return rows;
 }
 
 Rows rows_without_friction(const Campaign& campaign) {
   Rows rows;
-  for (const auto& test : campaign.tests)
-    if (!test.summary && is_answered(test)) rows.push_back({printable(test.name), test.reason});
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
+    if (!test.summary && is_answered(test)) rows.push_back({name, test.reason});
+  });
   return rows;
 }
 
@@ -373,6 +418,11 @@ std::string literature_in_words(const Campaign& campaign) {
 
 // The meaning of the columns, for the tables that exist.
 Rows column_rows(const Campaign& campaign) {
+  const auto has = [&](auto part) {
+    return std::any_of(campaign.tests.begin(), campaign.tests.end(),
+                       [&](const auto& test) { return (test.*part).has_value(); });
+  };
+  if (!has(&CampaignTest::summary)) return {};
   return {
       {"Sawtooth",
        "none: fewer than three force drops, or drops that sum to less than 3\u00a0% of the maximum force; clear: "
@@ -383,9 +433,12 @@ Rows column_rows(const Campaign& campaign) {
        "ranges in parentheses are 95 % intervals"},
       {"A, λ", "amplitude and wavelength of the wave with the highest probability; brackets: not detected"},
       {"Work (%)", "friction share of the work; empty if the friction is not determined, or only an upper limit"},
-      {"E_f, σ_f",
-       "modulus of the chord, or else of the linear region, and stress at the maximum force, by the bending "
-       "standards; and how much friction at the supports increases each (0.1 to 0.5 if the case states none)"},
+      {"Modulus, strength",
+       !has(&CampaignTest::standard)
+           ? ""
+           : "modulus of the chord, or else of the linear region, and stress at the maximum force of a specimen that "
+             "broke, by the bending standards; and how much friction at the supports increases the modulus and this "
+             "stress (0.1 to 0.5 if the case states none)"},
       {"Typical", specimen_rows(campaign).rows.empty()
                       ? ""
                       : "mean μ₀ of the specimens, and median σ and ℓ, with 95 % intervals; specimens differ by the "
@@ -428,28 +481,20 @@ std::vector<Chapter> document_of(const Campaign& campaign, WriteEstimate* writte
                                  const std::vector<std::string>& links) {
   PrintedTable tests = test_rows(campaign, written);
   tests.links = links;
-  const bool has_answers = !tests.rows.empty();
-  std::vector<Chapter> chapters;
-  if (has_answers)
-    chapters = {{"",
-                 {Pictures{[&campaign](double width) {
-                    std::vector figures{distribution_figure(campaign, width)};
-                    if (has_losses(campaign)) figures.push_back(losses_figure(campaign));
-                    return figures;
-                  }},
-                  tests}},
-                {"By category: mean (minimum to maximum)",
-                 {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
-                {"Between specimens", {specimen_rows(campaign)}},
-                {"Variation of friction along the specimens", {variation_rows(campaign, written)}},
-                {"Stiffness and work", {stiffness_rows(campaign, written)}}};
-  chapters.push_back({"Deflection too small to determine friction", {rows_without_friction(campaign)}});
-  chapters.push_back({"Not evaluated", {failure_rows(campaign)}});
-  if (has_answers)
-    for (const Chapter& chapter :
-         {Chapter{"Force curves", {Pictures{[&campaign](double width) { return atlas_pages(campaign, width); }}}},
-          Chapter{"Meaning of the columns", {column_rows(campaign)}}})
-      chapters.push_back(chapter);
+  const Pictures comparisons{[&campaign](double width) { return comparison_figures(campaign, width); }};
+  const Pictures curves{[&campaign](double width) { return atlas_pages(campaign, width); }};
+  std::vector<Chapter> chapters{{"", {tests, comparisons}},
+                                {"By category: mean (minimum to maximum)",
+                                 {category_rows(campaign), Rows{{"literature", literature_in_words(campaign)}}}},
+                                {"Between specimens", {specimen_rows(campaign)}},
+                                {"Variation of friction along the specimens", {variation_rows(campaign, written)}},
+                                {"Sawtooth, stiffness and work", {stiffness_rows(campaign, written)}},
+                                {"Deflection too small to determine friction", {rows_without_friction(campaign)}},
+                                {"Not evaluated", {failure_rows(campaign)}},
+                                {"Force curves", {curves}},
+                                {"Names of the tests", {name_rows(campaign)}},
+                                {"Meaning of the columns", {column_rows(campaign)}}};
+  for (auto chapter = chapters.begin() + 1; chapter != chapters.end(); ++chapter) chapter->folding = Folding::always;
   return chapters;
 }
 
@@ -459,17 +504,20 @@ namespace {
 Rows shown_failures(const Campaign& campaign, std::size_t width) {
   constexpr std::size_t max_failures = 2;
   Rows rows;
-  for (const auto& test : campaign.tests)
+  for_each_test(campaign, [&](const CampaignTest& test, const std::string& name) {
     if (is_failure(test) && rows.size() < max_failures)
-      rows.push_back({"no answer", cut_to_row(fmt::format("{}: {}", test.name, test.reason), width)});
+      rows.push_back({folded(test.verdict), cut_to_row(fmt::format("{}: {}", name, test.reason), width)});
+  });
   return rows;
 }
 
-// Adds the rows of the tests, as many as there are free lines. If some are missing, tests with doubts
-// come first.
+// Adds the rows of the tests with an answer, as many as there are free lines. If some are missing,
+// tests with doubts come first.
 void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& style) {
   constexpr std::size_t lines_of_head = 2;
   PrintedTable tests = test_rows(campaign, with_error);
+  for (std::size_t i = campaign.tests.size(); i-- > 0;)
+    if (is_failure(campaign.tests[i])) tests.rows.erase(tests.rows.begin() + static_cast<std::ptrdiff_t>(i));
   const std::size_t lines = free_lines(screen, style);
   const std::size_t room = lines > lines_of_head ? lines - lines_of_head : 0;
   if (tests.rows.size() > room) {
@@ -479,7 +527,8 @@ void add_tests(Screen& screen, const Campaign& campaign, const ScreenStyle& styl
   const std::size_t shown = tests.rows.size() + screen.doubts.size();
   if (shown < campaign.tests.size())
     screen.footer = format_count(campaign.tests.size() - shown, "more test. ", "more tests. ") + screen.footer;
-  screen.table = std::move(tests);
+  screen.table = picked(tests, {0, 1, 2, 3, 5, 6});  // without the drops, for which there is no room
+  screen.table.is_cut = true;
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "finding/printed.h"
 #include "io/text.h"
 #include "numerics/beam.h"
 #include "numerics/elementary.h"
@@ -81,8 +82,16 @@ double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> categor
 namespace {
 
 bool has_loss(const CampaignTest& test) { return test.summary && test.summary->loss && test.summary->loss->needed > 0; }
+// False for a specimen that cracked, and without an answer.
+bool determines_friction(const CampaignTest& test) { return test.summary && std::isfinite(test.summary->mu0.value); }
+// The means leave such a test out.
+bool is_excluded(const CampaignTest& test) { return determines_friction(test) && test.summary->suspect; }
 
 }  // namespace
+
+bool has_friction(const Campaign& campaign) {
+  return std::any_of(campaign.tests.begin(), campaign.tests.end(), determines_friction);
+}
 
 bool has_losses(const Campaign& campaign) {
   return std::any_of(campaign.tests.begin(), campaign.tests.end(), has_loss);
@@ -143,6 +152,17 @@ std::vector<std::string> labels_of(const std::vector<std::string>& names) {
 
 namespace {
 
+// An axis over the data, with room above them for the titles of the categories.
+Axis axis_over(std::string label, std::string unit, double low, double high, bool logarithmic) {
+  constexpr double below = 0.08, above = 0.45;  // [1] of the range of the data
+  if (logarithmic) {
+    const double range = high / low;
+    return {std::move(label), std::move(unit), low / std::pow(range, below), high * std::pow(range, above), true};
+  }
+  const double range = high > low ? high - low : std::abs(high);
+  return {std::move(label), std::move(unit), low - below * range, high + above * range};
+}
+
 // The label of each test of a campaign.
 std::vector<std::string> test_labels(const Campaign& campaign) {
   std::vector<std::string> names;
@@ -150,8 +170,8 @@ std::vector<std::string> test_labels(const Campaign& campaign) {
   return labels_of(names);
 }
 
-// The places of the tests along the axis of a figure: a range for each category, wide enough for
-// its title.
+// The places of the tests that determine friction along the axis of a figure: a range for each
+// category, wide enough for its title.
 struct Places {
   struct Range {
     Category category;
@@ -162,13 +182,22 @@ struct Places {
   double end = 0;
 };
 
+constexpr double margins = 17;  // [mm] left and right of the places
+
+// The width [mm] at which the name of each test has a place.
+double width_for(const Campaign& campaign) {
+  constexpr double place = 3.6;  // [mm]
+  const auto tests = std::count_if(campaign.tests.begin(), campaign.tests.end(), determines_friction);
+  return std::max(one_column, margins + place * static_cast<double>(tests + std::ssize(categories)));
+}
+
 Places places_of(const Campaign& campaign, double width) {
-  constexpr double title = 24, margins = 17;  // [mm]
+  constexpr double title = 24;  // [mm]
   std::vector<std::vector<std::size_t>> tests(categories.size());
   double count = 0, groups = 0;
   for (std::size_t k = 0; k < categories.size(); ++k) {
     for (std::size_t i = 0; i < campaign.tests.size(); ++i)
-      if (campaign.tests[i].summary && campaign.tests[i].summary->category == categories[k].category)
+      if (determines_friction(campaign.tests[i]) && campaign.tests[i].summary->category == categories[k].category)
         tests[k].push_back(i);
     count += static_cast<double>(tests[k].size());
     groups += tests[k].empty() ? 0 : 1;
@@ -189,9 +218,10 @@ Places places_of(const Campaign& campaign, double width) {
 
 }  // namespace
 
-Plot distribution_figure(const Campaign& campaign, double width) {
+Plot distribution_figure(const Campaign& campaign, double most_width) {
+  const double width = std::min(most_width, width_for(campaign));
   const Places places = places_of(campaign, width);
-  if (places.ranges.empty()) throw std::invalid_argument("distribution_figure: no test has a summary");
+  if (places.ranges.empty()) throw std::invalid_argument("distribution_figure: no test determines friction");
   std::vector<double> wavelengths;
   for (const auto& test : campaign.tests)
     if (test.summary && test.summary->wavelength) wavelengths.push_back(test.summary->wavelength->value);
@@ -202,7 +232,9 @@ Plot distribution_figure(const Campaign& campaign, double width) {
   PlotTable tests{"tests",
                   {"place", "test (its number in the campaign)", "suspect", "mu0", "mu0 low", "mu0 high",
                    length.column("wavelength"), length.column("low"), length.column("high"), "wave claimed"}};
-  double shortest = infinity, longest = 0, highest = 1;
+  const auto literature = literature_of(campaign);
+  double shortest = infinity, longest = 0;
+  double lowest = literature ? literature->low : infinity, highest = literature ? literature->high : 0;
   Axis x{"", "", 0, places.end};
   bool has_waves = false;
   for (const Places::Range& range : places.ranges)
@@ -219,13 +251,13 @@ Plot distribution_figure(const Campaign& campaign, double width) {
       has_waves = has_waves || has_wave;
       shortest = std::fmin(shortest, length(wave.low));
       longest = std::fmax(longest, length(wave.high));
+      lowest = std::fmin(lowest, test.mu0.low);
       highest = std::fmax(highest, test.mu0.high);
     }
-  const bool logarithmic = shortest > 0 && longest > 8 * shortest;
-  const auto literature = literature_of(campaign);
   const double all = mean_of(campaign, std::nullopt, &CategorySpread::mu0);
   // With one category the common mean equals the mean of that category.
   const bool has_common_mean = std::isfinite(all) && places.ranges.size() > 1;
+  constexpr double two_lines_below = 32;  // [mm] the width of the title of a category
   constexpr Style mean_look{.width = 1.4}, all_look{.colour = colours::grey},
       indicative = styles::mark(Symbol::disc, colours::grey, 3.5);
 
@@ -242,10 +274,11 @@ Plot distribution_figure(const Campaign& campaign, double width) {
       const double value = mean(range.category.category);
       if (std::isfinite(value))
         panel.marks.push_back({.style = mean_look, .title = "", .at = {range.from, value, range.to, value}});
-      panel.marks.push_back(label((range.from + range.to) / 2, edge,
-                                  (width < two_columns ? replaced(range.category.title, " sawtooth", "\nsawtooth")
-                                                       : std::string(range.category.title)) +
-                                      (std::isfinite(value) ? "\n" + mean_in_words(value) : "")));
+      const bool is_narrow = (width - margins) * (range.to - range.from) / places.end < two_lines_below;
+      panel.marks.push_back(label(
+          (range.from + range.to) / 2, edge,
+          (is_narrow ? replaced(range.category.title, " sawtooth", "\nsawtooth") : std::string(range.category.title)) +
+              (std::isfinite(value) ? "\n" + mean_in_words(value) : "")));
     }
     panel.marks.push_back({Mark::bars, "tests", {0, column + 1, column + 2}, {.width = 0.7}});
     const Style disc = styles::mark(Symbol::disc, colours::black, 3.5);
@@ -256,18 +289,16 @@ Plot distribution_figure(const Campaign& campaign, double width) {
       panel.marks.push_back({Mark::points, "tests", {0, column}, style, "", conditions});
     return panel;
   };
-  const double room = width < two_columns ? 1.5 : 1.35;  // for the titles of the categories
   std::vector<Panel> panels;
   if (has_waves)
     panels.push_back(panel_of(
-        {"Wavelength *λ*", length.unit, logarithmic ? shortest / 1.2 : 0,
-         logarithmic ? longest * std::pow(longest / shortest, room - 1) : room * longest, logarithmic},
-        6, [&](auto category) { return length(mean_of(campaign, category, &CategorySpread::wavelength)); },
-        [&](double mean) { return fmt::format("mean {:.{}f} {}", mean, mean < 100 ? 1 : 0, length.unit); }));
+        axis_over("Wavelength *λ*", length.unit, shortest, longest, shortest > 0 && longest > 8 * shortest), 6,
+        [&](auto category) { return length(mean_of(campaign, category, &CategorySpread::wavelength)); },
+        [&](double mean) { return fmt::format("mean {} {}", format_significant(mean, 3), length.unit); }));
   panels.push_back(panel_of(
-      {"Mean friction *μ*_0", "", -0.035 * highest, room * highest}, 3,
+      axis_over("Mean friction *μ*_0", "", lowest, highest, false), 3,
       [&](auto category) { return mean_of(campaign, category, &CategorySpread::mu0); },
-      [](double mean) { return fmt::format("mean {:.3f}", mean); }));
+      [](double mean) { return fmt::format("mean {:.2f}", mean); }));
   // The key has entries only for marks that are drawn.
   std::vector<Mark> entries;
   if (std::any_of(categories.begin(), categories.end(), [&](const Category& each) {
@@ -278,12 +309,12 @@ Plot distribution_figure(const Campaign& campaign, double width) {
   const bool has_limits = has([](const auto& row) { return std::isnan(row[3]); });
   entries.push_back({.style = {.width = 0.7}, .title = has_limits ? "95 %; without a mark: limits" : "95 %"});
   if (has_common_mean)
-    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, without suspects: {:.3f}", all)});
+    entries.push_back({.style = all_look, .title = fmt::format("Mean of all, without suspects: {:.2f}", all)});
   const bool has_suspects =
       has([](const auto& row) { return row[2] == 1 && (std::isfinite(row[3]) || std::isfinite(row[6])); });
   if (has_suspects) entries.push_back({.kind = Mark::points, .style = styles::suspect, .title = "Suspect"});
-  if (has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); }))
-    entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave not detected"});
+  const bool has_indicative = has([](const auto& row) { return row[2] == 0 && row[9] == 0 && std::isfinite(row[6]); });
+  if (has_indicative) entries.push_back({.kind = Mark::points, .style = indicative, .title = "Wave not detected"});
   if (literature)
     entries.push_back({.kind = Mark::area,
                        .style = styles::literature,
@@ -293,16 +324,20 @@ Plot distribution_figure(const Campaign& campaign, double width) {
   return {.name = "distributions",
           .title = "Wavelength and mean friction of all tests",
           .caption = fmt::format(
-              "{}mean friction of each test, with its 95 % interval. Black lines: means of a category{}.{}{}",
+              "{}{}mean friction of each test that determines it, with its 95 % interval. Black lines: means of a "
+              "category{}.{}{}",
               has_waves ? "Above: wavelength of the friction along the specimen, with its 95 % interval, for tests "
-                          "with a sawtooth; grey where the wave is only indicative. Below: "
+                          "with a sawtooth"
                         : "The ",
+              !has_waves       ? ""
+              : has_indicative ? "; grey where the wave is not detected, which the mean counts, too. Below: "
+                               : ". Below: ",
               has_common_mean ? ", grey line: mean of all" : "",
               has_suspects ? " Red-orange crosses: suspect tests, which the means leave out." : "",
               literature ? fmt::format(" Green: what the literature gives for {} on {}, {:g} to {:g}.",
                                        literature->specimen, literature->support, literature->low, literature->high)
                          : ""),
-          .width = two_columns,
+          .width = width,
           .height = has_waves ? 120.0 : 80.0,
           .data = {std::move(tests)},
           .panels = std::move(panels)};
@@ -313,15 +348,12 @@ namespace {
 constexpr double panel_width = 42;  // [mm]
 constexpr std::size_t rows_on_page = 5;
 
-// False for a specimen that cracked, and without an answer.
-bool has_friction(const CampaignTest& test) { return std::isfinite(test.summary->mu0.value); }
-
 // The parameters, one per line.
 std::string parameters_of(const TestSummary& test, const PlotUnit& wavelength) {
   std::string lines =
-      fmt::format("*μ*_0 {} {:.3f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
+      fmt::format("*μ*_0 {} {:.2f}", test.mu0_is_bound ? "≤" : "=", test.mu0_is_bound ? test.mu0.high : test.mu0.value);
   if (test.wave_claimed && test.wavelength && test.amplitude)
-    lines += fmt::format("\n*A* = {:.3f}\n*λ* = {:.3g} {}", test.amplitude->value, wavelength(test.wavelength->value),
+    lines += fmt::format("\n*A* = {:.2f}\n*λ* = {:.3g} {}", test.amplitude->value, wavelength(test.wavelength->value),
                          wavelength.unit);
   return lines;
 }
@@ -370,15 +402,15 @@ Plot atlas_page(std::span<const LabelledTest> tests, std::size_t across, std::st
     add(1, {{0, 0}, {w(plane.w_max), F(initial * plane.w_max)}});
     const auto smooth = frictionless_curve(curves, summary.bending_stiffness.value);
     add(2, plane.curve("", smooth).rows);
-    if (has_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
+    if (determines_friction(*test)) add(3, plane.thinned(line(curves.model_deflection, curves.model_force)).rows);
     add(4, line(curves.deflection, curves.force).rows);
     Panel panel{
-        .title = (summary.suspect ? "× " : "") + as_it_is(name_of_panel), .x = plane.x(1.04), .y = plane.y(1.15)};
+        .title = (is_excluded(*test) ? "× " : "") + as_it_is(name_of_panel), .x = plane.x(1.04), .y = plane.y(1.15)};
     for (std::size_t k = 0; k < data.size(); ++k)
       if (std::any_of(data[k].rows.begin(), data[k].rows.end(),
                       [&](const auto& row) { return !row.empty() && row[0] == number; }))
         panel.marks.push_back({Mark::line, data[k].name, {1, 2}, looks[k], "", {{0, number}}});
-    if (has_friction(*test)) panel.marks.push_back(label(edge, -edge, parameters_of(summary, wavelength)));
+    if (determines_friction(*test)) panel.marks.push_back(label(edge, -edge, parameters_of(summary, wavelength)));
     panels.push_back(std::move(panel));
   }
   for (std::size_t k = looks.size(); k-- > 0;)
@@ -403,17 +435,24 @@ Plot atlas_page(std::span<const LabelledTest> tests, std::size_t across, std::st
 
 }  // namespace
 
+std::vector<Plot> comparison_figures(const Campaign& campaign, double width) {
+  std::vector<Plot> figures;
+  if (has_friction(campaign)) figures.push_back(distribution_figure(campaign, width));
+  if (has_losses(campaign)) figures.push_back(losses_figure(campaign));
+  return figures;
+}
+
 std::vector<Plot> atlas_pages(const Campaign& campaign, double width) {
   const auto across = static_cast<std::size_t>(std::max(1.0, std::floor(width / panel_width)));
   const std::size_t panels_on_page = rows_on_page * across;
   const std::vector<std::string> labels = test_labels(campaign);
   std::vector<Plot> pages;
   const auto add_pages = [&](std::string_view key, const std::string& title,
-                             const std::function<bool(const TestSummary&)>& belongs) {
+                             const std::function<bool(const CampaignTest&)>& belongs) {
     std::vector<LabelledTest> tests;
     for (std::size_t i = 0; i < campaign.tests.size(); ++i) {
       const CampaignTest& test = campaign.tests[i];
-      if (test.summary && test.curves && !test.curves->force.empty() && belongs(*test.summary))
+      if (test.summary && test.curves && !test.curves->force.empty() && belongs(test))
         tests.push_back({&test, labels[i]});
     }
     const std::size_t count = (tests.size() + panels_on_page - 1) / panels_on_page;
@@ -426,8 +465,8 @@ std::vector<Plot> atlas_pages(const Campaign& campaign, double width) {
   };
   for (const Category& each : categories)
     add_pages(name_of(each.category), capitalised(each.title),
-              [&](const TestSummary& test) { return test.category == each.category; });
-  add_pages("suspect", "Suspect tests", [](const TestSummary& test) { return test.suspect; });
+              [&](const CampaignTest& test) { return test.summary->category == each.category; });
+  add_pages("suspect", "Suspect tests", is_excluded);
   return pages;
 }
 

@@ -35,12 +35,10 @@ std::string in_link(std::string_view name) {
   return out;
 }
 
-// The links to the reports of the tests with an answer, in their order; empty if a report is
-// missing.
+// The links to the reports of the tests, in their order; empty if a report is missing.
 std::vector<std::string> links_to_tests(const std::string& folder, const Campaign& campaign) {
   std::vector<std::string> links;
   for (const auto& test : campaign.tests) {
-    if (!test.summary) continue;
     std::error_code unreadable;
     const bool exists = fs::exists(fs::path(folder) / "tests" / folder_name(test.name) / "report.html", unreadable);
     links.push_back(exists ? fmt::format("tests/{}/report.html", in_link(folder_name(test.name))) : "");
@@ -115,7 +113,7 @@ Drawing write_campaign_report(const std::string& folder, const Campaign& campaig
   std::vector<Chapter> chapters = document_of(campaign, with_interval, links_to_tests(folder, campaign));
   AccompanyingFiles files;
   for (const TableFile& file : table_files) files.files.push_back({file.name, file.holds});
-  chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}});
+  chapters.push_back({"Files", {files, fmt::format("FlexSlip {}.", FLEXSLIP_VERSION)}, Folding::always});
   return write_page(folder, "Friction in a campaign of bending tests",
                     answer_in_html(campaign_in_short(campaign)) + in_html({{"", {rows_of(campaign)}}}, {}), chapters,
                     *figure_width);

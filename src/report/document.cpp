@@ -22,7 +22,7 @@ std::size_t end_of_word(std::string_view text) {
 }
 
 std::string laid_out(const PrintedTable& all, std::size_t width) {
-  const PrintedTable table = picked(all, all.on_terminal);
+  const PrintedTable table = picked(all);
   std::vector<std::size_t> widths;
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     widths.push_back(width_of(table.head[i]));
@@ -39,13 +39,13 @@ std::string laid_out(const PrintedTable& all, std::size_t width) {
       // Words that exceed the line continue below it with an indent, if there is room.
       constexpr std::size_t min_room = 30;
       if (const std::size_t indent = width_of(line);
-          i == last && ends_in_words && all.on_terminal.empty() && indent + min_room <= width)
+          i == last && ends_in_words && !all.is_cut && indent + min_room <= width)
         line = wrapped(cell, std::string(indent, ' '), line, width);
       else
         line += padded(cell, widths[i], is_of_numbers(table, i));
     }
     line.erase(line.find_last_not_of(" \n") + 1);
-    out += (all.on_terminal.empty() ? line : cut_to(line, width)) + '\n';
+    out += (all.is_cut ? cut_to(line, width) : line) + '\n';
   };
   add(table.head);
   for (const auto& row : table.rows) add(row);

@@ -50,13 +50,17 @@ std::vector<std::string> labels_of(const std::vector<std::string>& names);
 
 // Wavelength and friction of each test, sorted by category, with means and the range in the
 // literature, as in Fig. 9 of the paper. `width` [mm] as in in_width, here and below.
-// Domain:     at least one test has a summary; std::invalid_argument otherwise.
+// Domain:     has_friction; std::invalid_argument otherwise.
 Plot distribution_figure(const Campaign& campaign, double width = two_columns);
+bool has_friction(const Campaign& campaign);  // a test determines it
 
 // The stiffness loss measured by a reload against the loss that the drops require if they are
 // cracks only. Slips lie at zero, cracks on the diagonal. Domain: has_losses.
 Plot losses_figure(const Campaign& campaign);
 bool has_losses(const Campaign& campaign);  // a test with drops was loaded again
+
+// The figures above that have something to show.
+std::vector<Plot> comparison_figures(const Campaign& campaign, double width = two_columns);
 
 // Force curves of all tests, as in Figs. 10 to 13, on pages of at most five rows of panels: clear,
 // nominal, none, then the suspect tests again. Tests without curves have no panel.

@@ -28,23 +28,25 @@ h1 { font-size: 1.15rem; font-weight: 600; color: var(--soft); margin: 0 0 .6rem
 h2 { font-size: 1.15rem; margin: 2.4rem 0 .5rem; }
 .answer b { letter-spacing: .02em; margin-right: .5rem; } .answer .slip, .answer .no_drops { color: #007a58; }
 .answer .undecided { color: #a66f00; } .answer .crack, .answer .check_input, .answer .no_answer { color: #c04a00; }
-dl.rows { display: grid; grid-template-columns: fit-content(16rem) 1fr; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
+dl.rows { display: grid; grid-template-columns: fit-content(16rem) minmax(0, 1fr); overflow-wrap: anywhere; gap: .2rem 1rem; margin: 0 0 1rem; } dl.rows dt { color: var(--soft); min-width: 6.5rem; } dl.rows dd { margin: 0; }
+@media (max-width: 34rem) { dl.rows { grid-template-columns: minmax(0, 1fr); } dl.rows dd { margin-bottom: .4rem; } }
 .source { font-size: .88rem; color: var(--soft); border-top: 1px solid var(--line); padding-top: .6rem; }
 details summary { cursor: pointer; color: var(--soft); }
 details.chapter { border-top: 1px solid var(--line); } details.chapter > summary { padding: .35rem 0; }
 details.chapter > summary h2 { display: inline; font-size: 1rem; color: var(--text); }
 .answer { font-size: 1.4rem; line-height: 1.38; margin: 0 0 1.2rem; text-wrap: pretty; }
 figure { margin: 1.2rem 0 1.4rem; }
-figure svg { display: block; width: 100%; height: auto; }
-.plate { background: #fff; border-radius: 4px; }
+figure svg { display: block; width: 100%; height: auto; min-width: calc(var(--mm) * .7mm); }
+.plate { background: #fff; border-radius: 4px; max-width: calc(var(--mm) * 53rem / 170); overflow-x: auto; }
 figcaption, .note { font-size: .88rem; color: var(--soft); }
 figcaption { margin-top: .4rem; }
 figcaption b { color: var(--text); }
 .scroll { overflow-x: auto; }
-table { border-collapse: collapse; font-size: .88rem; line-height: 1.35; width: 100%; font-variant-numeric: tabular-nums; margin: .5rem 0; }
+table { border-collapse: separate; border-spacing: 0; font-size: .88rem; line-height: 1.35; width: 100%; font-variant-numeric: tabular-nums; margin: .5rem 0; }
 th { text-align: left; font-weight: 600; border-bottom: 1.5px solid var(--text); vertical-align: bottom; }
-th, td { padding: .22rem 1rem .22rem 0; } th:last-child, td:last-child { padding-right: 0; }
+th, td { padding: .22rem .8rem .22rem 0; } th:last-child, td:last-child { padding-right: 0; }
 td { border-bottom: 1px solid var(--line); vertical-align: top; }
+td:last-child:not(:first-child, .n) { min-width: 12rem; overflow-wrap: anywhere; } th:first-child, td:first-child { position: sticky; left: 0; background: var(--back); }
 th.n, td.n { text-align: right; } td.n, .values td + td { white-space: nowrap; }
 code, pre { font: .82rem/1.45 ui-monospace, "DejaVu Sans Mono", Consolas, monospace; overflow-wrap: anywhere; }
 pre { border-left: 3px solid var(--line); margin: .6rem 0; padding: .2rem 0 .2rem .9rem; white-space: pre-wrap; }
@@ -55,7 +57,7 @@ a { color: var(--mark); }
   html { font-size: 8.8pt; }
   body { max-width: none; padding: 0; }
   .answer { margin-bottom: .8rem; } h2 { margin-top: 1.6rem; } figure { margin: .8rem 0 1.2rem; }
-  .scroll { overflow: visible; } .plate { width: 94%; } .files { display: none; }
+  .scroll { overflow: visible; } th:first-child, td:first-child { position: static; } .plate { width: 94%; } .files { display: none; }
   figure, tr { break-inside: avoid; } h2, h2 + p { break-after: avoid; }
   details.chapter::details-content { content-visibility: visible; block-size: auto; }
 }
@@ -85,17 +87,6 @@ std::string cells_in_html(const PrintedTable& table, const std::vector<std::stri
   return out;
 }
 
-PrintedTable as_on_page(const PrintedTable& table) {
-  if (table.on_page.empty()) return table;
-  PrintedTable some;
-  some.rows.resize(table.rows.size());
-  for (const std::size_t column : table.on_page) {
-    some.head.push_back(table.head.at(column));
-    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i].at(column));
-  }
-  return some;
-}
-
 struct AsHtml {
   const std::function<std::string()>& next_pictures;
   Folding folding;  // of the chapter; a folded one folds nothing inside
@@ -113,7 +104,7 @@ struct AsHtml {
   std::string operator()(const PrintedTable& all) const {
     if (all.rows.empty()) return "";
     constexpr std::size_t max_open = 12;
-    const PrintedTable table = as_on_page(all);
+    const PrintedTable table = picked(all, all.on_page);
     std::string rows;
     for (std::size_t i = 0; i < table.rows.size(); ++i)
       rows += fmt::format("<tr>{}</tr>\n",
@@ -166,9 +157,9 @@ std::string html_figure(const std::string& folder, const Plot& plot, const Drawi
   for (const auto& data : plot.data)
     files += fmt::format(" <a href=\"{}-{}.csv\">{}.csv</a>", base, data.name, data.name);
   return fmt::format(
-      "<figure>\n<div class=\"plate\" style=\"max-width:{:.0f}%\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
+      "<figure>\n<div class=\"plate\" style=\"--mm:{:.0f}\">{}</div>\n<figcaption><b>Figure {}.</b> {} <span "
       "class=\"files\">Files:{}</span></figcaption>\n</figure>\n",
-      std::min(100.0, 100 * plot.width / two_columns), picture, number, html_escaped(plot.caption), files);
+      plot.width, picture, number, html_escaped(plot.caption), files);
 }
 
 // Draws all plots, two at a time, because gnuplot uses one core.

@@ -190,17 +190,16 @@ bool is_of_numbers(const PrintedTable& table, std::size_t column) {
   return has_some;
 }
 
-PrintedTable picked(const PrintedTable& table, const std::vector<std::string_view>& columns) {
-  if (columns.empty()) return table;
+PrintedTable picked(const PrintedTable& table, std::vector<std::size_t> columns) {
+  if (columns.empty())
+    for (std::size_t i = 0; i < table.head.size(); ++i) columns.push_back(i);
   PrintedTable some;
   some.rows.resize(table.rows.size());
-  for (const std::string_view column : columns) {
-    const auto found = std::find_if(table.head.begin(), table.head.end(),
-                                    [&](const std::string& heading) { return heading.starts_with(column); });
-    if (found == table.head.end()) throw std::invalid_argument(fmt::format("no column '{}'", column));
-    some.head.push_back(*found);
-    const auto index = static_cast<std::size_t>(found - table.head.begin());
-    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i][index]);
+  for (const std::size_t column : columns) {
+    const auto has_value = [&](const auto& row) { return !row.at(column).empty(); };
+    if (!table.rows.empty() && std::none_of(table.rows.begin(), table.rows.end(), has_value)) continue;
+    some.head.push_back(table.head.at(column));
+    for (std::size_t i = 0; i < table.rows.size(); ++i) some.rows[i].push_back(table.rows[i][column]);
   }
   return some;
 }
@@ -225,9 +224,7 @@ PrintedTable group_table(const FieldList& answer, const void* of, const Frame& f
                      .rows = {},
                      .folding = Folding::always};
   add_entries(table, what.entries, entry_of(answer, of, frame, group), frame, "");
-  table.on_page = {3, 1};
-  if (std::any_of(table.rows.begin(), table.rows.end(), [](const auto& row) { return !row[2].empty(); }))
-    table.on_page.push_back(2);
+  table.on_page = {3, 1, 2};
   return table;
 }
 

@@ -22,8 +22,7 @@ struct PrintedTable {
   std::vector<std::vector<std::string>> rows;
   std::vector<std::string> links{};  // targets of the first cells on a page; empty for none
   Folding folding = Folding::of_long;
-  // Headings of the columns shown on a terminal; the last may be cut. Default: all.
-  std::vector<std::string_view> on_terminal{};
+  bool is_cut = false;  // a terminal cuts its rows to one line
   // The columns shown on a page, counted from 0, in their order. Default: all.
   std::vector<std::size_t> on_page{};
 };
@@ -31,9 +30,9 @@ struct PrintedTable {
 // True if all cells of a column after the first begin like numbers.
 bool is_of_numbers(const PrintedTable& table, std::size_t column);
 
-// The columns whose headings begin with these words; all if none are given.
-// Domain:     headings of the table; std::invalid_argument otherwise.
-PrintedTable picked(const PrintedTable& table, const std::vector<std::string_view>& columns);
+// These columns as head and rows, or all if none are given; without those in which no row has a
+// value. Columns are counted from 0.
+PrintedTable picked(const PrintedTable& table, std::vector<std::size_t> columns = {});
 
 // A column made from a field: numbers (all in the unit in the heading), estimates ("a ± b", each in
 // its own unit), counts or words. An entry of a group is "group.entry".

@@ -117,7 +117,7 @@ step = "2 um"
             self.assertEqual(float(row["modulus [Pa]"]), standard["modulus"]["value"])
             self.assertEqual(row["strength [Pa]"] == "nan", standard["strength"] is None)
             self.assertEqual(float(row["modulus_gain_most"]), standard["modulus_gain_most"])
-        self.assertIn("Friction in E_f, σ_f (%)", page)
+        self.assertIn("Friction in modulus (%)", page)
 
     def test_fit_all_is_fit_one(self):
         folder = self.simulated(2)

@@ -99,10 +99,9 @@ TEST_CASE("table: rows for people, each with as many cells as the head") {
   const PrintedTable variation = table_with(chapters, "Test", "σ");
   REQUIRE(variation.rows.size() == 5);
   CHECK(variation.head[4] == "λ (µm)");
-  CHECK(tests.rows[0][3] == "0.600 (0.576 to 0.624)");
+  CHECK(tests.rows[0][2] == "0.600 (0.576 to 0.624)");
   CHECK(variation.rows[0][4] == "10.90 (10.50 to 11.30)");
   CHECK(variation.rows[3][4].empty());
-  CHECK(table_with(chapters, "Sawtooth", "Suspects").rows[1][3] == "0.750 (0.400 to 1.250)");
   const PrintedTable specimens = table_with(chapters, "Sawtooth", "Parameter");
   REQUIRE(specimens.rows.size() == 3);  // of all tests: no category has three to be trusted
   CHECK(specimens.rows[0][0] == "all");
@@ -114,11 +113,67 @@ TEST_CASE("table: rows for people, each with as many cells as the head") {
   CHECK(specimens.rows[2][4].ends_with(" at most"));  // alike by chance
 }
 
-TEST_CASE("by hand: one line per test on a terminal, with its warnings cut at the end of the line") {
+TEST_CASE("by hand: categories have the values of their tests, and rows of their own only for others") {
+  const auto rows_of_categories = [](const Campaign& campaign) {
+    std::vector<std::string> rows;
+    for (const auto& row : table_with(document_of(campaign, with_interval), "Sawtooth", "Tests").rows)
+      rows.push_back(fmt::format("{} {} {}", row[0], row[1], row[2]));
+    return rows;
+  };
+  CHECK(rows_of_categories(some_campaign()) ==
+        std::vector<std::string>{"clear 2 0.50 (0.40 to 0.60)", "clear, with suspects 3 0.75 (0.40 to 1.25)",
+                                 "nominal 1 0.75", "none 1 0.30", "all 4 0.51 (0.30 to 0.75)",
+                                 "all, with suspects 5 0.66 (0.30 to 1.25)"});
+  CampaignTest cracked = some_test("K1", SawtoothCategory::nominal, 1.25, 5.5e-6);  // has no friction
+  cracked.summary = without_friction(*cracked.summary);
+  CHECK(rows_of_categories(campaign_of({some_test("SS1", SawtoothCategory::clear, 0.3, 8e-6), cracked})) ==
+        std::vector<std::string>{"clear 1 0.30", "all 1 0.30"});
+  CHECK(rows_of_categories(campaign_of({some_test("SS1", SawtoothCategory::clear, 0.3, 8e-6)})) ==
+        std::vector<std::string>{"clear 1 0.30"});
+}
+
+TEST_CASE("by hand: each test has a row, also without an answer, and no column is empty") {
+  const PrintedTable tests = table_with(document_of(some_campaign(), with_error), "Test", "Verdict");
+  REQUIRE(tests.rows.size() == 6);
+  CHECK(tests.rows[5] == std::vector<std::string>{"SS99", "NO ANSWER", "", "", "", "",
+                                                  "99.csv: <nothing> & \"nothing\" is not a number"});
+  CampaignTest cracked = some_test("K1", SawtoothCategory::clear, 1.25, 5.5e-6);
+  cracked.summary = without_friction(*cracked.summary);
+  cracked.remarks = {};
+  const std::string text = campaign_text(campaign_of({cracked}));
+  for (const char* heading : {"Friction", "Doubts", "Modulus", "Strength"})
+    CHECK_MESSAGE(!has(text.substr(0, text.find("Meaning of the columns")), heading), text);
+  const std::string screen = campaign_screen(some_campaign());
+  CHECK_MESSAGE(screen.find("SS99") == screen.rfind("SS99"), screen);  // with its reason, and not again as a row
+}
+
+TEST_CASE("by hand: long names are short, so that rows have room for answers, and listed once") {
+  const std::string beginning = "2024-05-10, sponge of the deep sea, specimen ";
+  std::vector<CampaignTest> tests;
+  for (const char* end : {"1", "2"}) tests.push_back(some_test(beginning + end, SawtoothCategory::clear, 0.4, 8e-6));
+  tests.push_back(failed_test(beginning + "3", "3.csv", "3.csv: no numbers."));
+  const std::string screen = campaign_screen(campaign_of(tests));
+  CHECK_MESSAGE(has(screen, "  no answer       3: 3.csv: no numbers.\n"), screen);
+  CHECK_MESSAGE(has(screen, "\n   1     SLIP"), screen);
+  CHECK(has(campaign_text(campaign_of(tests)), "Names of the tests\n   1               " + beginning + "1\n"));
+  CHECK_FALSE(has(campaign_text(some_campaign()), "Names of the tests"));
+}
+
+TEST_CASE("by hand: a page opens with the tests and the figures that compare them, and folds all else") {
+  const Campaign campaign = some_campaign();
+  const auto chapters = document_of(campaign, with_interval);
+  REQUIRE(chapters.front().blocks.size() == 2);
+  CHECK(std::holds_alternative<PrintedTable>(chapters.front().blocks[0]));
+  CHECK(std::get<Pictures>(chapters.front().blocks[1]).plots(two_columns).size() == 1);
+  for (std::size_t i = 0; i < chapters.size(); ++i) CHECK((chapters[i].folding == Folding::always) == (i > 0));
+}
+
+TEST_CASE("by hand: one line per test on a screen, with its warnings cut at the end of the line, and all by --full") {
   Campaign campaign = some_campaign();
   campaign.tests[1].remarks = {"friction decreases", "10 drops, fit 2 to 5", "residuals are not noise", "few rows"};
-  std::string text = campaign_text(campaign);
+  std::string text = campaign_screen(campaign);
   for (auto at = text.find("  "); at != std::string::npos; at = text.find("  ", at)) text.erase(at, 1);
   CHECK_MESSAGE(has(text, "\n Test Verdict Friction Spacing (µm) Work (%) Doubts\n"), text);
   CHECK_MESSAGE(has(text, "\n SS4 SLIP 0.400 ± 0.012 8.0 25 friction decreases; 10 …\n"), text);
+  CHECK(has(campaign_text(campaign), "few rows\n"));
 }

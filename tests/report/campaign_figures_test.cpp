@@ -37,6 +37,33 @@ TEST_CASE("paper: Fig. 9 shows the wavelengths of tests with a sawtooth, and the
   for (std::size_t i = 1; i < rows.size(); ++i) CHECK(rows[i][0] >= rows[i - 1][0] + 1);  // sorted, each at its place
 }
 
+TEST_CASE("limit: the axes follow the data with their errors, so that tests that hardly differ do so to the eye") {
+  std::vector<CampaignTest> tests;
+  for (const double more : {0.0, 0.02}) {
+    tests.push_back(some_test(more > 0 ? "B" : "A", SawtoothCategory::clear, 0.7 + more, (10 + more) * 1e-6));
+    tests.back().materials = {};
+  }
+  const Plot figure = distribution_figure(campaign_of(tests));
+  REQUIRE(figure.panels.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const double low = i == 0 ? 9.6 : 0.7 - 0.0241, high = i == 0 ? 10.42 : 0.72 + 0.0241;  // ends of the intervals
+    const Axis& axis = figure.panels[i].y;
+    CHECK(axis.from < low);
+    CHECK(axis.to > high);
+    CHECK(axis.to - axis.from < 2 * (high - low));
+  }
+}
+
+TEST_CASE("limit: a figure of few tests is as wide as a column, and each name has its place up to the width") {
+  std::vector<CampaignTest> tests;
+  for (int i = 0; i < 30; ++i) tests.push_back(some_test(std::to_string(i), SawtoothCategory::clear, 0.4, 8e-6));
+  for (const Panel& panel : laid_out(distribution_figure(campaign_of(tests))).panels)
+    for (const Tick& tick : panel.x.ticks) CHECK(!tick.text.empty());
+  CHECK(distribution_figure(campaign_of(tests), one_column).width == one_column);
+  tests.resize(6);
+  CHECK(distribution_figure(campaign_of(tests)).width == one_column);
+}
+
 TEST_CASE("labels: the words that all names share are left out, the rest stays different") {
   CHECK(labels_of({"SS1", "SS10"}) == std::vector<std::string>{"SS1", "SS10"});
   CHECK(labels_of({"sponge of 2019, specimen 1, wet", "sponge of 2019, specimen 12, dry"}) ==
@@ -113,9 +140,15 @@ TEST_CASE("limit: the atlas draws no model of a specimen that cracked") {
   CHECK(models({cracked, some_test("SS4", SawtoothCategory::clear, 0.4, 5.5e-6)}) == 2);  // a line, and its entry
 }
 
-TEST_CASE("limit: a campaign without summaries has no distribution") {
-  CHECK_THROWS_AS(distribution_figure(no_tests()), std::invalid_argument);
-  CHECK_THROWS_AS(distribution_figure(only_failures()), std::invalid_argument);
+TEST_CASE("limit: a campaign without friction has no distribution, and a test without friction no place in it") {
+  CampaignTest cracked = some_test("K12", SawtoothCategory::clear, 0.4, 5.5e-6);
+  cracked.summary = without_friction(*cracked.summary);
+  for (const Campaign& campaign : {no_tests(), only_failures(), campaign_of({cracked})}) {
+    CHECK_THROWS_AS(distribution_figure(campaign), std::invalid_argument);
+    CHECK(comparison_figures(campaign).empty());
+  }
+  const Plot figure = distribution_figure(campaign_of({cracked, some_test("SS4", SawtoothCategory::clear, 0.4, 5e-6)}));
+  CHECK(figure.data[0].rows.size() == 1);
   CHECK(atlas_pages(no_tests()).empty());
   CHECK(atlas_pages(only_failures()).empty());
 }

@@ -18,7 +18,7 @@ std::vector<Chapter> small_document() {
   PrintedTable names{.head = {"Test", "μ", "Doubts"},
                      .rows = {{"a <b>", "0.5", "one doubt; another doubt; a third one, and a fourth"}},
                      .links = {"tests/a%20/report.html"},
-                     .on_terminal = {"Test", "Doubts"}};
+                     .is_cut = true};
   return {{"", {Pictures{[](double) { return std::vector<Plot>(1); }}}},
           {"Friction & wear",
            {std::string("It is -0.5."), std::string(), numbers, PrintedTable{{"none"}, {}},
@@ -34,7 +34,7 @@ TEST_CASE("by hand: a terminal shows text, rows and tables, but no pictures and 
         "\nFriction & wear\n   It is -0.5.\n\n   Slip   Fall\n   1       0.2\n   12    -0.15\n\n   work            "
         "a < "
         "b\n\n   "
-        "Test   Doubts\n   a <b>  one doubt; another doubt; a …\n");
+        "Test     μ  Doubts\n   a <b>  0.5  one doubt; another …\n");
 }
 
 TEST_CASE("by hand: an empty line separates text from rows if the chapter has no title") {
