@@ -51,8 +51,8 @@ export async function drop(tab, ...files) {
   }, list);
   await tab.dispatchEvent("body", "drop", { dataTransfer: transfer });
 }
-/** Nothing is read or fitted, and the program asks nothing. */
-export const fitted = (tab) => tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && document.querySelector("#request .ask") === null && !/^(Reading|Fitting|Waits)/.test(document.querySelector("#fit-said").textContent) && !/^(Fitting|Waits)/.test(document.querySelector("#verdict h1").textContent));
+/** Nothing is read or fitted, and the program asks nothing; what was asked for a moment ago has begun. */
+export const fitted = async (tab) => (await painted(tab), tab.waitForFunction(() => document.querySelector("#fit").textContent === "Fit" && document.querySelector("#request .ask") === null && !/^(Reading|Fitting|Waits)/.test(document.querySelector("#fit-said").textContent) && !/^(Fitting|Waits)/.test(document.querySelector("#verdict h1").textContent)));
 /** The command that the menu offers to copy. */
 export async function commandOf(tab) {
   await tab.click("#export");

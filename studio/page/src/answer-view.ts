@@ -1,7 +1,7 @@
 // The answer above the views: the verdict and the lines of the program, which unfold; and the strip of the marked moment.
 
 import { doubtsOf, dropInWords, forceInWords, inWords, isWithdrawn, nextOf, slipOf, tellsFriction } from "./answer";
-import type { Line } from "./answers";
+import type { Drop, Line } from "./answers";
 import { byId, el, fill, rich } from "./dom";
 import { fixed, unitFor } from "./quantity";
 import type { Studio } from "./studio";
@@ -40,13 +40,16 @@ export function drawMoment(studio: Studio): void {
     return el("span", { class: "cell" }, el("span", {}, rich(name)), b, unit ? el("span", {}, unit) : null);
   };
   const number = (value: number, factor: number, digits = 1): string => (Number.isFinite(value) ? fixed(value / factor, digits) : "–");
+  const said = (words: ReturnType<typeof dropInWords> | null, drop?: Drop): HTMLElement =>
+    el("span", { class: "drop" }, words && drop ? el("b", { class: slipOf(drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wider" }, rich(words.more)) : null, words ? null : moment.leftOut || null);
+  const { drops } = fit.answer, last = drops[drops.length - 1];  // where there is no drop, its room: the curve stays where it is
   const told = tellsFriction(fit.answer), words = moment.drop ? dropInWords(moment.drop.drop, moment.drop.number, told) : null;
   const mu = Number.isFinite(moment.mu) ? `${fixed(moment.mu, 3)}${Number.isFinite(moment.muError) ? ` ± ${fixed(moment.muError, 3)}` : ""}` : "not determined yet";
   fill(host, el("span", { class: "dot" }),
     studio.tried !== null ? el("span", { class: "cell" }, el("span", {}, "tried")) : cell("row", String(moment.row), 23, ""),
     cell("stage", number(moment.stage, length.factor), 37, length.name), cell("deflection", number(moment.deflection, length.factor), 37, length.name),
     cell(studio.tried !== null ? "force, calculated" : "force, measured", force!, 34, forceUnit ?? ""), moment.used && told ? cell("*μ*", mu, 78, "") : null,
-    el("span", { class: "drop" }, words ? el("b", { class: slipOf(moment.drop!.drop) }, words.claim) : null, words ? rich(words.rest) : null, words?.more ? el("span", { class: "wider" }, rich(words.more)) : null, words ? null : moment.leftOut || null));
+    words || moment.leftOut || !last ? said(words, moment.drop?.drop) : el("span", { class: "room", "aria-hidden": "true" }, said(dropInWords(last, drops.length, told), last)));
 }
 
 /** For a screen reader, when the moment was moved by a key. */

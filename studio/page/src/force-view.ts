@@ -245,8 +245,10 @@ export class ForceView {
     const drops: [("could" | "undecided" | "no"), string][] = [["could", "can be a slip"], ["undecided", "cannot be judged"], ["no", "cannot be a slip"]];
     const words = drops.filter(([kind]) => kinds.has(kind)).map(([kind, w], i) => mark(i === 0 ? `drop: ${w}` : w, path("M8 5l11 6", dropColour(kind), 1, { "stroke-dasharray": "3 2.500" }), dropMark(kind, 6, 5, 3)));
     const data = dotted("M3 6h0M10 6h0M17 6h0", "var(--data)", 3), passes = kindsOf(fit.passes).map(({ words, pass }) => mark(words, pass.isEvaluated ? data : passLine(pass, "M2 6h16")));
-    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), tellsFriction(fit.answer) ? mark(studio.changed ? "model by hand" : "model", path("M0 6h20", "var(--model)", 1.6)) : null,
-      !studio.changed && fit.friction.draws.length && tellsFriction(fit.answer) ? mark("posterior samples", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null, ...words);
+    const samples = tellsFriction(fit.answer) ? mark("posterior samples", svg("rect", { width: 20, height: 8, y: 2, fill: "var(--band)" })) : null;
+    // Its room stays where they are not drawn, and so does the curve.
+    if (samples && (studio.changed || !fit.friction.draws.length)) samples.style.visibility = "hidden";
+    fill(byId("force-marks"), ...(passes.length ? passes : [mark("data", data)]), tellsFriction(fit.answer) ? mark("model", path("M0 6h20", "var(--model)", 1.6)) : null, samples, ...words);
   }
 
   /** The marked moment alone, for the pointer. */
