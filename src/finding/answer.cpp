@@ -51,6 +51,8 @@ std::string force_drops(T test) {
          (of > 1 ? fmt::format(" of loading {}", number) : "");
 }
 
+std::string_view slips(std::size_t number) { return number == 1 ? "a slip" : "slips"; }
+
 // "all 35 force drops can be slips over the supports"
 std::string possible_slips(T test) {
   const auto& [all, possible, impossible] = counts_of(test);
@@ -58,7 +60,7 @@ std::string possible_slips(T test) {
   if (all == 1 && impossible == 1) return "the force drop cannot be a slip";
   if (possible == all) return fmt::format("all {} can be slips over the supports", force_drops(test));
   if (impossible == all) return fmt::format("none of the {} can be a slip", force_drops(test));
-  if (impossible > 0) return fmt::format("{} of the {} cannot be slips", impossible, force_drops(test));
+  if (impossible > 0) return fmt::format("{} of the {} cannot be {}", impossible, force_drops(test), slips(impossible));
   if (possible == 0) return fmt::format("the {} can be slips", force_drops(test));
   return fmt::format("{} of the {} can be slips and the others are too small to judge", possible, force_drops(test));
 }
@@ -429,7 +431,7 @@ std::string drops_in_words(T test) {
   if (2 * small_ones > drops.size())
     clauses.push_back(fmt::format("{} are smaller than a tenth of the largest", small_ones));
   if (const std::size_t impossible = counts_of(test).impossible; impossible > 0)
-    clauses.push_back(fmt::format("{} cannot be slips", impossible));
+    clauses.push_back(fmt::format("{} cannot be {}", impossible, slips(impossible)));
   return in_clauses(clauses);
 }
 
