@@ -70,6 +70,10 @@ std::vector<EquilibriumPoint> frictionless_curve(const CampaignCurves& curves, d
   return curve;
 }
 
+bool determines_friction(const CampaignTest& test) { return test.summary && std::isfinite(test.summary->mu0.value); }
+
+bool is_excluded(const CampaignTest& test) { return determines_friction(test) && test.summary->suspect; }
+
 bool is_answered(const CampaignTest& test) {
   return test.verdict != word_of(VerdictCode::check_input) && test.verdict != word_of(VerdictCode::no_answer);
 }

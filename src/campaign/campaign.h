@@ -56,6 +56,12 @@ struct CampaignTest {
 // True if the verdict answers whether the drops are slips or cracks.
 bool is_answered(const CampaignTest& test);
 
+// False for a specimen that cracked, and without an answer.
+bool determines_friction(const CampaignTest& test);
+
+// True if the friction is determined but left out of the means.
+bool is_excluded(const CampaignTest& test);
+
 // The frictionless curve (deflection and force in SI) of a specimen of some bending stiffness
 // [N m^2] on the supports of the test. It starts at zero and includes the maximum deflection of the
 // test. Empty if the specimen was not bent.

@@ -108,10 +108,6 @@ std::size_t count_of(const Campaign& campaign, Predicate belongs) {
 
 // True if the test is missing from the table.
 bool is_failure(const CampaignTest& test) { return !test.summary && !is_answered(test); }
-// True if the friction is determined but excluded: the verdict counts such a test elsewhere.
-bool is_excluded(const CampaignTest& test) {
-  return test.summary && test.summary->suspect && std::isfinite(test.summary->mu0.value);
-}
 
 // "SS8, SS32 and SS36", of at most eight.
 std::string excluded_tests(const Campaign& campaign) {

@@ -82,10 +82,6 @@ double mean_of(const Campaign& campaign, std::optional<SawtoothCategory> categor
 namespace {
 
 bool has_loss(const CampaignTest& test) { return test.summary && test.summary->loss && test.summary->loss->needed > 0; }
-// False for a specimen that cracked, and without an answer.
-bool determines_friction(const CampaignTest& test) { return test.summary && std::isfinite(test.summary->mu0.value); }
-// The means leave such a test out.
-bool is_excluded(const CampaignTest& test) { return determines_friction(test) && test.summary->suspect; }
 
 }  // namespace
 

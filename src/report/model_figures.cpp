@@ -501,7 +501,7 @@ Plot plane_map(const Test& input, const std::vector<DesignAxis>& axes, const std
       spot(x(value_of(input, axes[0].parameter.name).value()), y(value_of(input, axes[1].parameter.name).value()),
            styles::mark(Symbol::disc, colours::black, 4), "This test")};
   for (const auto& [side, words] : {std::pair{-1.0, "snaps"}, std::pair{1.0, "no snap"}})
-    if (const MapPoint* there = middle_of(points, points_of(axes[1]), side))
+    if (const MapPoint* there = middle_of(points, static_cast<std::size_t>(points_of(axes[1])), side))
       marks.push_back(label(x(there->values[0]), y(there->values[1]), words));
   for (ParameterAxis* each : {&x, &y}) {
     const auto [least, greatest] = std::minmax(each->range.from, each->range.to);
