@@ -25,8 +25,11 @@ install(FILES ${PROJECT_BINARY_DIR}/completions/flexslip.fish
 
 install(FILES ${PROJECT_SOURCE_DIR}/build/studio/flexslip-studio.html DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip COMPONENT program OPTIONAL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/flexslip/examples COMPONENT program)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/LICENSE
+# README.md and what it links to.
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/CITATION.cff
+  ${PROJECT_SOURCE_DIR}/CONTRIBUTING.md ${PROJECT_SOURCE_DIR}/LICENSE
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program)
 install(DIRECTORY ${PROJECT_BINARY_DIR}/licences/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/flexslip COMPONENT program OPTIONAL)
 
 # For others: find_package(FlexSlip) and link FlexSlip::FlexSlip. The shared library loads those of the distribution.

@@ -87,6 +87,7 @@ val object_of(const Shape& shape) {
   object.set("normal", shape.normal);
   object.set("tangential", shape.tangential);
   object.set("force", shape.force);
+  object.set("slid", shape.slid);
   return object;
 }
 
@@ -115,8 +116,8 @@ val in_equilibrium(const val& rig, double longest, int points) {
   return answer([&] { return object_of(equilibrium(rig_from(rig), longest, points)); });
 }
 
-val shaped(const val& rig, double drawn, double friction, int points, double beyond) {
-  return answer([&] { return object_of(shape(rig_from(rig), drawn, friction, points, beyond)); });
+val shaped(const val& rig, double deflection, double friction, int points, double beyond) {
+  return answer([&] { return object_of(shape(rig_from(rig), deflection, friction, points, beyond)); });
 }
 
 val quantity_in(const std::string& words, const std::string& kind) {

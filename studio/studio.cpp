@@ -79,7 +79,7 @@ State physical_state(const PathPoint& point, const Scales& scales) {
 
 // The axis from the contact to midspan. Its curvature follows from the moment of the support
 // forces; the integration is Runge-Kutta.
-std::vector<Point> half_axis(const FibreState& state, double half_depth, double length, Point from, int points) {
+std::vector<Point> half_axis(const SupportedState& state, double half_depth, Point from, int points) {
   constexpr int steps_a_point = 4;
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   const double upward = 0.5 * state.F;                         // on the left support
@@ -98,7 +98,7 @@ std::vector<Point> half_axis(const FibreState& state, double half_depth, double 
   };
   Here at{from.x, from.y, state.theta0};
   std::vector<Point> axis{from};
-  const double h = 0.5 * length / (points * steps_a_point);
+  const double h = 0.5 * state.length / (points * steps_a_point);
   for (int i = 0; i < points; ++i) {
     for (int j = 0; j < steps_a_point; ++j) {
       const Here a = rate(at), b = rate(moved(at, a, 0.5 * h)), c = rate(moved(at, b, 0.5 * h)),
@@ -193,23 +193,21 @@ Loading equilibrium(const RigInput& rig, double longest, int points) {
   return loading;
 }
 
-Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond) {
+Shape shape(const RigInput& rig, double deflection, double friction, int points, double beyond) {
   if (points < 2) throw std::invalid_argument("the shape has fewer than two points");
   const Scales scales = scales_of(rig);
-  const Fibre fibre = fibre_on(rig, scales);
-  const FibreState state = fibre.state(1 + scales.reduced_length(drawn), friction);
+  const Supports supports = fibre_on(rig, scales).supports();
+  const SupportedState state = state_on_supports(scales.reduced_length(deflection), friction, supports);
   if (state.status != FibreStatus::ok)
-    throw std::invalid_argument("the specimen has no equilibrium at this length and friction");
-  const Supports& supports = fibre.supports();
+    throw std::invalid_argument("the specimen has no equilibrium at this deflection and friction");
   const auto [sine, cosine] = elementary::sine_and_cosine(state.theta0);
   // the axis turns about the support at this distance
   const double radius = supports.radius + supports.half_depth;
   const Point left{-0.5 + radius * sine, -radius * (1 - cosine)};
-  const std::vector<Point> half =
-      half_axis(state, supports.half_depth, fibre.length_between_contacts(state), left, (points + 1) / 2);
+  const std::vector<Point> half = half_axis(state, supports.half_depth, left, (points + 1) / 2);
 
   const auto at = [&](double x, double y) { return Point{scales.physical_length(x), scales.physical_length(y)}; };
-  const double rest = std::max(scales.reduced_length(beyond - 0.5 * drawn), 0.0);
+  const double rest = std::max(scales.reduced_length(beyond) - 0.5 * state.slid, 0.0);
   const Point end{left.x - rest * cosine, left.y + rest * sine};
   Shape result;
   result.axis.push_back(at(end.x, end.y));
@@ -222,6 +220,7 @@ Shape shape(const RigInput& rig, double drawn, double friction, int points, doub
   result.normal = scales.physical_force(state.Pn);
   result.tangential = scales.physical_force(state.q * state.Pn);
   result.force = scales.physical_force(state.F);
+  result.slid = scales.physical_length(state.slid);
   return result;
 }
 

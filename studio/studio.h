@@ -76,14 +76,14 @@ struct Shape {
   // [N] at each support; while the specimen slides in, friction on it points outwards
   double normal, tangential;
   double force;  // [N] at midspan
+  double slid;   // [m] length of surface that slid in over both supports
 };
 
-// The shape of a specimen for a sliding length `drawn` [m, over both supports] and a mobilised
-// friction. A length `beyond` [m] of the straight specimen lies outside each support. If two states
-// of a thick specimen have this length, the one with the larger deflection.
+// The shape of a specimen at a deflection [m] with a mobilised friction. A length `beyond` [m] of the
+// straight specimen lies outside each support.
 // Domain:     points >= 2 between the supports; an existing state; std::invalid_argument otherwise.
 // Max error:  1e-6 of the span.
-Shape shape(const RigInput& rig, double drawn, double friction, int points, double beyond);
+Shape shape(const RigInput& rig, double deflection, double friction, int points, double beyond);
 
 // [SI] The value of a text, parsed as in a case. `kind` is a name in io/quantity.h: "a length", "a
 // stiffness" (may be "inf"), "a modulus".

@@ -410,7 +410,7 @@ def _no_data(data: tuple[object, ...]) -> TypeError:
     name = type(first).__name__
     instead = "fit(stage, force)"
     if isinstance(first, Answer) and name in ("Export", "Simulation", "Fit"):
-        instead = "fit(fit.case)" if name == "Fit" else f"fit({name.lower()}.to_frame())"
+        instead = "fit.case" if name == "Fit" else f"fit({name.lower()}.to_frame())"
     elif len(data) == 1 and _is_array(first) and np.ndim(cast("npt.ArrayLike", first)) == 2:
         name = f"one array of the shape {np.shape(cast('npt.ArrayLike', first))}"
         instead = "fit(data[:, 0], data[:, 1]), with its columns"

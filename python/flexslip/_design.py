@@ -1,10 +1,11 @@
 """Planned tests."""
 from __future__ import annotations
 
+import contextlib
 import importlib.util
 import os
 import reprlib
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import TYPE_CHECKING, cast
 
 import numpy as np
@@ -12,8 +13,8 @@ import numpy.typing as npt
 
 from . import _flexslip
 from ._answers import Answer, Data, Description, Table, table_of
-from ._case import Case, case_of, in_words_of, quantity_in_words, unit_of_parameter, with_keywords
-from ._errors import advice, warn, whole, wrong
+from ._case import Case, _says_reduced, quantity_in_words, unit_of_parameter, with_keywords
+from ._errors import InputError, advice, warn, whole, wrong
 from ._fields import DesignFields
 
 if TYPE_CHECKING:
@@ -42,6 +43,33 @@ class _Kept:
         return _plots.plot(self._figures(), None, ax)
 
 
+class _Planned(Case):
+    """The case of a design, whose friction may be open: it is read when it is planned."""
+
+    def _read(self) -> None:
+        pass
+
+    @property
+    def reduced(self) -> bool:
+        """Is everything in the variables of the model?"""
+        return _says_reduced(self._text)
+
+    @contextlib.contextmanager
+    def _asked(self) -> Iterator[tuple[str, bytes, list[str]]]:
+        """What the module reads; its complaints are in the words in which the case was given."""
+        try:
+            yield self._text, os.fsencode(self._source), self._changes
+        except InputError as error:
+            raise self._in_own_words(error) from None
+
+    def _with_friction(self, middle: str) -> Case:
+        """The case; if its friction is open, that of the middle of the ranges, as the text of a case file."""
+        try:
+            return Case(self)
+        except InputError:
+            return Case.from_toml(middle)
+
+
 class Design(_Kept, DesignFields):
     """What a planned test will show, as :func:`design` gives it: every number of ``flexslip design --json``.
 
@@ -52,6 +80,7 @@ class Design(_Kept, DesignFields):
     changes : Table
         Single changes with which it would be the other way.
     case : Case
+        What was planned; if its friction is open, with the middle of the ranges.
     """
 
     _title = "Design"
@@ -240,23 +269,23 @@ def design(file: object = None, *, over: Mapping[str, object] | None = None, dec
     >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
     3
     """
-    case = case_of(file, (), set, keywords)
+    planned = _Planned(file, set=set, **keywords)
+    reduced = planned.reduced
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
-    planned = case._text, os.fsencode(case._source), case._changes
     if noise is not None and not decide:
         raise wrong("noise", "left out without decide=True", noise)
     if over is None:
-        text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", case.reduced)
-        with in_words_of(case):
-            answer = _flexslip.design_with_reload(*planned, text, count) if decide else _flexslip.design(*planned, count)
-        return Design(answer.answer(), case, answer)
+        text = "" if noise is None else quantity_in_words("noise", noise, "N", "a force", reduced)
+        with planned._asked() as asked:
+            answer = _flexslip.design_with_reload(*asked, text, count) if decide else _flexslip.design(*asked, count)
+        return Design(answer.answer(), planned._with_friction(answer.toml()), answer)
     if decide:
         raise wrong("decide", "one planned test", "a range of them, over", "leave out one of the two, or set a value of the range")
     if not isinstance(over, Mapping) or not over:
         raise wrong("over", "a dict of ranges, {\"stiffness\": (\"10 N/m\", \"1000 N/m\")}", over)
-    texts = [_range(str(name), given, case.reduced) for name, given in over.items()]
-    with in_words_of(case):
-        found = _flexslip.design_map(*planned, texts, count)
+    texts = [_range(str(name), given, reduced) for name, given in over.items()]
+    with planned._asked() as asked:
+        found = _flexslip.design_map(*asked, texts, count)
     for sentence in found.values_taken():
         warn(sentence)
-    return DesignMap(found.answer(), case, found.entries(), found)
+    return DesignMap(found.answer(), planned._with_friction(found.toml()), found.entries(), found)

@@ -1,7 +1,6 @@
 """What is wrong with an input, as exceptions that Python's users expect, and the checks of arguments that raise them."""
 from __future__ import annotations
 
-import difflib
 import errno
 import operator
 import os
@@ -195,8 +194,8 @@ def error_of(message: str, **parts: str | float | None) -> InputError:
     parts |= {name: in_python(str(parts[name])) for name in ("field", "problem", "remedy") if parts.get(name)}
     parts |= {name: made(str(parts[name])) for name, made in (("problem", sentence), ("remedy", _remedy)) if parts.get(name)}
     kind = next((kind for words, kind in _OF_SYSTEM.items() if words in str(parts.get("problem"))), InputError)
-    if kind in (MissingFileError, FolderError) and parts.get("file") and not parts.get("remedy"):
-        parts["remedy"] = _beside(str(parts["file"])) if kind is MissingFileError else _FOLDER
+    if kind is FolderError and parts.get("file") and not parts.get("remedy"):
+        parts["remedy"] = _FOLDER
         message = f"{message} {parts['remedy']}"
     if not parts.get("remedy") and "\n" in message and not parts.get("line"):  # a list of what to pass
         parts["remedy"] = " ".join(message.partition("\n")[2].split())
@@ -211,18 +210,6 @@ def error_of(message: str, **parts: str | float | None) -> InputError:
 
 _ERRNO: dict[type[InputError], int] = {MissingFileError: errno.ENOENT, ForbiddenFileError: errno.EACCES, FolderError: errno.EISDIR}
 _FOLDER = "Pass one of its files; flexslip.campaign takes a folder."
-
-
-def _beside(file: str) -> str:
-    """What lies where a file was looked for: names like its own, or the folder."""
-    folder, name = os.path.split(file)
-    try:
-        names = os.listdir(folder or ".")
-    except OSError:
-        return f"There is no folder {folder!r} in {os.getcwd()!r}."
-    near = difflib.get_close_matches(name, names, 3)
-    there = " or ".join(repr(os.path.join(folder, each)) for each in near)
-    return f"Did you mean {there}?" if near else f"It was looked for in {os.path.abspath(folder or '.')!r}."
 
 
 def _again(message: str, parts: dict[str, str | float | None]) -> InputError:

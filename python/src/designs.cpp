@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 #include "answers/design_fields.h"
+#include "case/case_file.h"
 #include "design/design_answer.h"
 #include "design/design_result.h"
 #include "design/reload_study.h"
@@ -44,6 +45,12 @@ py::object map_answer(const Map& map) {
   return plain(fields(map.points, {Scales(1, 1), map.planned.loading.reduced}), fields.descriptions());
 }
 
+// A loading as the text of a case; a step of 0 is one that is not stated.
+std::string text_of_plan(Test loading) {
+  if (loading.stage->step == 0.0) loading.stage->step.reset();
+  return to_toml(std::move(loading));
+}
+
 template <class Type>
 py::list one_figure(const Type& figure) {
   py::list out;
@@ -63,12 +70,14 @@ void add_designs(py::module_& module) {
              with_phases.open = open_study(answer.input, {}, 1);
              return one_figure(design_figure(with_phases));
            })
+      .def("toml", [](const DesignAnswer& answer) { return text_of_plan(answer.input); })
       .def("text", [](const DesignAnswer& answer) { return in_text(document_of(answer)); });
   py::class_<Map, std::shared_ptr<Map>>(module, "DesignMap")
       .def("answer", map_answer)
       .def("entries", [](const Map& map) { return plain(design_map_fields(map.axes).descriptions()); })
       .def("figures",
            [](const Map& map) { return one_figure(design_map_figure(map.planned.loading, map.axes, map.points)); })
+      .def("toml", [](const Map& map) { return text_of_plan(map.planned.loading); })
       .def("values_taken", [](const Map& map) { return values_taken_for(map.planned, map.axes); });
   module.def("design", [](const std::string& text, const std::string& source, const Words& changes, unsigned threads) {
     return interruptible([&](const std::atomic<bool>&) {

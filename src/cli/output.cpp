@@ -41,7 +41,8 @@ ScreenStyle screen_style(const Output& output) {
 
 void note_pictures(const Output& output, const Drawing& drawing) {
   if (!drawing.is_done())
-    note(output, drawing.why_not + ": the report holds the scripts and data of all figures, but not all pictures");
+    note(output,
+         drawing.why_not + ": pictures are missing from the report, which holds the scripts and data of all figures");
 }
 
 void note(const Output& output, std::string_view remark) {

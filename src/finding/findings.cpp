@@ -533,7 +533,7 @@ Found drops_differ(T test) {
   const auto number = [&](std::string_view name) { return number_of(*check, name); };
   const double low = number("draws_low"), high = number("draws_high");
   const std::string sentence =
-      fmt::format("The record has {:.0f} drops; simulations of the fit have {}{}.", number("record"),
+      fmt::format("Counted alike, the record has {:.0f} drops and simulations of the fit have {}{}.", number("record"),
                   low < high ? fmt::format("{:.0f} to {:.0f}", low, high) : fmt::format("{:.0f}", low),
                   check->outcome == CheckOutcome::passed ? "" : "; chance does not explain the difference");
   return checked(test, *check, sentence, sentence,
@@ -903,13 +903,13 @@ constexpr std::array rules{
     Rule{Group::alone, "few_rows", few_rows},
     Rule{Group::alone, "sinks", force_sinks, false},
     Rule{Group::alone, "unexpected_stiffness", unexpected_stiffness},
+    Rule{Group::alone, "thickness_not_stated", thickness_not_stated},
     Rule{Group::reload, "drops_elsewhere", drops_elsewhere},
     Rule{Group::reload, "undecided_drops", undecided_drops, false},
     Rule{Group::reload, "no_reload", no_reload},
     Rule{Group::certainty, "only_a_limit", only_a_limit},
     Rule{Group::certainty, "known_roughly", known_roughly},
     Rule{Group::alone, "supports_not_stated", supports_not_stated},
-    Rule{Group::alone, "thickness_not_stated", thickness_not_stated},
     Rule{Group::alone, "changing_friction", changing_friction},
     Rule{Group::alone, "hidden_waves", hidden_waves},
     Rule{Group::alone, "contradicts_file", contradicts_file, false},

@@ -1,5 +1,6 @@
 #include "io/text_file.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
@@ -7,23 +8,55 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <string>
 #include <system_error>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "io/call_files.h"
 #include "io/durable_file.h"
 #include "io/input_error.h"
 
 namespace flexslip {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The error for a file that cannot be opened. Of one that is not there, the remedy is a similar
+// name in its folder, or where it was looked for.
+InputError cannot_be_opened(const std::string& path, int reason) {
+  InputError error = unreadable(path, std::generic_category().message(reason));
+  if (reason != ENOENT) return error;
+  const fs::path file(path);
+  std::error_code unknown;
+  const fs::path folder = fs::absolute(file, unknown).parent_path();
+  if (!fs::is_directory(folder, unknown)) {
+    error.fault.remedy = fmt::format("there is no folder {} in {}", in_quotes(file.parent_path().string()),
+                                     in_quotes(fs::current_path(unknown).string()));
+    return InputError(error.fault);
+  }
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, unknown))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::string meant = nearest(file.filename().string(), names);
+  error.fault.remedy = meant.empty()
+                           ? fmt::format("it was looked for in {}", in_quotes(folder.lexically_normal().string()))
+                           : fmt::format("did you mean {}?", in_quotes((file.parent_path() / meant).string()));
+  return InputError(error.fault);
+}
+
+}  // namespace
 
 std::shared_ptr<std::istream> open_to_read(const std::string& path) {
   announce_input(path);
   if (path == "-") return {std::shared_ptr<void>(), &std::cin};  // must stay open
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError({.file = path, .problem = "This is a directory, not a file"});
+  if (fs::is_directory(path, ignored)) throw InputError({.file = path, .problem = "This is a directory, not a file"});
   errno = 0;
   auto file = std::make_shared<std::ifstream>(path, std::ios::binary);
-  if (!*file) throw unreadable(path, std::generic_category().message(errno));
+  if (!*file) throw cannot_be_opened(path, errno);
   return file;
 }
 
@@ -40,7 +73,7 @@ std::string bytes_of(const std::string& path) {
                         .remedy = "split it, or export fewer readings a second"});
   };
   std::error_code unknown;
-  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  const std::uintmax_t size = fs::file_size(path, unknown);
   if (!unknown) {
     require_at_most(size);
     bytes.reserve(size + piece);

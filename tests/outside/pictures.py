@@ -31,7 +31,7 @@ class Pictures(InFolder):
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(json.loads(result.stdout)["status"], "ok")
         self.assertIn(why, result.stderr)
-        self.assertIn("but not all pictures", result.stderr)
+        self.assertIn("pictures are missing from the report", result.stderr)
         self.assertEqual(result.stderr.count("\n"), 1)
         page = (self.folder / "report/report.html").read_text(encoding="utf-8")
         self.assertIn(f"Not drawn: {why}", page)

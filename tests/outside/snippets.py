@@ -23,6 +23,7 @@ NOT_RUN = {
     ("sweeps.md", "sbatch"): "outside/slurm runs it on a Slurm of its own",
     ("sweeps.md", "awk"): "outside/slurm and outside/sweep run it on the parts that they have made",
     ("studio.md", "./run studio"): "opens a browser on a page that is built apart; outside/studio_command writes such pages",
+    ("README.md", "tar xf"): "installs on this machine, as that of getting-started.md",
     ("getting-started.md", "tar xf"): "installs on this machine; tools/try-package does it in a tree of its own, and ./check --all runs it",
     ("getting-started.md", "cmake --preset release"): "outside/library does the same from the build that is tested",
     ("scripting.md", "cmake --preset release"): "python/guide runs the module of the build that is tested",

@@ -20,7 +20,6 @@ type Control = Pick | Box;
 const MARKS: Record<string, string> = { ",": "comma", ";": "semicolon", "\t": "tab", tab: "tab", " ": "blanks", space: "blanks", ".": "point" };
 const MOVES = ["crosshead", "deflection", "displacement"];  // roles of a column of displacement
 const ENCODINGS = ["utf-8", "utf-16le", "utf-16be", "cp1252", "shift-jis"];
-const WITH_PARAMETERS = ["span", "diameter", "height", "load train", "radius"];  // stand there where there are parameters
 const WHEN_ASKED = ["displacement unit", "force unit", "span", "load train", "speed"];  // empty, they wait until the program asks for them
 
 export class CardView {
@@ -44,7 +43,7 @@ export class CardView {
     else {
       const asked = question && all.find((each) => each.name === question.box);
       if (asked) this.ask(byId("request"), asked);
-      const hidden = (each: Control): boolean => each === asked || ("take" in each && each.value === "" && WHEN_ASKED.includes(each.name)) || (!!fit && tellsFriction(fit) && WITH_PARAMETERS.includes(each.name));
+      const hidden = (each: Control): boolean => each === asked || ("take" in each && each.value === "" && WHEN_ASKED.includes(each.name)) || (!!fit && tellsFriction(fit) && "take" in each && each.value !== "" && test.fit!.parameters.some((parameter) => parameter.name.startsWith(each.name)));
       const stated = stating.filter((each) => !hidden(each));
       const decided = Object.keys(test.settings.read).length > 0 || Object.keys(test.settings).length > 1;
       if (!test.isCase || fit) fill(byId("card"), el("div", { class: "head" }, el("h2", {}, `How ${test.data} was read`)), this.list(reading.filter((each) => !hidden(each))), this.folded(test, wasOpen.format), this.record(test, wasOpen.record),

@@ -28,7 +28,7 @@ export interface Mechanics {
   /** The equilibrium curve of loading, whatever the rig: what `flexslip equilibrium --points` answers; up to a length between the supports, without one 1.5 spans. */
   equilibrium(rig: Rig, points: number, longest?: number): Loading;
   /** The fibre's axis at a state, `points` between the supports and one beyond each, where `beyond` [m] lie as it is straight (without it, 0.15 spans). */
-  shape(rig: Rig, drawnLength: number, friction: number, points: number, beyond?: number): Shape;
+  shape(rig: Rig, deflection: number, friction: number, points: number, beyond?: number): Shape;
   /** Euler-Bernoulli's force at a deflection. */
   linear(rig: Rig, deflection: number): number;
   /** What is written in a box, by the program's own parser: a quantity of this kind ("a length", "a stiffness", …), or what one of a unit of it is. */
@@ -59,4 +59,5 @@ export interface Shape {
   slope: number;                     // [rad] there
   normal: number; tangential: number;  // [N] at each support; friction on a fibre drawn in points outwards
   force: number;                     // [N] at midspan
+  slid: number;                      // [m] in over both supports
 }

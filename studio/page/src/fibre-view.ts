@@ -32,13 +32,11 @@ export class FibreView {
     if (!fit || !values || !moment || width < 40) return sized(this.drawing, this.host, svg("g"));
     const { rig } = studio;
     if (!rig) return sized(this.drawing, this.host, svg("g"));
-    const friction = Number.isFinite(moment.mu) ? Math.max(0, moment.mu) : 0;
-    // Where friction does not show yet, the length follows from the deflection: of a shallow arc, 12/5 of its rise squared over the span.
+    const friction = Number.isFinite(moment.mu) ? moment.mu : 0;
     const deflection = Number.isFinite(moment.deflection) ? Math.max(0, moment.deflection) : 0;
-    const drawn = moment.drawn > 0 ? moment.drawn : (2.4 * deflection * deflection) / values.L;
     let shape: Shape;
     try {
-      shape = this.studio.model.shape(rig, drawn, friction);
+      shape = this.studio.model.shape(rig, Math.max(deflection, 1e-4 * values.L), friction);
       this.last = shape;
     } catch {
       if (!this.last) return sized(this.drawing, this.host, svg("g"));
@@ -65,7 +63,8 @@ export class FibreView {
     }
     g.append(svg("line", { x1: X(-values.L / 2), x2: X(values.L / 2), y1: Y(0), y2: Y(0), stroke: "var(--line2)", "stroke-dasharray": "2 3" }));
     const body = svg("g", after ? { opacity: 0.35 } : {}, path(line(), "var(--metal2)", thick + 1.6, { "stroke-linejoin": "round" }), path(line(), "var(--metal)", thick));
-    // The stretch that was drawn in, from each support inwards.
+    // The stretch that slid in, from each support inwards.
+    const slid = Math.max(0, shape.slid);
     const lengths = new Float64Array(shape.x.length);
     for (let i = 1; i < lengths.length; ++i) lengths[i] = lengths[i - 1]! + Math.hypot(shape.x[i]! - shape.x[i - 1]!, shape.y[i]! - shape.y[i - 1]!);
     const at = (px: number): number => {
@@ -82,12 +81,12 @@ export class FibreView {
     for (const [i, contact] of contacts.entries()) {
       const from = at(contact[0]), inward = i === 0 ? 1 : -1;
       let to = from;
-      const place = lengths[from]! + inward * (drawn / 2);
+      const place = lengths[from]! + inward * (slid / 2);
       to = nearest(lengths, place);
       if (i === 0 ? to > middle : to < middle) to = middle;
       const d = i === 0 ? line(from, to + 1) : line(to, from + 1);
       const [mx, my] = pointAt(shape, lengths, place);
-      if (drawn > 0) body.append(path(`${i === 0 ? d : `M${X(mx).toFixed(1)} ${Y(my).toFixed(1)}L${d.slice(1)}`}${i === 0 ? `L${X(mx).toFixed(1)} ${Y(my).toFixed(1)}` : ""}`, "var(--model)", thick, { "stroke-opacity": 0.95 }));
+      if (slid > 0) body.append(path(`${i === 0 ? d : `M${X(mx).toFixed(1)} ${Y(my).toFixed(1)}L${d.slice(1)}`}${i === 0 ? `L${X(mx).toFixed(1)} ${Y(my).toFixed(1)}` : ""}`, "var(--model)", thick, { "stroke-opacity": 0.95 }));
       body.append(svg("circle", { cx: X(mx), cy: Y(my), r: Math.max(3, thick / 2 + 0.5), fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.6 }));
     }
     g.append(body);
@@ -101,7 +100,7 @@ export class FibreView {
     const legend = 26 + bar * this.scale + 58;
     if (width - legend > 150) g.append(svg("circle", { cx: legend, cy: foot - 4, r: 3.2, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.5 }), label("met the support at the start", { x: legend + 7, y: foot }));
     sized(this.drawing, this.host, g);
-    this.host.setAttribute("aria-label", `The specimen at row ${studio.row}: deflection ${written(deflection, "length")}, force ${forceInWords(moment.force, fit.answer)}, ${written(drawn / 2, "length")} slid in over each support.`);
+    this.host.setAttribute("aria-label", `The specimen at row ${studio.row}: deflection ${written(deflection, "length")}, force ${forceInWords(moment.force, fit.answer)}, ${written(slid / 2, "length")} slid in over each support.`);
   }
 
   /** The force is that of the moment; those at the supports belong to it where friction is known there and the model is that of the fit. */

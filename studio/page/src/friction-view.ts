@@ -49,12 +49,12 @@ export class FrictionView {
     const points = fit.answer.profile.filter((p) => p.mu_error < UNTOLD);
     const px = Float64Array.from(points, (p) => (p.length - fit.fitted.L) / 2), mu = Float64Array.from(points, (p) => p.mu);
     const seen = fit.friction.seen, bandX = this.past(fit, fit.friction.length.subarray(0, seen)), mean = fit.friction.mean.subarray(0, seen), { deviation } = fit.friction;
-    const hand = studio.frictionByHand(), farthest = Math.max(greatest(px), greatest(bandX));
+    const hand = studio.frictionByHand(), farthest = Math.max(greatest(px), greatest(bandX)), least = Math.min(0, ...bandX);
     const changedReach = farthest * reach;
     const unit = (this.unit = unitFor(farthest, "length")), sorted = [...mu].sort((a, b) => a - b);
     const most = Math.max(1, (sorted[Math.floor(sorted.length * 0.98)] ?? 1) * 1.15, hand ? greatest(hand.mu.subarray(0, seen)) * 1.1 : 0);
-    const frame = (this.frame = frameOf(this.host, MARGINS, [0, (changedReach * 1.01) / unit.factor], [0, Math.min(3, most)]));
-    const x = frame.x.copy().domain([0, changedReach * 1.01]), { y } = frame;
+    const frame = (this.frame = frameOf(this.host, MARGINS, [least / unit.factor, (changedReach * 1.01) / unit.factor], [0, Math.min(3, most)]));
+    const x = frame.x.copy().domain([least, changedReach * 1.01]), { y } = frame;
     const bottom = frame.height - MARGINS.bottom, right = frame.width - MARGINS.right;
     const clip = svg("clipPath", { id: "friction-clip" }, svg("rect", { x: MARGINS.left, y: MARGINS.top - 4, width: Math.max(0, right - MARGINS.left), height: Math.max(0, bottom - MARGINS.top + 4) }));
     const inside = svg("g", { "clip-path": "url(#friction-clip)" });

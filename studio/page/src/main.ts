@@ -17,7 +17,7 @@ import { ParametersView } from "./parameters-view";
 import { isAllowed, type Key } from "./parameters";
 import { ProgrammeView } from "./programme-view";
 import { RowsView } from "./rows-view";
-import { ERROR_LINE, messageOf, OF_THE_RIG, Studio, type Topic } from "./studio";
+import { ERROR_LINE, messageOf, Studio, type Topic } from "./studio";
 import type { Test } from "./test";
 import { drawPins, drawTests, openTests } from "./tests-view";
 import { startTheme, turnTheme } from "./theme";
@@ -91,17 +91,7 @@ async function start(): Promise<void> {
   // ---- what comes in
   const refuse = (sentence: string): void => studio.report(sentence);
   const take = async (incoming: Incoming[], named?: string): Promise<void> => {
-    const tests = testsOf(incoming, named), like = studio.tests.find((t) => !t.isCase && t.fit);
-    for (const test of tests) {
-      // The rig of the test before: what is measured in one afternoon is measured on one rig. The card shows it.
-      if (!like || test.isCase) continue;
-      for (const key of OF_THE_RIG) {
-        if (like.settings[key] === undefined) continue;
-        Object.assign(test.settings, { [key]: like.settings[key] });
-        test.taken.set(key, like);
-      }
-    }
-    await studio.open(...tests);
+    await studio.open(...testsOf(incoming, named));
   };
   const showExample = async (): Promise<void> => take(standing("example"), EXAMPLE);
   const picker = byId<HTMLInputElement>("picker");

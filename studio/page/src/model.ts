@@ -112,8 +112,8 @@ export class Model {
   linear(rig: Rig, deflection: number): number {
     return this.mechanics.linear(rig, deflection);
   }
-  shape(rig: Rig, drawn: number, friction: number): Shape {
-    return this.mechanics.shape(rig, drawn, friction, 81);
+  shape(rig: Rig, deflection: number, friction: number): Shape {
+    return this.mechanics.shape(rig, deflection, friction, 81);
   }
 
   /** Least and greatest force of the draws of the fit at each row, along the load line of that row. Costs as many loadings as there are draws. */

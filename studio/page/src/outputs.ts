@@ -37,10 +37,10 @@ export function standalone(host: Element, title: string, legend: Element | null 
     key.append(svg("g", { transform: `translate(${at} ${18 * line - 8})` }, mark && svg("g", { transform: "translate(0 -10)" }, ...[...mark.cloneNode(true).childNodes] as SVGElement[]), svg("text", { x: mark ? 26 : 0 }, words)));
     at += wide + 18;
   }
-  const head = entries.length ? 40 + 18 * line : 22;
-  key.setAttribute("transform", `translate(0 ${-18 * line})`);
+  const above = yTitle ? 14 : 0, head = (entries.length ? 40 + 18 * line : 22) + above;
+  key.setAttribute("transform", `translate(0 ${-18 * line - above})`);
   copy.append(key);
-  if (yTitle) copy.append(label(yTitle, { x: 8, y: 10 }));
+  if (yTitle) copy.append(label(yTitle, { x: 8, y: -4 }));
   for (const [name, value] of Object.entries({
     xmlns: "http://www.w3.org/2000/svg", viewBox: `0 ${-head} ${width} ${height + head}`, width: `${FIGURE_WIDTH}mm`, height: `${((FIGURE_WIDTH * (height + head)) / width).toFixed(2)}mm`, role: "img", "aria-label": title,
   })) copy.setAttribute(name, value);

@@ -20,7 +20,7 @@ const SLIDERS: Readonly<Record<string, Key>> = { load_train: "kc", span: "L", su
 const NEAR = 0.05;  // [1] of a value, or of the span: as far as first order is told
 
 /** What is said of one file and holds for others of the same rig; a specimen is that of its file. */
-export const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration", "speed"]);
+const OF_THE_RIG: ReadonlySet<keyof Settings> = new Set(["span", "spanOff", "stiffness", "stiffnessOff", "supports", "tipRadius", "displacement", "calibration", "speed"]);
 const OF_ITS_COLUMNS = ["displacement-unit", "force-unit"] as const;  // likewise, for files with the same columns
 export const ERROR_LINE = "The line of errors";  // which cannot say that it was not drawn
 const SOON = 300;  // [ms] when the Worker has begun to compute, and its code is compiled
@@ -137,12 +137,23 @@ export class Studio {
         this.report(refused.join("\n"));
         continue;
       }
+      await this.takeRig(test);
       this.all.push(test);
       this.select(test);
       fits.push(this.runFit(test));
     }
     this.tell("fitting");
     await Promise.all(fits);
+  }
+  /** That of a fitted test with the same columns: one machine in one afternoon. What the file itself says counts more. The card shows it. */
+  private async takeRig(test: Test): Promise<void> {
+    const like = test.isCase ? undefined : this.tests.find((other) => !other.isCase && other.fit && sameColumns(other, test));
+    for (const key of like ? OF_THE_RIG : []) {
+      if (like!.settings[key] === undefined || (/^span/.test(key) && test.read?.test.span)) continue;
+      put(test.settings, key, like!.settings[key]);
+      test.taken.set(key, like!);
+    }
+    if (test.isReadOtherwise) await test.open(this.reader);
   }
   select(test: Test | null): void {
     this.test = test;
