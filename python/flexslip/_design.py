@@ -6,7 +6,7 @@ import importlib.util
 import os
 import reprlib
 from collections.abc import Iterable, Iterator, Mapping
-from typing import TYPE_CHECKING, cast
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -68,6 +68,10 @@ class _Planned(Case):
             return Case(self)
         except InputError:
             return Case.from_toml(middle)
+
+
+def _planned(file: object, set: Mapping[str, object] | None, keywords: Mapping[str, Any]) -> _Planned:  # noqa: A002
+    return _Planned(file, set=set, **keywords)
 
 
 class Design(_Kept, DesignFields):
@@ -269,7 +273,7 @@ def design(file: object = None, *, over: Mapping[str, object] | None = None, dec
     >>> len(flexslip.design("examples/design.toml", over={"stiffness": (50.0, "200 N/m", 3)}))
     3
     """
-    planned = _Planned(file, set=set, **keywords)
+    planned = _planned(file, set, keywords)
     reduced = planned.reduced
     count = _flexslip.threads if threads is None else whole("threads", threads, 1, 1024)
     if noise is not None and not decide:

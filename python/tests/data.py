@@ -166,7 +166,7 @@ class Records(unittest.TestCase):
         simulation = flexslip.simulate("examples/simulated/truth.toml")
         for data, told in (((np.column_stack([self.stage, self.stage, self.force]),), r"one array of the shape \(227, 3\). Write fit\(data\[:, 0\]"),
                            ((self.stage,), r"not an array. Write fit\(stage, force\)"), ((self.export,), r"not Export. Write fit\(export.to_frame\(\)\)"),
-                           ((simulation,), r"not Simulation. Write fit\(simulation.to_frame\(\)\)"), ((self.usual,), r"not Fit. Write fit\(fit.case\)"),
+                           ((simulation,), r"not Simulation. Write fit\(simulation.to_frame\(\)\)"), ((self.usual,), r"not Fit. Write fit\.case\."),
                            ((self.stage.astype(object).astype(str), self.force), "as in numpy.asarray")):
             with self.assertRaisesRegex(TypeError, told):
                 flexslip.fit(*data, **SPECIMEN)

@@ -209,8 +209,16 @@ TEST_CASE("outside: files, folders and files that are not there") {
   CHECK(read_table(path, x_and_y).columns[1].values == Values{2});
   CHECK_THROWS_WITH_AS(read_table(folder.path().string(), x_and_y),
                        (folder.path().string() + ": This is a directory, not a file.").c_str(), InputError);
-  CHECK_THROWS_WITH_AS(read_table(path + "x", x_and_y),
-                       (path + "x: The file cannot be read: No such file or directory.").c_str(), InputError);
+  CHECK_THROWS_WITH_AS(
+      read_table(path + "x", x_and_y),
+      (path + "x: The file cannot be read: No such file or directory. Did you mean '" + path + "'?").c_str(),
+      InputError);
+  const std::string beside = (folder.path() / "other.toml").string();
+  CHECK_THROWS_WITH_AS(read_table(beside, x_and_y),
+                       (beside + ": The file cannot be read: No such file or directory. It was looked for in '" +
+                        folder.path().string() + "'.")
+                           .c_str(),
+                       InputError);
   CHECK_THROWS_AS(write_table((folder.path() / "none" / "b.csv").string(), {"x"}, rows_of({})), InputError);
 }
 
