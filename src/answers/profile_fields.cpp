@@ -30,7 +30,9 @@ Fields<PointOfProfile> place_fields() {
               [](P p) { return p.point.mu; })
       .number("mu_error", "standard error of mu", [](P p) { return standard_error(p.point); })
       .number("mu_error_force", "part of mu_error due to force noise, without errors common to all points",
-              [](P p) { return p.point.from_force; });
+              [](P p) { return p.point.from_force; })
+      .number("drawn_in", kind::length, "sliding length: length that has slid in over both supports",
+              [](P p) { return p.point.S - 1; });
 }
 
 Fields<PointOfProfile> row_fields() {
@@ -54,8 +56,6 @@ Fields<PointOfProfile> profile_fields() {
       .own("force", kind::force, "measured force", measured(&Record::force))
       .titled("F")
       .all_of(place_fields())
-      .number("drawn_in", kind::length, "sliding length: length that has slid in over both supports",
-              [](P p) { return p.point.S - 1; })
       .number("imaged", kind::length,
               "length of the axis between the vertical planes through the supports, as in a side-view image",
               [](P p) { return p.point.imaged; });

@@ -135,11 +135,10 @@ constexpr std::array keys{
     // rig
     flagged(estimate(at<&RigInput::span>, "span", kind::length, Range::positive, "", R"("1278 um")", "1",
                      "support span: distance between the supports")),
-    flagged(estimate(
-        at<&RigInput::stiffness>, "stiffness", kind::stiffness, Range::positive_or_infinite, "", R"("90.65 N/m")",
-        "88.8",
-        "stiffness of the load train, which is everything that carries the load cell; \"inf\" for displacement "
-        "control")),
+    flagged(estimate(at<&RigInput::stiffness>, "stiffness", kind::stiffness, Range::positive_or_infinite, "",
+                     R"("90.65 N/m")", "88.8",
+                     "stiffness of the load train, which is everything that carries the load cell; \"inf\" if the "
+                     "displacement was measured at the specimen or is already corrected")),
     quantity(at<&RigInput::support_stiffness>, "support_stiffness", kind::stiffness, Range::positive_or_infinite,
              R"("5 kN/mm")", "2000", "vertical stiffness of each of the two supports, if they yield",
              ". They are then in series with the load train. The deflection is measured from the ends of the specimen"),

@@ -222,7 +222,7 @@ Plot profile_figure(const FittedTest& test) {
       .width = two_columns,
       .height = 74,
       .data = {std::move(measured), std::move(slips), std::move(imaged), std::move(band), std::move(wave)},
-      .panels = {{.x = {slid_label, slid.unit.unit, std::min(0.0, slid(fit.S_begin)), 1.02 * slid(S_end)},
+      .panels = {{.x = {slid_label, slid.unit.unit, 0, 1.02 * slid(S_end)},
                   .y = {friction_label, "", 1.05 * lowest, 1.05 * highest},
                   .marks = std::move(marks)}}};
 }

@@ -119,7 +119,7 @@ test("a program that does not start is a fault, and no answer that never comes",
 });
 
 test("faults are the program's own sentences and codes; what a page cannot do, it says", { skip }, async (t) => {
-  await same(t, ["fit", "nothing.toml"], {});
+  await same(t, ["fit", "nothing.toml"], { "nothin.toml": text("[rig]\nspan = 3\n") });
   await same(t, ["simulate", "case.toml"], { "case.toml": text("[rig]\nspan = 3\n") });
   await same(t, ["flt"], {});
   const sweep = await inPage(["sweep", "sweep.toml"], { "sweep.toml": new Uint8Array(readFileSync(join(root, "examples/sweep.toml"))) });

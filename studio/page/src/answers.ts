@@ -8,7 +8,7 @@ export interface Drop {
   row_before: number; row_after: number; stage: number; deflection_before: number; force_before: number; force_fall: number; slip: string; reading: string; pulled_in: number | null; mu_before: number | null; mu_after: number | null;
 }
 export interface Step { step: string; changed: boolean; done: string; value: number | null; uncertainty: number | null; unit: string | null; rows: [number, number] | null; key: string | null }
-export interface ProfilePoint { row: number; length: number; mu: number; mu_error: number; mu_error_force: number }
+export interface ProfilePoint { row: number; length: number; drawn_in: number; mu: number; mu_error: number; mu_error_force: number }
 /** Deflection and force are those of its points, from the turn before it on; length, mobilised friction and whether it slides those of the rows that the fit takes. */
 export interface Pass { direction: "in" | "out"; rows: [number, number]; friction: Estimate | null; deflection: number[]; force: number[]; drawn_in: number[]; q: number[]; slides: number[] }
 export interface Causes { slips: number | null; cracks: number | null; both: number | null }

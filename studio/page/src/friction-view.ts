@@ -73,7 +73,7 @@ export class FrictionView {
         svg("circle", { cx, cy: at, r: 3.5, fill: "var(--surface)", stroke: "var(--model)", "stroke-width": 1.6 }), label("mean *μ*₀", { x: cx + 8, y: at + 4 }));
     }
     if (this.slips(fit).length) side.append(svg("text", { x: right + 2, y: bottom - 1, fill: "var(--ink3)" }, "slips"));
-    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `sliding length over each support (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
+    sized(this.drawing, this.host, svg("defs", {}, clip), axes(frame, `${least < 0 ? "place of the contact, inwards" : "sliding length over each support"} (${unit.name})`, { x: Math.max(3, Math.round(frame.width / 90)), y: 5 }), inside, this.restated, side, this.marker);
     this.host.setAttribute("aria-label", `Friction along the specimen of ${fit.answer.name}: ${points.length} points${mu0 ? `, mean ${mu0.value.toFixed(2)}` : ""}. Arrow keys move row by row.`);
     this.mark();
   }

@@ -20,8 +20,14 @@ export function rigOf(fit: Fit, values: Values, mu: Float64Array): Rig {
   return { span: values.L, diameter: values.D, bendingStiffness: values.EI, stiffness: values.kc, tipRadius: values.R, friction: tableOf(fit, values, mu) };
 }
 
-/** How far the fibre was drawn in, over both supports [m], where the fit last saw its friction: beyond, friction is continued as in a mirror. */
-export const seenTo = (fit: Fit): number => (fit.friction.length[fit.friction.seen - 1] ?? 0) - fit.fitted.L;
+/** The length between the contacts where the fit last saw its friction: beyond, friction is continued as in a mirror. */
+const lastSeen = (fit: Fit): number => fit.friction.length[fit.friction.seen - 1] ?? fit.fitted.L;
+
+/** How far the fibre was drawn in there, over both supports [m]: on knife edges, as much longer as it became between the contacts. */
+export function seenTo(fit: Fit): number {
+  const end = fit.answer.profile.at(-1);
+  return lastSeen(fit) + (end ? end.drawn_in - end.length : -fit.fitted.L);
+}
 
 const LIVE_KNOTS = 280;  // of friction while a slider moves: a curve costs by the knots that it passes
 
@@ -152,7 +158,7 @@ export function forceAt(loading: Curve, stage: Float64Array): Float64Array {
 
 /** Root mean square of data less model [N], over the rows that the model reaches and whose friction the fit has seen. */
 export function misfit(fit: Fit, loading: Curve): { rms: number; residual: Float64Array } {
-  const stage = fit.curves.column("w_s")!, force = fit.curves.column("F")!, S = fit.curves.column("S")!, model = forceAt(loading, stage), last = fit.fitted.L + seenTo(fit);
+  const stage = fit.curves.column("w_s")!, force = fit.curves.column("F")!, S = fit.curves.column("S")!, model = forceAt(loading, stage), last = lastSeen(fit);
   const residual = force.map((f, i) => (S[i]! > last ? NaN : f - model[i]!));
   let sum = 0, count = 0;
   for (const r of residual)
