@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "case/mechanics.h"
+#include "data/small_deflection.h"
 #include "numerics/elementary.h"
 #include "numerics/root.h"
 
@@ -163,6 +164,7 @@ DesignAnswer answer_of(const Test& input) {
   answer.wraps_nose = answer.outcome.greatest_curvature > nose_curvature_of(input, scales);
   const bool now = answer.outcome.snaps > 0;
   const auto add = [&](std::string_view parameter, double to, bool and_beyond) {
+    if (parameter == "modulus" && !input.reduced && to > max_material_modulus) return;
     const auto outcome = outcome_with(input, parameter, to);
     if (outcome && (outcome->snaps > 0) != now)
       answer.changes.push_back({parameter, value_of(input, parameter).value(), to,
