@@ -44,7 +44,7 @@ async function readAs(folder, names) {
     assert.ok(shown.format.includes(marks[told.delimiter] ?? told.delimiter), `${name}: ${shown.format}`);
     const asked = await tab.locator("#request").innerText();
     assert.equal(shown.force ?? (asked ? "not found" : ""), force ? `${force.name}${force.unit ? `, in ${force.unit}` : ""}` : "not found", name);
-    assert.match(await tab.locator("#what").innerText(), new RegExp(`${told.rows} rows|of ${told.rows}`), name);
+    assert.match(`${await tab.locator("#what").innerText()} ${await tab.locator("#verdict").innerText()}`, new RegExp(`${told.rows} rows|of ${told.rows}`), name);
   }
   assert.deepEqual(tab.said, []);
   await tab.end();
@@ -70,11 +70,15 @@ for (const name of ["SS14", "SS36"])
     await tab.waitForFunction((n) => document.querySelector("#tests .selected b")?.textContent === n, name);
     await say(tab, RIG);
     await fitted(tab);
-    const { out } = native(["fit", `${name}.csv`, "--span", "1278 um", "--diameter", "34.8 um", "--stiffness", "90.65 N/m", "--json"], { [`${name}.csv`]: readFileSync(file) }), told = JSON.parse(out);
+    await tab.locator("#fit").click();  // what was said after the last question
+    await fitted(tab);
+    // A file with stage and deflection may have shown its load train, which is then not asked.
+    const command = await commandOf(tab), args = command.match(/"[^"]*"|\S+/g).slice(1).map((word) => word.replaceAll('"', ""));
+    assert.match(command, new RegExp(`^flexslip fit ${name}\\.csv --span "1278 um" --diameter "34\\.8 um"( --stiffness "90\\.65 N/m")?$`));
+    const { out } = native([...args, "--json"], { [`${name}.csv`]: readFileSync(file) }), told = JSON.parse(out);
     assert.equal(await tab.locator("#verdict h1").innerText(), told.verdict.sentence);
     assert.equal(await tab.locator("#tests .selected .badge").innerText(), told.verdict.sentence.split(".")[0]);
     assert.match(await tab.locator("#what").innerText(), new RegExp(`rows ${told.measurement.first_row}–${told.measurement.last_row} of ${told.measurement.rows}`));
-    assert.equal(await commandOf(tab), `flexslip fit ${name}.csv --span "1278 um" --diameter "34.8 um" --stiffness "90.65 N/m"`);
     assert.deepEqual(tab.said, []);
     await tab.end();
   });
@@ -141,7 +145,7 @@ with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as z:
     const tab = await open();
     await drop(tab, join(folder, "book.xlsx"));
     await tab.waitForFunction(() => document.querySelector("#tests .selected b")?.textContent === "book");
-    assert.match(await tab.locator("#what").innerText(), /426 rows/);
+    assert.match(await tab.locator("#verdict").innerText(), /426 rows/);
     await say(tab, RIG);
     await fitted(tab);
     assert.match(await tab.locator("#verdict .lines").first().innerText(), /next\s+State “supports”: edges, or “radius”/);
