@@ -190,6 +190,7 @@ PreparationStep find_contact_of_record(Preparing& at) {
   return is_found ? count_from_own_contact(at, contact) : count_from_stated_contact(at, contact, usual_error);
 }
 
+// Before displacements are counted from the contact.
 FirstCurve first_curve_of(const Preparing& at) {
   const Measurement& result = at.result;
   std::vector<std::size_t> points;
@@ -215,6 +216,7 @@ FirstCurve first_curve_of(const Preparing& at) {
   return curve;
 }
 
+// The linear region of the first curve.
 std::optional<LinearRegion> straight_part(const Preparing& at) {
   const FirstCurve& curve = at.result.first_curve;
   SmallDeflectionOptions options;

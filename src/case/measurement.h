@@ -45,12 +45,12 @@ struct LeastTrain {
   double advance;      // [m] increase of the deflection, > 0
 };
 
-// The loading of the specimen to where it has not been before: the evaluated loading, and, where an
-// earlier loading begins it, that one and of every later one the points beyond. Friction remembers
-// where the stage last turned: a reload meets this curve there, unless stiffness was lost.
+// The curve along which the specimen is bent farther than ever before: the first loading, then of each
+// later one up to the evaluated one the points beyond. The evaluated loading alone if an earlier one
+// goes as far. A reload meets this curve where the stage turned back, unless stiffness was lost.
 struct FirstCurve {
   Record record{};                    // stage and deflection from the contact
-  std::vector<std::size_t> points{};  // of each, its place in Sampling::rows
+  std::vector<std::size_t> points{};  // the index of each point in Sampling::rows
 };
 
 struct Measurement {

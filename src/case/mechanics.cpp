@@ -69,11 +69,12 @@ std::optional<BendingStiffnessUsed> stated_stiffness(const Test& test) {
   BendingStiffnessUsed used{known->value, own.value_or(default_stiffness_error),
                             own ? StiffnessSource::stated : StiffnessSource::assumed_error};
   if (product) return used;
-  constexpr double softest = 1000;  // [Pa] of a solid
+  constexpr double softest = 1000;  // [Pa] numbers that were meant in GPa are smaller
   if (!test.reduced && known->value < softest)
-    throw wrong_value(test, "specimen.modulus",
-                      fmt::format("{} is softer than any solid", readable(known->value, kind::pressure)),
-                      "write the value with its unit, such as \"29.6 GPa\"");
+    throw wrong_value(
+        test, "specimen.modulus",
+        fmt::format("{} is softer than any specimen that can be bent", readable(known->value, kind::pressure)),
+        "write the value with its unit, such as \"29.6 GPa\"");
   const auto section = section_of(test);
   if (!section) throw missing(test, "specimen.diameter");
   used.value *= second_moment(*section);

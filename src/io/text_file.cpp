@@ -32,8 +32,8 @@ InputError cannot_be_opened(const std::string& path, int reason) {
   std::error_code unknown;
   const fs::path folder = fs::absolute(file, unknown).parent_path();
   if (!fs::is_directory(folder, unknown)) {
-    error.fault.remedy = fmt::format("there is no folder {} in {}", in_quotes(file.parent_path().string()),
-                                     in_quotes(fs::current_path(unknown).string()));
+    error.fault.remedy = fmt::format("there is no folder '{}'", file.parent_path().string());
+    if (file.is_relative()) error.fault.remedy += fmt::format(" in '{}'", fs::current_path(unknown).string());
     return InputError(error.fault);
   }
   std::vector<std::string> names;
@@ -41,9 +41,8 @@ InputError cannot_be_opened(const std::string& path, int reason) {
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   const std::string meant = nearest(file.filename().string(), names);
-  error.fault.remedy = meant.empty()
-                           ? fmt::format("it was looked for in {}", in_quotes(folder.lexically_normal().string()))
-                           : fmt::format("did you mean {}?", in_quotes((file.parent_path() / meant).string()));
+  error.fault.remedy = meant.empty() ? fmt::format("it was looked for in '{}'", folder.lexically_normal().string())
+                                     : fmt::format("did you mean '{}'?", (file.parent_path() / meant).string());
   return InputError(error.fault);
 }
 

@@ -275,7 +275,7 @@ class WrongCall(InFolder):
         self.refused("equilibrium", truth, "--longest", "100 um", says=["--longest", "greater than the span"])
 
     def test_a_modulus_of_another_world(self):
-        for modulus, told in (("1e50 Pa", "initial slope"), ("1e60 Pa", "initial slope"), ("1e-40 Pa", "softer than any solid"), ("70 Pa", 'such as "29.6 GPa"')):
+        for modulus, told in (("1e50 Pa", "initial slope"), ("1e60 Pa", "initial slope"), ("1e-40 Pa", "softer than any specimen"), ("70 Pa", 'such as "29.6 GPa"')):
             self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"specimen.modulus={modulus}", says=["specimen.modulus", told])
         for key, value in (("specimen.modulus", "1e200 Pa"), ("rig.span", "1e200 m"), ("record.zero", "1e300 N")):
             self.refused("fit", SOURCE / "examples" / "simulated" / "case.toml", "--set", f"{key}={value}", says=[key, "a possible", "look at its exponent"])
